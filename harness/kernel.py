@@ -1,0 +1,89 @@
+"""The virtual clock and its event queue. All times are integer nanoseconds.
+
+Everything that happens in a simulated plant happens here, one event after the other. Two events at
+the same instant run in the order of their priority and then in the order in which they were
+scheduled, so that the same seed gives the same trace, byte for byte.
+"""
+
+from collections.abc import Callable
+from heapq import heappop, heappush
+from random import Random
+
+NS_PER_US = 1_000
+NS_PER_MS = 1_000_000
+NS_PER_S = 1_000_000_000
+
+
+class Event:
+    """A call that is due at an instant; `cancel` takes it back."""
+
+    __slots__ = ("_action", "time_ns")
+
+    def __init__(self, time_ns: int, action: Callable[[], None]) -> None:
+        self.time_ns = time_ns
+        self._action: Callable[[], None] | None = action
+
+    @property
+    def pending(self) -> bool:
+        """True until the event has run or was cancelled."""
+        return self._action is not None
+
+    def cancel(self) -> None:
+        """Nothing happens at the instant any more; harmless on an event that has run."""
+        self._action = None
+
+    def run(self) -> None:
+        """Carry the event out unless it was cancelled. Only the kernel calls this."""
+        action, self._action = self._action, None
+        if action is not None:
+            action()
+
+
+class Kernel:
+    """One virtual clock with the events that are due on it, and one seeded random source."""
+
+    __slots__ = ("_queue", "_sequence", "now_ns", "random", "seed")
+
+    def __init__(self, seed: int = 0) -> None:
+        self.now_ns = 0
+        self.seed = seed
+        self.random = Random(seed)
+        self._queue: list[tuple[int, int, int, Event]] = []
+        self._sequence = 0
+
+    def at(self, time_ns: int, action: Callable[[], None], priority: int = 0) -> Event:
+        """Run `action` at an instant; in the past means now. Lower priorities run first."""
+        event = Event(max(time_ns, self.now_ns), action)
+        self._sequence += 1
+        heappush(self._queue, (event.time_ns, priority, self._sequence, event))
+        return event
+
+    def after(self, delay_ns: int, action: Callable[[], None], priority: int = 0) -> Event:
+        """Run `action` when `delay_ns` have passed."""
+        return self.at(self.now_ns + delay_ns, action, priority)
+
+    def next_event_ns(self) -> int | None:
+        """The instant of the next event that was not cancelled, or None."""
+        queue = self._queue
+        while queue and not queue[0][3].pending:
+            heappop(queue)
+        return queue[0][0] if queue else None
+
+    def run_until(self, time_ns: int) -> None:
+        """Let everything up to and including `time_ns` happen; the clock then shows `time_ns`.
+
+        May be called from inside an event: that is how a hardware access in the middle of a scan
+        lets the world go on up to its own instant. A call for an instant before now does nothing.
+        """
+        queue = self._queue
+        while queue and queue[0][0] <= time_ns:
+            due_ns, _, _, event = heappop(queue)
+            if due_ns > self.now_ns:
+                self.now_ns = due_ns
+            event.run()
+        if time_ns > self.now_ns:
+            self.now_ns = time_ns
+
+    def run_for(self, duration_ns: int) -> None:
+        """Let `duration_ns` pass."""
+        self.run_until(self.now_ns + duration_ns)
