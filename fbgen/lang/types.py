@@ -1,0 +1,221 @@
+"""The types of the PLC languages, with their width, and how values of them look at run time.
+
+At run time a value is a plain Python object: BOOL a `bool`; bit strings, integers, TIME and dates
+an `int`; REAL and LREAL a `float` (REAL already rounded to 32 bit); CHAR and STRING a `str` of
+characters below 256, WCHAR and WSTRING a `str`. TIME counts milliseconds in 32 bit, LTIME
+nanoseconds in 64 bit (both signed), DATE days since 1990-01-01, TIME_OF_DAY milliseconds since
+midnight, DATE_AND_TIME and LDT nanoseconds since 1970-01-01.
+Sources: IEC 61131-3 third edition, table 10; TIA Portal help, "Overview of the valid data types".
+"""
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import TypeAlias
+
+
+class Family(Enum):
+    """What kind of value an elementary type holds."""
+
+    BOOL = "bool"
+    BITS = "bit string"
+    SIGNED = "signed integer"
+    UNSIGNED = "unsigned integer"
+    REAL = "floating point"
+    DURATION = "duration"
+    DATE = "date"
+    CHAR = "character"
+    VOID = "no value"
+
+
+@dataclass(frozen=True, slots=True)
+class Elementary:
+    """A type without parts. `bits` is its width; 0 for no value at all."""
+
+    name: str
+    family: Family
+    bits: int
+
+    @property
+    def minimum(self) -> int:
+        """The smallest value of a type that counts in whole numbers."""
+        return -(1 << (self.bits - 1)) if self.is_signed else 0
+
+    @property
+    def maximum(self) -> int:
+        """The largest value of a type that counts in whole numbers."""
+        return (1 << (self.bits - 1)) - 1 if self.is_signed else (1 << self.bits) - 1
+
+    @property
+    def is_signed(self) -> bool:
+        """True where the top bit is a sign."""
+        return self.family in (Family.SIGNED, Family.DURATION)
+
+    @property
+    def is_integer(self) -> bool:
+        """True for the types that calculate with whole numbers."""
+        return self.family in (Family.SIGNED, Family.UNSIGNED)
+
+    def __str__(self) -> str:
+        return self.name
+
+
+BOOL = Elementary("BOOL", Family.BOOL, 1)
+BYTE = Elementary("BYTE", Family.BITS, 8)
+WORD = Elementary("WORD", Family.BITS, 16)
+DWORD = Elementary("DWORD", Family.BITS, 32)
+LWORD = Elementary("LWORD", Family.BITS, 64)
+SINT = Elementary("SINT", Family.SIGNED, 8)
+INT = Elementary("INT", Family.SIGNED, 16)
+DINT = Elementary("DINT", Family.SIGNED, 32)
+LINT = Elementary("LINT", Family.SIGNED, 64)
+USINT = Elementary("USINT", Family.UNSIGNED, 8)
+UINT = Elementary("UINT", Family.UNSIGNED, 16)
+UDINT = Elementary("UDINT", Family.UNSIGNED, 32)
+ULINT = Elementary("ULINT", Family.UNSIGNED, 64)
+REAL = Elementary("REAL", Family.REAL, 32)
+LREAL = Elementary("LREAL", Family.REAL, 64)
+TIME = Elementary("TIME", Family.DURATION, 32)
+LTIME = Elementary("LTIME", Family.DURATION, 64)
+S5TIME = Elementary("S5TIME", Family.BITS, 16)
+DATE = Elementary("DATE", Family.DATE, 16)
+TIME_OF_DAY = Elementary("TIME_OF_DAY", Family.DATE, 32)
+LTIME_OF_DAY = Elementary("LTIME_OF_DAY", Family.DATE, 64)
+DATE_AND_TIME = Elementary("DATE_AND_TIME", Family.DATE, 64)
+LDT = Elementary("LDT", Family.DATE, 64)
+CHAR = Elementary("CHAR", Family.CHAR, 8)
+WCHAR = Elementary("WCHAR", Family.CHAR, 16)
+VOID = Elementary("VOID", Family.VOID, 0)
+
+ELEMENTARY: dict[str, Elementary] = {
+    kind.name: kind
+    for kind in (
+        *(BOOL, BYTE, WORD, DWORD, LWORD, SINT, INT, DINT, LINT, USINT, UINT, UDINT, ULINT),
+        *(REAL, LREAL, TIME, LTIME, S5TIME, DATE, TIME_OF_DAY, LTIME_OF_DAY),
+        *(DATE_AND_TIME, LDT, CHAR, WCHAR, VOID),
+    )
+}
+"""By canonical name; `ALIASES` has the other spellings."""
+
+ALIASES: dict[str, str] = {
+    "TOD": "TIME_OF_DAY",
+    "LTOD": "LTIME_OF_DAY",
+    "DT": "DATE_AND_TIME",
+}
+
+S7_STRING_LENGTH = 254
+"""Length of a STRING without a length on S7; IEC leaves it to the implementation."""
+
+
+@dataclass(frozen=True, slots=True)
+class StringType:
+    """STRING or WSTRING with room for `length` characters."""
+
+    length: int = S7_STRING_LENGTH
+    wide: bool = False
+
+    @property
+    def name(self) -> str:
+        """The name with the length."""
+        return f"{'WSTRING' if self.wide else 'STRING'}[{self.length}]"
+
+    def __str__(self) -> str:
+        return self.name
+
+
+@dataclass(frozen=True, slots=True)
+class ArrayType:
+    """An array; `bounds` has the first and the last index of each dimension."""
+
+    bounds: tuple[tuple[int, int], ...]
+    element: "Type"
+
+    @property
+    def count(self) -> int:
+        """How many elements there are over all dimensions."""
+        count = 1
+        for first, last in self.bounds:
+            count *= last - first + 1
+        return count
+
+    @property
+    def name(self) -> str:
+        """The type as it is declared."""
+        bounds = ", ".join(f"{first}..{last}" for first, last in self.bounds)
+        return f"ARRAY[{bounds}] OF {self.element.name}"
+
+    def __str__(self) -> str:
+        return self.name
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """One part of a structure. `initial` is None for the default of the type."""
+
+    name: str
+    type: "Type"
+    initial: "Initial | None" = None
+
+
+@dataclass(frozen=True, eq=False)
+class StructType:
+    """A structure or UDT. Two structures are the same type only if they are the same object."""
+
+    name: str
+    fields: tuple[Field, ...]
+
+    def field(self, name: str) -> Field | None:
+        """The part with this name, whatever its case."""
+        key = name.casefold()
+        return next((field for field in self.fields if field.name.casefold() == key), None)
+
+    def __str__(self) -> str:
+        return self.name
+
+
+@dataclass(frozen=True, eq=False)
+class BlockType:
+    """The type of an instance of a function block, the user's or a standard one.
+
+    What the block looks like inside stands in `fbgen.lang.checked` under the same name.
+    """
+
+    name: str
+
+    def __str__(self) -> str:
+        return self.name
+
+
+@dataclass(frozen=True, eq=False)
+class AnyType:
+    """VARIANT or ANY: a parameter of a system instruction that takes a whole area."""
+
+    name: str
+
+    def __str__(self) -> str:
+        return self.name
+
+
+VARIANT = AnyType("VARIANT")
+ANY = AnyType("ANY")
+
+Type: TypeAlias = Elementary | StringType | ArrayType | StructType | BlockType | AnyType
+
+Scalar: TypeAlias = bool | int | float | str
+"""A value of an elementary type or a string."""
+
+
+@dataclass(frozen=True, slots=True)
+class ArrayInitial:
+    """Initial values of an array, flat, last index fastest; None is the default of the element."""
+
+    items: tuple["Initial | None", ...]
+
+
+@dataclass(frozen=True, slots=True)
+class StructInitial:
+    """Initial values of the named parts of a structure or an instance; the others have defaults."""
+
+    fields: tuple[tuple[str, "Initial"], ...]
+
+
+Initial: TypeAlias = Scalar | ArrayInitial | StructInitial
