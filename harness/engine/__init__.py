@@ -1,0 +1,1 @@
+"""Checked program to behaviour: the reference evaluator, the compiler to Python, the library."""

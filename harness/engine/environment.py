@@ -1,0 +1,111 @@
+"""What a running program needs from the controller around it: time, memory, hardware.
+
+The engines know nothing else of the controller. `harness.plc` implements it with a simulated CPU;
+`StandaloneEnvironment` serves blocks that are run on their own.
+"""
+
+from collections.abc import Mapping
+from typing import Protocol
+
+from fbgen.diagnostics import error
+from fbgen.lang.types import Scalar, Type
+from fbgen.source import Span
+from harness.kernel import Kernel
+
+
+class Area(Protocol):
+    """A variable handed to a system instruction as an area of bytes (ANY, VARIANT).
+
+    Bytes are in S7 layout: big endian, BOOLs packed, words aligned to even addresses.
+    """
+
+    @property
+    def type(self) -> Type:
+        """The declared type of the variable."""
+        ...
+
+    @property
+    def length(self) -> int:
+        """Its length in bytes."""
+        ...
+
+    def read(self) -> bytes:
+        """All bytes of the variable."""
+        ...
+
+    def write(self, data: bytes) -> None:
+        """Set the variable from its first `len(data)` bytes; the rest stays."""
+        ...
+
+
+class Environment(Protocol):
+    """The controller as a running program sees it."""
+
+    @property
+    def now_ns(self) -> int:
+        """The instant of the running scan, in nanoseconds; timers follow it."""
+        ...
+
+    @property
+    def inputs(self) -> bytearray:
+        """The process image of the inputs."""
+        ...
+
+    @property
+    def outputs(self) -> bytearray:
+        """The process image of the outputs."""
+        ...
+
+    @property
+    def markers(self) -> bytearray:
+        """The bit memory."""
+        ...
+
+    def read_peripheral(self, byte: int, count: int) -> int:
+        """`count` bytes (1, 2, 4) straight from the hardware, big endian, as an unsigned number."""
+        ...
+
+    def write_peripheral(self, byte: int, count: int, value: int) -> None:
+        """`count` bytes (1, 2, 4) straight to the hardware, big endian."""
+        ...
+
+    def instruction(self, name: str, arguments: Mapping[str, Scalar | Area], span: Span) -> Scalar:
+        """Carry out a system instruction and give its result.
+
+        `arguments` has the input values, and an `Area` for each output and area parameter.
+        """
+        ...
+
+
+class StandaloneEnvironment:
+    """A controller without hardware: a clock and memory, for blocks that run on their own."""
+
+    __slots__ = ("inputs", "kernel", "markers", "outputs")
+
+    def __init__(self, kernel: Kernel | None = None, image_bytes: int = 1024) -> None:
+        self.kernel = kernel or Kernel()
+        self.inputs = bytearray(image_bytes)
+        self.outputs = bytearray(image_bytes)
+        self.markers = bytearray(image_bytes)
+
+    @property
+    def now_ns(self) -> int:
+        """The instant of the virtual clock."""
+        return self.kernel.now_ns
+
+    def read_peripheral(self, byte: int, count: int) -> int:
+        """Without hardware the inputs are what somebody put into the image."""
+        return int.from_bytes(self.inputs[byte : byte + count], "big")
+
+    def write_peripheral(self, byte: int, count: int, value: int) -> None:
+        """Without hardware the outputs end in the image."""
+        self.outputs[byte : byte + count] = value.to_bytes(count, "big")
+
+    def instruction(self, name: str, arguments: Mapping[str, Scalar | Area], span: Span) -> Scalar:
+        """There is no hardware that could carry out an instruction."""
+        raise error(
+            "FB6001",
+            f"{name} needs a controller with hardware, and this block runs on its own",
+            span,
+            "run it in a plant (a scenario with a plant file)",
+        )
