@@ -1,0 +1,123 @@
+"""What goes over the line: one object for a run of characters, and what a receiver made of it."""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from harness.line.serial_format import SerialFormat, marks_of_mismatch
+
+if TYPE_CHECKING:
+    from harness.kernel import Event
+    from harness.line.medium import Pair, Port
+
+
+class Transmission:
+    """Characters that one sender puts on a pair without a gap.
+
+    `data` is what was sent, from `start_ns` to `end_ns`. `sender` is None for bytes from outside,
+    such as those that noise makes on an idle line. `heard` is what an undisturbed listener with
+    the sender's setting received; it is there when the transmission is over.
+    """
+
+    __slots__ = (
+        "data",
+        "end_ns",
+        "event",
+        "format",
+        "heard",
+        "overlapping",
+        "pair",
+        "sender",
+        "start_ns",
+    )
+
+    def __init__(
+        self,
+        pair: "Pair",
+        sender: "Port | None",
+        data: bytes,
+        start_ns: int,
+        format: SerialFormat,  # noqa: A002 - the field's term
+    ) -> None:
+        self.pair = pair
+        self.sender = sender
+        self.data = data
+        self.start_ns = start_ns
+        self.end_ns = start_ns + format.duration_ns(len(data))
+        self.format = format
+        self.overlapping: list[Transmission] = []
+        self.heard: Reception | None = None
+        self.event: Event | None = None
+
+    @property
+    def collided(self) -> bool:
+        """True if somebody else sent on the same pair at the same time."""
+        return bool(self.overlapping)
+
+    def byte_start_ns(self, index: int) -> int:
+        """Instant at which the start bit of the byte with this index begins."""
+        return self.start_ns + self.format.duration_ns(index)
+
+    def byte_end_ns(self, index: int) -> int:
+        """Instant at which the last stop bit of the byte with this index is over."""
+        return self.start_ns + self.format.duration_ns(index + 1)
+
+    def bytes_within(self, start_ns: int, end_ns: int) -> range:
+        """Indexes of the bytes that are on the line at any time from `start_ns` up to `end_ns`."""
+        touched = [
+            index
+            for index in range(len(self.data))
+            if self.byte_start_ns(index) < end_ns and self.byte_end_ns(index) > start_ns
+        ]
+        return range(touched[0], touched[-1] + 1) if touched else range(0)
+
+
+class Reception(NamedTuple):
+    """A transmission as one receiver heard it.
+
+    `marks` has one byte per byte of `data`: 0, or `PARITY_ERROR` and `FRAMING_ERROR`; None says
+    that all are clean. `positions` gives the index that each byte had in the transmission; None
+    says that none was lost.
+    """
+
+    transmission: Transmission
+    data: bytes
+    marks: bytes | None = None
+    positions: tuple[int, ...] | None = None
+
+    @property
+    def start_ns(self) -> int:
+        """Instant at which the transmission began."""
+        return self.transmission.start_ns
+
+    @property
+    def end_ns(self) -> int:
+        """Instant at which the transmission was over: now, when a node receives it."""
+        return self.transmission.end_ns
+
+    @property
+    def byte_ns(self) -> int:
+        """Time of one character as it was sent, rounded down to nanoseconds."""
+        return self.transmission.format.duration_ns(1)
+
+    def byte_end_ns(self, index: int) -> int:
+        """Instant at which the byte with this index of `data` was complete."""
+        sent = index if self.positions is None else self.positions[index]
+        return self.transmission.byte_end_ns(sent)
+
+    def with_format(self, own: SerialFormat) -> "Reception":
+        """The same for a receiver with another baud rate or parity."""
+        mismatch = marks_of_mismatch(self.data, self.transmission.format, own)
+        marks = mismatch
+        if self.marks is not None:
+            marks = bytes(a | b for a, b in zip(self.marks, mismatch, strict=True))
+        return self._replace(marks=marks if any(marks) else None)
+
+    def without(self, lost: frozenset[int]) -> "Reception":
+        """The same for a receiver that missed the bytes with these indexes of the transmission."""
+        positions = self.positions or tuple(range(len(self.data)))
+        kept = [at for at, position in enumerate(positions) if position not in lost]
+        marks = None if self.marks is None else bytes(self.marks[at] for at in kept)
+        return self._replace(
+            data=bytes(self.data[at] for at in kept),
+            marks=marks if marks and any(marks) else None,
+            positions=tuple(positions[at] for at in kept),
+        )
