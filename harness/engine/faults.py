@@ -1,0 +1,180 @@
+"""What stops a running program: the diagnostics FB6002 to FB6049, one function each.
+
+Both engines raise these and nothing else. A real CPU sets a status bit, goes on with a value that
+differs from family to family, or stops; here the scan ends, so that a test sees what happened.
+"""
+
+from difflib import get_close_matches
+
+from fbgen.diagnostics import DiagnosticError, error
+from fbgen.lang.types import Type
+from fbgen.source import Span
+
+# --- what the program does --------------------------------------------------------------------
+
+
+def index_out_of_range(
+    span: Span | None, index: int, first: int, last: int, dimension: int = 1
+) -> DiagnosticError:
+    """FB6002: an array index outside its bounds; `dimension` counts from 1."""
+    which = f"index {dimension}" if dimension > 1 else "the index"
+    return error(
+        "FB6002",
+        f"{which} is {index}, the array has {first}..{last}",
+        span,
+        "limit the index before it is used, or declare the array larger",
+    )
+
+
+def division_by_zero(span: Span) -> DiagnosticError:
+    """FB6003: / or MOD on whole numbers or times with zero on the right."""
+    return error(
+        "FB6003", "division by zero", span, "test the divisor first: IF divisor <> 0 THEN ..."
+    )
+
+
+def endless_loop(loop: Span, passes: int) -> DiagnosticError:
+    """FB6004: the loops of one call from outside have begun more than `passes` passes.
+
+    `loop` is the span of the loop that began the last one.
+    """
+    first_line = loop.text.split("\n", 1)[0].strip()
+    return error(
+        "FB6004",
+        f"the cycle watchdog stopped '{first_line}': more than {passes} loop passes in one cycle",
+        loop,
+        "make sure that the loop's condition changes in its body",
+    )
+
+
+def nesting_too_deep(span: Span | None, block: str, depth: int) -> DiagnosticError:
+    """FB6005: more than `depth` blocks are inside each other."""
+    return error(
+        "FB6005",
+        f"the call of '{block}' is nested more than {depth} deep",
+        span,
+        "a block must not call itself, not even through another one",
+    )
+
+
+def value_out_of_range(span: Span, value: float, target: Type) -> DiagnosticError:
+    """FB6006: a floating-point number (or NaN) that the whole-number type cannot hold."""
+    return error(
+        "FB6006",
+        f"{value!r} does not fit into {target}",
+        span,
+        "limit the value before it is converted, for example with LIMIT",
+    )
+
+
+def not_a_number(span: Span, text: str, target: Type) -> DiagnosticError:
+    """FB6007: a text that cannot be read as a value of the type, or is out of its range."""
+    return error(
+        "FB6007",
+        f"the text {text!r} cannot be read as {target}",
+        span,
+        "the whole text must be one number of the type, blanks around it are allowed",
+    )
+
+
+def step_is_zero(span: Span) -> DiagnosticError:
+    """FB6008: a FOR that would never end."""
+    return error("FB6008", "the step of this FOR is 0", span, "use BY with a step that is not 0")
+
+
+def selector_out_of_range(span: Span, selector: int, count: int) -> DiagnosticError:
+    """FB6009: MUX with a selector for which there is no input."""
+    return error(
+        "FB6009",
+        f"MUX has the inputs 0..{count - 1}, the selector is {selector}",
+        span,
+        "limit the selector before it is used",
+    )
+
+
+def address_out_of_range(span: Span | None, address: str, size: int) -> DiagnosticError:
+    """FB6010: an absolute address behind the end of its area of `size` bytes."""
+    return error(
+        "FB6010",
+        f"{address} lies outside of its area, which has {size} bytes",
+        span,
+        "use an address inside the area, or make the area larger",
+    )
+
+
+def no_data_block(span: Span | None, number: int) -> DiagnosticError:
+    """FB6011: `DBn` is addressed and there is no data block of that name."""
+    return error(
+        "FB6011",
+        f"there is no data block DB{number}",
+        span,
+        f'add DATA_BLOCK "DB{number}" to the files',
+    )
+
+
+def reference_not_set(span: Span | None, name: str) -> DiagnosticError:
+    """FB6012: an in-out is used that no call has connected yet."""
+    return error(
+        "FB6012",
+        f"the in-out '{name}' is used and nothing is connected to it",
+        span,
+        "give the in-out a variable in the call",
+    )
+
+
+def no_layout(span: Span | None, kind: Type) -> DiagnosticError:
+    """FB6013: a variable is used as an area of bytes whose type has no layout in memory."""
+    return error(
+        "FB6013",
+        f"a variable of type {kind} cannot be used as an area of bytes",
+        span,
+        "use an array, a structure or an elementary variable",
+    )
+
+
+# --- what is asked from outside ---------------------------------------------------------------
+
+
+def unknown_name(what: str, name: str, known: "list[str]") -> DiagnosticError:
+    """FB6020: nothing has this name; `what` is "block", "variable", "input" and the like."""
+    by_key = {entry.casefold(): entry for entry in known}
+    near = get_close_matches(name.casefold(), list(by_key), n=1, cutoff=0.6)
+    if near:
+        advice = f"did you mean '{by_key[near[0]]}'?"
+    elif known:
+        advice = f"there is: {', '.join(sorted(known, key=str.casefold)[:12])}"
+    else:
+        advice = ""
+    return error("FB6020", f"there is no {what} '{name}'", None, advice)
+
+
+def wrong_value(path: str, value: object, kind: Type, reason: str) -> DiagnosticError:
+    """FB6021: a Python value that the variable at `path` cannot hold."""
+    return error("FB6021", f"{path} : {kind} cannot be {_shortened(value)}: {reason}")
+
+
+def wrong_kind_of_block(name: str, found: str, use: str) -> DiagnosticError:
+    """FB6022: a block is used in a way that its kind does not allow; `use` says what would do."""
+    return error("FB6022", f"'{name}' is a {found}", None, use)
+
+
+def missing_argument(block: str, name: str) -> DiagnosticError:
+    """FB6023: a call from outside leaves out what the block cannot do without."""
+    return error(
+        "FB6023", f"'{block}' needs a value for '{name}'", None, f"add {name}=... to the call"
+    )
+
+
+def wrong_path(path: str, reason: str) -> DiagnosticError:
+    """FB6024: a path that does not lead to a variable."""
+    return error("FB6024", f"'{path}' does not name a variable: {reason}")
+
+
+def not_writable(path: str, reason: str) -> DiagnosticError:
+    """FB6025: a variable that cannot be written from outside."""
+    return error("FB6025", f"'{path}' cannot be written: {reason}")
+
+
+def _shortened(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
