@@ -1,0 +1,1 @@
+"""Data formats without behaviour: frames, identifiers and checksums as they go over a wire."""
