@@ -1,0 +1,64 @@
+"""What the devices are: the catalogue as a validated, frozen model."""
+
+from fbgen.catalog.catalog import Catalog, Replacement, load_catalog
+from fbgen.catalog.drives import ComNo, Drive, Trip
+from fbgen.catalog.gateways import Gateway, Led, LedState, StatusCode
+from fbgen.catalog.layouts import CyclicField, Identifier, Layout, parse_identifiers
+from fbgen.catalog.located import Located, origin, validate
+from fbgen.catalog.options import Option, OptionValue
+from fbgen.catalog.protocols import Command, ErrorCode, Frame, Protocol
+from fbgen.catalog.sequences import (
+    Delay,
+    DelayStep,
+    Parameter,
+    ReadStep,
+    Result,
+    Sequence,
+    Step,
+    Telegram,
+    WriteStep,
+)
+from fbgen.catalog.values import parse_word
+from fbgen.catalog.words import BitField, DecodedField, Word
+from fbgen.catalog.yaml_nodes import Document, load_yaml
+
+__all__ = [
+    "BitField",
+    "Catalog",
+    "ComNo",
+    "Command",
+    "CyclicField",
+    "DecodedField",
+    "Delay",
+    "DelayStep",
+    "Document",
+    "Drive",
+    "ErrorCode",
+    "Frame",
+    "Gateway",
+    "Identifier",
+    "Layout",
+    "Led",
+    "LedState",
+    "Located",
+    "Option",
+    "OptionValue",
+    "Parameter",
+    "Protocol",
+    "ReadStep",
+    "Replacement",
+    "Result",
+    "Sequence",
+    "StatusCode",
+    "Step",
+    "Telegram",
+    "Trip",
+    "Word",
+    "WriteStep",
+    "load_catalog",
+    "load_yaml",
+    "origin",
+    "parse_identifiers",
+    "parse_word",
+    "validate",
+]

@@ -1,0 +1,224 @@
+"""The whole catalogue: drives, gateways, protocols and sequences, in layers.
+
+The shipped folder is the lowest layer. Folders of the user's own have the same structure; an
+entry with the id of a lower one replaces it, which `Catalog.replaced` tells.
+"""
+
+from collections.abc import Iterator, Mapping
+from collections.abc import Sequence as Row
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from types import MappingProxyType
+from typing import TypeVar
+
+from fbgen.catalog.drives import Drive
+from fbgen.catalog.gateways import Gateway
+from fbgen.catalog.located import validate
+from fbgen.catalog.nearest import nearest
+from fbgen.catalog.protocols import Protocol
+from fbgen.catalog.references import unresolved
+from fbgen.catalog.sequences import Sequence
+from fbgen.catalog.words import Word
+from fbgen.catalog.yaml_nodes import load_yaml
+from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
+from fbgen.resources import shipped
+from fbgen.source import Source, Span
+
+Entry = Drive | Gateway | Protocol | Sequence
+KINDS: Mapping[str, type[Entry]] = MappingProxyType(
+    {"drives": Drive, "gateways": Gateway, "protocols": Protocol, "sequences": Sequence}
+)
+"""Folder name -> model of the files in it."""
+
+EntryType = TypeVar("EntryType", Drive, Gateway, Protocol, Sequence)
+
+
+@dataclass(frozen=True, slots=True)
+class Replacement:
+    """An entry of a higher layer that took the place of a lower one."""
+
+    kind: str
+    id: str
+    file: str
+    replaced_file: str
+
+
+@dataclass(frozen=True, slots=True)
+class Catalog:
+    """All entries by id. `sources` are the files in the order in which they were read."""
+
+    drives: Mapping[str, Drive]
+    gateways: Mapping[str, Gateway]
+    protocols: Mapping[str, Protocol]
+    sequences: Mapping[str, Sequence]
+    replaced: tuple[Replacement, ...] = ()
+    sources: tuple[Source, ...] = ()
+
+    def drive(self, name: str) -> Drive:
+        """The series of an id. Raises DiagnosticError FB1205 with the nearest ids."""
+        return _entry(self.drives, name, "drive series")
+
+    def gateway(self, name: str) -> Gateway:
+        """The gateway of an id. Raises DiagnosticError FB1205 with the nearest ids."""
+        return _entry(self.gateways, name, "gateway")
+
+    def protocol(self, name: str) -> Protocol:
+        """The protocol of an id. Raises DiagnosticError FB1205 with the nearest ids."""
+        return _entry(self.protocols, name, "protocol")
+
+    def sequence(self, name: str) -> Sequence:
+        """The sequence of an id. Raises DiagnosticError FB1205 with the nearest ids."""
+        return _entry(self.sequences, name, "sequence")
+
+    def word(self, path: str) -> Word:
+        """The word of `device.word` or `drive.ComNo`, such as `vf-s11.command`, `vf-s11.FA00`.
+
+        Raises DiagnosticError FB1201 with the nearest names.
+        """
+        device, dot, name = path.partition(".")
+        names = dict(self.word_names())
+        if dot and (word := names.get(f"{device.lower()}.{name.lower()}")) is not None:
+            return word
+        shown = [key for key in names if key.split(".")[0] == device.lower()] or list(names)
+        raise error("FB1201", f"there is no word '{path}'", help=nearest(path, shown))
+
+    def word_names(self) -> Iterator[tuple[str, Word]]:
+        """Every word under each of its paths: by name, and in drives by ComNo and its name."""
+        for gateway in self.gateways.values():
+            for word in gateway.words:
+                yield f"{gateway.id}.{word.name}", word
+        for drive in self.drives.values():
+            for word in drive.words:
+                yield f"{drive.id}.{word.name}", word
+            for comno in drive.comnos:
+                if comno.word is not None:
+                    yield f"{drive.id}.{comno.hex.lower()}", drive.word(comno.word)
+                    yield f"{drive.id}.{comno.name}", drive.word(comno.word)
+
+
+def load_catalog(extra: Row[Path] = ()) -> Catalog:
+    """The shipped catalogue with the `extra` folders layered over it, in that order.
+
+    Raises DiagnosticError with everything that is wrong in all files.
+    """
+    if not extra:
+        return _shipped_catalog()
+    return _load([(shipped("catalog"), "catalog"), *((folder, str(folder)) for folder in extra)])
+
+
+@cache
+def _shipped_catalog() -> Catalog:
+    return _load([(shipped("catalog"), "catalog")])
+
+
+@dataclass(slots=True)
+class _Layers:
+    """What has been read so far."""
+
+    entries: dict[str, dict[str, Entry]] = field(default_factory=lambda: {key: {} for key in KINDS})
+    sources: list[Source] = field(default_factory=list)
+    replaced: list[Replacement] = field(default_factory=list)
+    found: list[Diagnostic] = field(default_factory=list)
+    broken: set[tuple[str, str]] = field(default_factory=set)
+
+
+def _load(folders: Row[tuple[Path, str]]) -> Catalog:
+    layers = _Layers()
+    for folder, shown in folders:
+        if not folder.is_dir():
+            layers.found.append(
+                Diagnostic("FB1110", f"the catalogue folder {shown} is not there", None, _STRUCTURE)
+            )
+            continue
+        for path in sorted(folder.rglob("*.y*ml")):
+            _read(path, shown, path.relative_to(folder), layers)
+    layers.found += unresolved(_catalog(layers), layers.broken)
+    if layers.found:
+        raise DiagnosticError(layers.found)
+    return _catalog(layers)
+
+
+_STRUCTURE = "a catalogue has the folders " + ", ".join(KINDS) + " with one YAML file an entry"
+
+
+def _read(path: Path, shown: str, relative: Path, layers: _Layers) -> None:
+    name = f"{shown}/{relative.as_posix()}"
+    kind = relative.parts[0] if len(relative.parts) == 2 else ""
+    if kind not in KINDS:
+        layers.found.append(
+            Diagnostic("FB1110", f"{name} lies in no folder of a catalogue", None, _STRUCTURE)
+        )
+        return
+    try:
+        source = read_source(path, name)
+        layers.sources.append(source)
+        entry = validate(load_yaml(source), KINDS[kind])
+    except DiagnosticError as failure:
+        layers.found += failure.diagnostics
+        layers.broken.add((kind, path.stem))
+        return
+    if entry.id != path.stem:
+        layers.found.append(
+            Diagnostic(
+                "FB1111",
+                f"the entry is called '{entry.id}', its file {path.name}",
+                entry.span_of("id"),
+                f"call the file {entry.id}.yaml",
+            )
+        )
+    below = layers.entries[kind].get(entry.id)
+    if below is not None:
+        below_file = _file(below)
+        if below_file.startswith(f"{shown}/"):
+            note = Note("first here", below.span_of("id"))
+            message = f"'{entry.id}' stands twice in one catalogue"
+            found = Diagnostic("FB1102", message, entry.span_of("id"), "", (note,))
+            layers.found.append(found)
+        layers.replaced.append(Replacement(kind, entry.id, name, below_file))
+    layers.entries[kind][entry.id] = entry
+
+
+def _catalog(layers: _Layers) -> Catalog:
+    return Catalog(
+        drives=_typed(layers.entries["drives"], Drive),
+        gateways=_typed(layers.entries["gateways"], Gateway),
+        protocols=_typed(layers.entries["protocols"], Protocol),
+        sequences=_typed(layers.entries["sequences"], Sequence),
+        replaced=tuple(layers.replaced),
+        sources=tuple(layers.sources),
+    )
+
+
+def _typed(entries: Mapping[str, Entry], kind: type[EntryType]) -> Mapping[str, EntryType]:
+    ordered = sorted(entries.items())
+    return MappingProxyType({key: entry for key, entry in ordered if isinstance(entry, kind)})
+
+
+def _file(entry: Entry) -> str:
+    span = entry.span
+    return span.source.name if span is not None else ""
+
+
+def read_source(path: Path, name: str) -> Source:
+    """The text of a YAML file. Raises DiagnosticError FB1008 if it cannot be read as UTF-8."""
+    try:
+        data = path.read_bytes()
+    except OSError as problem:
+        reason = problem.strerror or type(problem).__name__
+        raise error("FB1008", f"{name} cannot be read: {reason}") from None
+    try:
+        return Source(name, data.decode("utf-8-sig"))
+    except UnicodeDecodeError as problem:
+        good = Source(name, data[: problem.start].decode("utf-8", "replace"))
+        end = len(good.text)
+        message = f"the byte {data[problem.start]:02X} behind this place is not UTF-8"
+        raise error(
+            "FB1008", message, Span(good, max(0, end - 1), end), "save it as UTF-8"
+        ) from None
+
+
+def _entry(entries: Mapping[str, EntryType], name: str, kind: str) -> EntryType:
+    if name in entries:
+        return entries[name]
+    raise error("FB1205", f"there is no {kind} '{name}'", help=nearest(name, entries))

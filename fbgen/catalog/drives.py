@@ -1,0 +1,231 @@
+"""A series of inverters: its communication numbers, words, trips and times."""
+
+from collections.abc import Iterable
+from typing import Literal
+
+from pydantic import Field
+
+from fbgen.catalog.located import Located
+from fbgen.catalog.named import no_duplicates, pick
+from fbgen.catalog.nearest import nearest
+from fbgen.catalog.options import Option
+from fbgen.catalog.scalars import EntryId, Flag, HexWord, Number, SnakeName, Text
+from fbgen.catalog.sourced import Duration, Sourced
+from fbgen.catalog.words import Word
+from fbgen.diagnostics import Diagnostic, error
+
+Access = Literal["r", "w", "rw"]
+Storage = Literal["ram", "eeprom"]
+Effect = Literal["at_once", "after_restart"]
+
+
+class ComNo(Sourced):
+    """A communication number: one 16-bit cell of an inverter.
+
+    `resolution` is the physical size of one count, so value = word * resolution (in `unit`).
+    `storage` says where the W command leaves the value: `eeprom` cells outlive a restart.
+    `minimum`, `maximum` and `default` are physical. `limited_by` names the ComNo whose present
+    value is a further upper limit. `frozen_copy_of` names the ComNo that this one repeats until a
+    trip freezes it. `word` names the bit table of a bit word. `display` is the parameter's name
+    on the operation panel. `values` gives the meaning of single values. `unverified` lists those
+    fields that rest on no document although the number itself does.
+    """
+
+    number: HexWord
+    name: SnakeName
+    title: Text
+    display: Text | None = None
+    unit: str = ""
+    resolution: float = 1
+    minimum: float | None = None
+    maximum: float | None = None
+    default: float | None = None
+    limited_by: SnakeName | None = None
+    access: Access = "rw"
+    storage: Storage = "ram"
+    effect: Effect = "at_once"
+    requires_stop: Flag = False
+    word: SnakeName | None = None
+    frozen_copy_of: SnakeName | None = None
+    values: dict[Number, Text] = Field(default_factory=dict)
+    unverified: tuple[SnakeName, ...] = ()
+    remark: Text | None = None
+
+    @property
+    def hex(self) -> str:
+        """The number as it is written everywhere: four hexadecimal digits."""
+        return f"{self.number:04X}"
+
+    @property
+    def minimum_word(self) -> int:
+        """The smallest word that the inverter takes."""
+        return 0 if self.minimum is None else self.to_word(self.minimum)
+
+    @property
+    def maximum_word(self) -> int:
+        """The greatest word that the inverter takes, apart from `limited_by`."""
+        return 0xFFFF if self.maximum is None else self.to_word(self.maximum)
+
+    @property
+    def default_word(self) -> int:
+        """The word of a new inverter."""
+        return 0 if self.default is None else self.to_word(self.default)
+
+    def to_word(self, value: float) -> int:
+        """The word for a physical value, to the nearest count, not limited to any range."""
+        return round(value / self.resolution)
+
+    def to_value(self, word: int) -> float:
+        """The physical value of a word."""
+        return word * self.resolution
+
+    def problems(self) -> Iterable[Diagnostic]:
+        """FB1103 no source; FB1105 an unverified field that is none; FB1108 contradictory range."""
+        yield from super().problems()
+        for name in self.unverified:
+            if name not in ComNo.model_fields:
+                yield Diagnostic(
+                    "FB1105",
+                    f"a ComNo has no field '{name}'",
+                    self.span_of("unverified"),
+                    nearest(name, ComNo.model_fields),
+                )
+        if self.resolution <= 0:
+            yield Diagnostic(
+                "FB1108", "a resolution must be more than 0", self.span_of("resolution")
+            )
+            return
+        if not 0 <= self.minimum_word <= self.maximum_word <= 0xFFFF:
+            yield Diagnostic(
+                "FB1108",
+                f"the range {self.minimum} to {self.maximum} of '{self.name}' is no range of a "
+                f"word at {self.resolution} {self.unit} a count",
+                self.span_of("maximum" if self.maximum is not None else "minimum"),
+                "minimum and maximum are physical values",
+            )
+        elif not self.minimum_word <= self.default_word <= self.maximum_word and (
+            self.default is not None
+        ):
+            yield Diagnostic(
+                "FB1108",
+                f"the default {self.default} of '{self.name}' lies outside its range",
+                self.span_of("default"),
+            )
+
+
+class Trip(Sourced):
+    """A trip: the code that FC90 gives and the text that the panel shows."""
+
+    code: HexWord
+    display: Text
+    meaning: Text
+    cause: Text | None = None
+
+
+class DriveTimes(Located):
+    """The times of an inverter.
+
+    `reply_max`: longest time from request to reply. `boot`: silent after power-on.
+    `reset_silence`: silent after a fault reset.
+    """
+
+    reply_max: Duration
+    boot: Duration
+    reset_silence: Duration
+
+
+class CommandLink(Located):
+    """Which ComNos steer the inverter and tell its state, by the ComNos' names."""
+
+    command: SnakeName
+    setpoint: SnakeName
+    status: SnakeName
+    trip: SnakeName
+    alarm: SnakeName
+    output_frequency: SnakeName
+    output_current: SnakeName
+    maximum_frequency: SnakeName
+    timeout: SnakeName
+    inv_no: SnakeName
+
+
+class Drive(Sourced):
+    """One series of inverters."""
+
+    version: Literal[1]
+    id: EntryId
+    title: Text
+    protocol: EntryId
+    manuals: tuple[Text, ...] = ()
+    description: Text | None = None
+    link: CommandLink
+    times: DriveTimes
+    words: tuple[Word, ...]
+    comnos: tuple[ComNo, ...]
+    trips: tuple[Trip, ...]
+    options: tuple[Option, ...] = ()
+
+    def comno(self, key: str | int) -> ComNo:
+        """The ComNo of a name, of a number as text (`FA00`) or of a number.
+
+        Raises DiagnosticError FB1105 with the nearest names.
+        """
+        for comno in self.comnos:
+            if key in (comno.number, comno.name) or (
+                isinstance(key, str) and key.upper().removeprefix("0X") == comno.hex
+            ):
+                return comno
+        shown = f"{key:04X}" if isinstance(key, int) else key
+        names = [comno.name for comno in self.comnos] + [comno.hex for comno in self.comnos]
+        raise error("FB1105", f"'{self.id}' has no ComNo '{shown}'", help=nearest(shown, names))
+
+    def word(self, name: str) -> Word:
+        """The word of a name. Raises DiagnosticError FB1201 with the nearest names."""
+        return pick(self.words, name, "FB1201", f"'{self.id}' has no word '{name}'")
+
+    @property
+    def command_word(self) -> Word:
+        """The bit table of the ComNo that starts and stops the inverter."""
+        word = self.comno(self.link.command).word
+        assert word is not None, "checked when the entry was read"
+        return self.word(word)
+
+    def trip(self, code: int) -> Trip | None:
+        """What a trip code means, or None where the catalogue does not say."""
+        return next((trip for trip in self.trips if trip.code == code), None)
+
+    def problems(self) -> Iterable[Diagnostic]:
+        """FB1102 something twice; FB1105 a name of a ComNo or word that is not there."""
+        yield from super().problems()
+        yield from no_duplicates(self.comnos, "number", lambda item: item.hex, "ComNo")
+        yield from no_duplicates(self.comnos, "name", lambda item: item.name, "ComNo")
+        yield from no_duplicates(self.words, "name", lambda item: item.name, "word")
+        yield from no_duplicates(self.trips, "code", lambda item: f"{item.code:04X}", "trip")
+        yield from no_duplicates(self.options, "id", lambda item: item.id, "option")
+        names = {comno.name for comno in self.comnos}
+        words = {word.name for word in self.words}
+        for role in CommandLink.model_fields:
+            yield from _known(self.link, role, getattr(self.link, role), names, "ComNo")
+        for comno in self.comnos:
+            yield from _known(comno, "limited_by", comno.limited_by, names, "ComNo")
+            yield from _known(comno, "frozen_copy_of", comno.frozen_copy_of, names, "ComNo")
+            yield from _known(comno, "word", comno.word, words, "word")
+            if comno.name == self.link.command and comno.word is None:
+                yield Diagnostic(
+                    "FB1105",
+                    f"the command ComNo '{comno.name}' has no bit table",
+                    comno.span,
+                    "add word: with the name of a word",
+                )
+
+
+def _known(
+    owner: Located, field: str, name: str | None, known: set[str], kind: str
+) -> Iterable[Diagnostic]:
+    if name is not None and name not in known:
+        yield Diagnostic(
+            "FB1105",
+            f"there is no {kind} '{name}' in this drive",
+            owner.span_of(field),
+            nearest(name, known),
+        )

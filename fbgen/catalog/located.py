@@ -1,0 +1,207 @@
+"""The base of all models that are read from YAML: frozen, strict about keys, aware of places.
+
+A model class derives from `Located`, names its fields, and may override `problems()` to report
+what the field types alone cannot say. `validate` turns a YAML document into a model or raises one
+DiagnosticError with everything that is wrong in the document.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import Self, TypeVar
+
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    ModelWrapValidatorHandler,
+    PrivateAttr,
+    ValidationError,
+    model_validator,
+)
+from pydantic_core import ErrorDetails, PydanticCustomError
+
+from fbgen.catalog.nearest import nearest
+from fbgen.catalog.yaml_nodes import Document, YamlFloat, YamlInt, YamlMapping, YamlSequence, locate
+from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.source import Origin, Span
+
+_FOUND = "diagnostics"
+
+
+@dataclass(frozen=True)
+class _Place:
+    """Where a model stands. Two models with equal fields are equal wherever they stand."""
+
+    span: Span | None = field(default=None, compare=False)
+    fields: dict[str, Span] = field(default_factory=dict, compare=False)
+    keys: dict[str, Span] = field(default_factory=dict, compare=False)
+
+
+class Located(BaseModel):
+    """A frozen model that remembers the place it was read from."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+    _place: _Place = PrivateAttr(default_factory=_Place)
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _remember_place(cls, data: object, handler: ModelWrapValidatorHandler[Self]) -> Self:
+        if isinstance(data, YamlMapping):
+            data.allowed_keys = tuple(info.alias or name for name, info in cls.model_fields.items())
+        model = handler(data)
+        if isinstance(data, YamlMapping):
+            model._place = _Place(data.span, data.value_spans, data.key_spans)
+        if found := tuple(model.problems()):
+            raise PydanticCustomError(_FOUND, "{text}", {"text": found[0].message, _FOUND: found})
+        return model
+
+    def problems(self) -> Iterable[Diagnostic]:
+        """What is wrong with this model although each field is right. Override to report it."""
+        return ()
+
+    @property
+    def span(self) -> Span | None:
+        """Where the model stands; None for one that was made in Python."""
+        return self._place.span
+
+    def span_of(self, name: str) -> Span | None:
+        """Where the value of a field stands, or the model itself where the field is not written."""
+        return self._place.fields.get(name, self._place.span)
+
+    def key_span_of(self, name: str) -> Span | None:
+        """Where the name of a field stands, or the model itself where the field is not written."""
+        return self._place.keys.get(name, self._place.span)
+
+
+def origin(what: str, model: Located, source: str = "") -> Origin | None:
+    """The origin mark of a model: its name for a person, its file and line, its manual section."""
+    span = model.span
+    return Origin(what, span.source.name, span.line, source) if span is not None else None
+
+
+Model = TypeVar("Model", bound=Located)
+
+
+def validate(document: Document, model: type[Model]) -> Model:
+    """The document as a model. Raises DiagnosticError with everything that is wrong.
+
+    FB1005 unknown key, FB1006 missing key, FB1007 wrong type or value, and whatever the
+    `problems()` of the models report.
+    """
+    try:
+        return model.model_validate(document.data)
+    except ValidationError as failure:
+        found = [
+            diagnostic
+            for details in failure.errors(include_url=False)
+            for diagnostic in _translate(document, details)
+        ]
+    raise DiagnosticError(sorted(found, key=lambda item: item.span.start if item.span else 0))
+
+
+def _translate(document: Document, details: ErrorDetails) -> Iterator[Diagnostic]:
+    kind, path = details["type"], details["loc"]
+    context = details.get("ctx", {})
+    if kind == _FOUND:
+        yield from context[_FOUND]
+        return
+    if kind == "extra_forbidden":
+        yield _unknown_key(document, path)
+        return
+    span, value = locate(document, path)
+    if kind == "missing":
+        wanted = str(path[-1])
+        first = span if not isinstance(value, YamlMapping) else _first_key(value)
+        yield Diagnostic("FB1006", f"the key '{wanted}' is missing here", first, f"add {wanted}:")
+        return
+    yield Diagnostic("FB1007", *_wrong_value(details, value, span))
+
+
+def _first_key(mapping: YamlMapping) -> Span:
+    return next(iter(mapping.key_spans.values()), mapping.span)
+
+
+def _unknown_key(document: Document, path: tuple[int | str, ...]) -> Diagnostic:
+    span, owner = locate(document, path[:-1])
+    key = str(path[-1])
+    known: Iterable[str] = ()
+    if isinstance(owner, YamlMapping):
+        span = owner.key_spans.get(key, span)
+        known = owner.allowed_keys
+    return Diagnostic("FB1005", f"the key '{key}' is not known here", span, nearest(key, known))
+
+
+_EXPECTED = {
+    "int_type": "a whole number",
+    "int_parsing": "a whole number",
+    "int_from_float": "a whole number",
+    "float_type": "a number",
+    "float_parsing": "a number",
+    "string_type": "a text",
+    "bool_type": "true or false",
+    "bool_parsing": "true or false",
+    "tuple_type": "a list",
+    "list_type": "a list",
+    "dict_type": "a mapping of keys to values",
+    "mapping_type": "a mapping of keys to values",
+    "model_type": "a mapping of keys to values",
+    "model_attributes_type": "a mapping of keys to values",
+    "union_tag_not_found": "a mapping with one of the keys that say what it is",
+}
+_BOOLEAN_WORDS = {"yes", "no", "on", "off", "y", "n"}
+
+
+def _wrong_value(details: ErrorDetails, value: object, span: Span) -> tuple[str, Span, str]:
+    kind, context = details["type"], details.get("ctx", {})
+    found = f"found {describe(value)}"
+    if kind in ("literal_error", "enum"):
+        choices = [part.strip("'") for part in str(context["expected"]).split(", ")]
+        choices = [part for item in choices for part in item.replace("' or '", "\0").split("\0")]
+        return f"{found}, expected one of: {', '.join(choices)}", span, nearest(str(value), choices)
+    if kind in _EXPECTED:
+        return f"{found}, expected {_EXPECTED[kind]}", span, _type_help(kind, value)
+    if kind == "value_error":
+        return str(context["error"]), span, ""
+    if kind == "string_pattern_mismatch":
+        return f"{found}, which is not spelled as {context['pattern']} demands", span, ""
+    limits = {
+        "greater_than": ("gt", "more than"),
+        "greater_than_equal": ("ge", "at least"),
+        "less_than": ("lt", "less than"),
+        "less_than_equal": ("le", "at most"),
+    }
+    if kind in limits:
+        key, words = limits[kind]
+        return f"{found}, expected {words} {context[key]}", span, ""
+    return f"{found}: {details['msg'][:1].lower()}{details['msg'][1:]}", span, ""
+
+
+def _type_help(kind: str, value: object) -> str:
+    if kind.startswith("bool") and str(value).lower() in _BOOLEAN_WORDS:
+        return f"'{value}' is a text: write true or false"
+    if kind == "string_type" and isinstance(value, (YamlInt, YamlFloat)):
+        return f'write it in quotes: "{value.text}"'
+    if kind == "string_type" and isinstance(value, bool):
+        return f'write it in quotes: "{str(value).lower()}"'
+    if kind.startswith(("int", "float")) and isinstance(value, str):
+        if value.startswith("0") and value.isdigit():
+            plain = value.lstrip("0") or "0"
+            return f"a leading 0 means octal to some readers: write {plain} (or 0o{plain})"
+        if ":" in value:
+            return "a number with a colon is a text here: write it in one unit"
+    return ""
+
+
+def describe(value: object) -> str:
+    """What stands in the file, for a message."""
+    if isinstance(value, YamlMapping):
+        return "a mapping"
+    if isinstance(value, YamlSequence):
+        return "a list"
+    if value is None:
+        return "nothing"
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, (YamlInt, YamlFloat)):
+        return value.text
+    text = str(value)
+    return f"'{text if len(text) <= 40 else text[:37] + '...'}'"

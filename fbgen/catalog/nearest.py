@@ -1,0 +1,26 @@
+"""The help for a name that nobody knows: what is meant, most likely, and what there is."""
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+
+_LISTED = 12
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """A help text: the nearest known names, or all of them if none is near.
+
+    Upper and lower case and the difference between `-` and `_` do not count as distance.
+    """
+    names = sorted(set(known))
+    if not names:
+        return "there is none yet"
+    plain = {_plain(candidate): candidate for candidate in names}
+    near = [plain[match] for match in get_close_matches(_plain(name), plain, n=3, cutoff=0.6)]
+    if near:
+        return "did you mean " + " or ".join(f"'{match}'" for match in near) + "?"
+    listed = ", ".join(names[:_LISTED])
+    return f"known: {listed}" + (", ..." if len(names) > _LISTED else "")
+
+
+def _plain(name: str) -> str:
+    return name.lower().replace("-", "_")

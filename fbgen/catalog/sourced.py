@@ -1,0 +1,41 @@
+"""Where a fact comes from: a document with its section, or nowhere yet."""
+
+from collections.abc import Iterable
+from typing import Literal
+
+from fbgen.catalog.located import Located
+from fbgen.catalog.scalars import Text
+from fbgen.diagnostics import Diagnostic
+
+Status = Literal["verified", "unverified"]
+
+
+class Sourced(Located):
+    """An entry that must name document and section, or say `status: unverified`.
+
+    `source` may stand beside `unverified` too: it then says what the guess rests on.
+    """
+
+    source: Text | None = None
+    status: Status = "verified"
+
+    def problems(self) -> Iterable[Diagnostic]:
+        """FB1103: neither a source nor marked as unverified."""
+        if self.status == "verified" and self.source is None:
+            yield Diagnostic(
+                "FB1103",
+                "this entry names no source",
+                self.span,
+                "add source: with document and section, or status: unverified",
+            )
+
+
+class Duration(Sourced):
+    """A time in milliseconds."""
+
+    ms: float
+
+    @property
+    def ns(self) -> int:
+        """The time in nanoseconds."""
+        return round(self.ms * 1_000_000)
