@@ -1,0 +1,215 @@
+"""The PROFIBUS DP master class 1 beside the CPU: its cycle, its modes, its slaves.
+
+The cycle runs on its own grid, not on the CPU's scan, so the phase between them is real. A slave is
+polled in a simulated cycle only if something is new on either side. In CLEAR a slave whose GSD says
+Fail_Safe = 0 gets telegrams full of zeros and the command Clear_Data (TOSPBDP001 GSD file; the
+zeros are recalled). A stopped master sends nothing at all.
+"""
+
+from collections.abc import Callable
+from enum import Enum
+from typing import NamedTuple
+
+from fbgen.diagnostics import error
+from harness.fieldbus.cycle import CycleGrid, CycleTimes
+from harness.fieldbus.slave import ControlCommand, DpSlave
+from harness.fieldbus.station import Station, StationSettings, StationState
+from harness.kernel import Event, Kernel
+
+_BEFORE_ALL_ELSE = -1
+"""The bus cycle of an instant comes before what else happens at that instant."""
+
+
+class MasterMode(Enum):
+    """What the master sends: nothing, zeros, or the outputs."""
+
+    STOP = "stop"
+    CLEAR = "clear"
+    OPERATE = "operate"
+
+
+class Transfer(NamedTuple):
+    """A poll that was carried out in data exchange, for traces."""
+
+    time_ns: int
+    station: Station
+    outputs: bytes
+    inputs: bytes
+
+
+class DpMaster:
+    """A master with its slaves. It begins in STOP.
+
+    Functions in `taps` get every simulated transfer. Functions in `observers` are called when a
+    station has failed, was refused, or exchanges data again.
+    """
+
+    __slots__ = (
+        "_clear_due",
+        "_connected",
+        "_event",
+        "_grid",
+        "_kernel",
+        "_queue",
+        "address",
+        "mode",
+        "observers",
+        "stations",
+        "taps",
+    )
+
+    def __init__(self, kernel: Kernel, times: CycleTimes | None = None, address: int = 1) -> None:
+        self._kernel = kernel
+        self._grid = CycleGrid(times or CycleTimes(), kernel.random)
+        self._queue: list[Station] = []
+        self._event: Event | None = None
+        self._clear_due = False
+        self._connected = True
+        self.address = address
+        self.mode = MasterMode.STOP
+        self.stations: list[Station] = []
+        self.taps: list[Callable[[Transfer], None]] = []
+        self.observers: list[Callable[[Station], None]] = []
+
+    # --- building ---------------------------------------------------------------------------
+
+    def add(self, settings: StationSettings, slave: DpSlave) -> Station:
+        """Enter a slave into the configuration.
+
+        Raises DiagnosticError FB7104 for an address that another station has.
+        """
+        for other in self.stations:
+            if other.settings.address == settings.address:
+                raise error(
+                    "FB7104",
+                    f"the stations '{other.settings.name}' and '{settings.name}' both have "
+                    f"PROFIBUS address {settings.address}",
+                    None,
+                    "give every slave an address of its own",
+                )
+        station = Station(self, settings, slave)
+        self.stations.append(station)
+        self.request(station)
+        return station
+
+    # --- modes ------------------------------------------------------------------------------
+
+    def start(self) -> None:
+        """Begin to poll, with zeros; `operate` follows when the CPU runs."""
+        if self.mode is MasterMode.STOP:
+            for station in self.stations:
+                station.restart()
+            self.clear()
+
+    def operate(self) -> None:
+        """Send the outputs of the CPU."""
+        self.mode = MasterMode.OPERATE
+        self._clear_due = False
+        self._request_all()
+
+    def clear(self) -> None:
+        """Send zeros instead of the outputs and Clear_Data, from the next cycle on."""
+        self.mode = MasterMode.CLEAR
+        self._clear_due = True
+        self._request_all()
+
+    def stop(self) -> None:
+        """Send nothing any more; the slaves are left to their watchdogs."""
+        if self.mode is MasterMode.STOP:
+            return
+        last_ns = self.last_cycle_ns()
+        self.mode = MasterMode.STOP
+        self._clear_due = False
+        for station in self.stations:
+            station.slave.polling_ended(last_ns)
+
+    @property
+    def clearing(self) -> bool:
+        """True in CLEAR: every slave gets zeros."""
+        return self.mode is MasterMode.CLEAR
+
+    # --- the bus ----------------------------------------------------------------------------
+
+    @property
+    def connected(self) -> bool:
+        """False while the bus is cut right behind the master, so that no slave is reached."""
+        return self._connected
+
+    @connected.setter
+    def connected(self, connected: bool) -> None:
+        if connected == self._connected:
+            return
+        self._connected = connected
+        if not connected:
+            last_ns = self.last_cycle_ns()
+            for station in self.stations:
+                station.slave.polling_ended(last_ns)
+        self._request_all()
+
+    def reaches(self, station: Station) -> bool:
+        """True if telegrams come through to a slave that has the station's address."""
+        slave = station.slave
+        return (
+            self._connected
+            and station.plugged
+            and slave.powered
+            and slave.address == station.settings.address
+        )
+
+    def global_control(self, command: ControlCommand, groups: int = 0) -> None:
+        """Send Global_Control now; `groups` 00 means all slaves."""
+        if self.mode is MasterMode.STOP:
+            return
+        for station in self.stations:
+            if self.reaches(station):
+                station.slave.global_control(command, groups)
+
+    # --- the cycle --------------------------------------------------------------------------
+
+    def request(self, station: Station) -> None:
+        """Poll this station in the next cycle: something is new."""
+        if station.queued or self.mode is MasterMode.STOP:
+            return
+        station.queued = True
+        self._queue.append(station)
+        if self._event is None:
+            due_ns = self._grid.after(self._kernel.now_ns)
+            self._event = self._kernel.at(due_ns, self._on_grid, _BEFORE_ALL_ELSE)
+
+    def cycle(self) -> None:
+        """One cycle right now, beside the grid: how a transfer to the CPU gets torn."""
+        if self._event is not None:
+            self._event.cancel()
+        self._on_grid()
+
+    def last_cycle_ns(self) -> int:
+        """The instant of the latest cycle of the grid."""
+        return self._grid.up_to(self._kernel.now_ns)
+
+    def report(self, station: Station) -> None:
+        """The station has failed, was refused, or exchanges data again."""
+        for observer in self.observers:
+            observer(station)
+
+    def _on_grid(self) -> None:
+        self._event = None
+        polled, self._queue = self._queue, []
+        for station in polled:
+            station.queued = False
+        if self.mode is MasterMode.STOP:
+            return
+        if self._clear_due:
+            self._clear_due = False
+            self.global_control(ControlCommand.CLEAR_DATA)
+        for station in polled:
+            station.poll()
+            if self.taps and station.state is StationState.EXCHANGE:
+                transfer = Transfer(
+                    self._kernel.now_ns, station, station.slave.outputs, bytes(station.inputs)
+                )
+                for tap in self.taps:
+                    tap(transfer)
+
+    def _request_all(self) -> None:
+        for station in self.stations:
+            self.request(station)

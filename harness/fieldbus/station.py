@@ -1,0 +1,217 @@
+"""A slave as the master sees it: addresses, parameters, images of its data, and how it gets going.
+
+The master brings a slave into data exchange with one telegram a cycle: Slave_Diag, Set_Prm,
+Chk_Cfg, Slave_Diag, then Data_Exchange (EN 50170 volume 2). A slave that does not answer has
+failed; its inputs then read 0, as on S7 (recalled). A slave that refuses its parameters or its
+configuration stays refused until something about it changes.
+"""
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import Protocol
+
+from fbgen.diagnostics import error
+from fbgen.wire.profibus import (
+    IdentifierError,
+    Slot,
+    decode_identifiers,
+    input_length,
+    output_length,
+    slot_table,
+)
+from harness.fieldbus.parameters import Parameters
+from harness.fieldbus.slave import DpSlave
+
+_FAULTS = 0x04 | 0x40
+
+
+class StationState(Enum):
+    """How far the master has come with a slave."""
+
+    DIAGNOSIS = "asking for diagnosis"
+    PARAMETERS = "sending parameters"
+    CONFIGURATION = "sending the configuration"
+    CHECK = "asking whether all is well"
+    EXCHANGE = "exchanging data"
+    REFUSED = "parameters or configuration refused"
+    FAILED = "no answer"
+
+
+@dataclass(frozen=True, slots=True)
+class StationSettings:
+    """What the PLC's hardware configuration says about a slave. Addresses count bytes."""
+
+    name: str
+    address: int
+    configuration: bytes
+    parameters: Parameters
+    output_address: int = 0
+    input_address: int = 0
+
+
+class StationMaster(Protocol):
+    """What a station needs from its master."""
+
+    @property
+    def address(self) -> int:
+        """The master's own station address."""
+        ...
+
+    @property
+    def clearing(self) -> bool:
+        """True in CLEAR: every slave gets zeros."""
+        ...
+
+    def reaches(self, station: "Station") -> bool:
+        """True if telegrams come through to the slave of this station."""
+        ...
+
+    def request(self, station: "Station") -> None:
+        """Poll this station in the next cycle: something is new."""
+        ...
+
+    def last_cycle_ns(self) -> int:
+        """The instant of the latest cycle."""
+        ...
+
+    def report(self, station: "Station") -> None:
+        """The station has failed, was refused, or exchanges data again."""
+        ...
+
+
+class Station:
+    """One slave of a master. `outputs` and `inputs` are what the CPU writes and reads.
+
+    `transfers` counts the simulated polls since data exchange began. `unsent` is True from a write
+    until the next cycle.
+    """
+
+    __slots__ = (
+        "_master",
+        "_plugged",
+        "inputs",
+        "outputs",
+        "queued",
+        "settings",
+        "slave",
+        "slots",
+        "state",
+        "transfers",
+        "unsent",
+    )
+
+    def __init__(self, master: StationMaster, settings: StationSettings, slave: DpSlave) -> None:
+        try:
+            identifiers = decode_identifiers(settings.configuration)
+        except IdentifierError as wrong:
+            raise error(
+                "FB7103",
+                f"the configuration {settings.configuration.hex(' ').upper()} of station "
+                f"'{settings.name}' cannot be read: {wrong}",
+                None,
+                "take the identifiers of a module in the slave's GSD file",
+            ) from None
+        self._master = master
+        self._plugged = True
+        self.settings = settings
+        self.slave = slave
+        self.slots: tuple[Slot, ...] = slot_table(
+            identifiers, settings.output_address, settings.input_address
+        )
+        self.outputs = bytearray(output_length(identifiers))
+        self.inputs = bytearray(input_length(identifiers))
+        self.state = StationState.DIAGNOSIS
+        self.queued = self.unsent = False
+        self.transfers = 0
+        slave.attach(self._attention)
+
+    @property
+    def failed(self) -> bool:
+        """True if the CPU cannot reach the data: the slave is silent or refuses."""
+        return self.state is StationState.FAILED or self.state is StationState.REFUSED
+
+    @property
+    def exchanging(self) -> bool:
+        """True while data go to and fro."""
+        return self.state is StationState.EXCHANGE
+
+    @property
+    def plugged(self) -> bool:
+        """False while the slave's bus plug is pulled."""
+        return self._plugged
+
+    @plugged.setter
+    def plugged(self, plugged: bool) -> None:
+        if plugged != self._plugged:
+            self._plugged = plugged
+            if not plugged:
+                self.slave.polling_ended(self._master.last_cycle_ns())
+            self._master.request(self)
+
+    def write(self, offset: int, data: bytes) -> None:
+        """The CPU writes outputs; they go out with the next cycle."""
+        end = offset + len(data)
+        if self.outputs[offset:end] != data:
+            self.outputs[offset:end] = data
+            self.unsent = True
+            if not self.queued:
+                self._master.request(self)
+
+    def restart(self) -> None:
+        """Begin again with Slave_Diag, as after the master was stopped."""
+        self.state = StationState.DIAGNOSIS
+
+    def poll(self) -> None:
+        """The master's telegram of this cycle and the slave's answer."""
+        self.unsent = False
+        if not self._master.reaches(self):
+            if self.state is not StationState.FAILED:
+                self._drop(StationState.FAILED)
+            return
+        if self.state is StationState.EXCHANGE:
+            self._exchange()
+            return
+        slave, settings = self.slave, self.settings
+        match self.state:
+            case StationState.DIAGNOSIS | StationState.FAILED | StationState.REFUSED:
+                slave.slave_diag()
+                self.state = StationState.PARAMETERS
+            case StationState.PARAMETERS:
+                slave.set_prm(settings.parameters, self._master.address)
+                self.state = StationState.CONFIGURATION
+            case StationState.CONFIGURATION:
+                slave.chk_cfg(settings.configuration)
+                self.state = StationState.CHECK
+            case StationState.CHECK:
+                if slave.slave_diag()[0] & _FAULTS:
+                    self._drop(StationState.REFUSED)
+                    return
+                self.state = StationState.EXCHANGE
+                self.transfers = 0
+                self._master.request(self)
+                return
+        self._master.request(self)
+
+    def _exchange(self) -> None:
+        zeros = self._master.clearing
+        answer = self.slave.data_exchange(
+            bytes(len(self.outputs)) if zeros else bytes(self.outputs)
+        )
+        if answer is None:
+            self._drop(StationState.DIAGNOSIS)
+            self._master.request(self)
+            return
+        self.inputs[:] = answer
+        self.transfers += 1
+        if self.transfers == 1:
+            self._master.report(self)
+
+    def _drop(self, state: StationState) -> None:
+        self.state = state
+        self.transfers = 0
+        self.inputs[:] = bytes(len(self.inputs))
+        self._master.report(self)
+
+    def _attention(self) -> None:
+        if not self.queued:
+            self._master.request(self)
