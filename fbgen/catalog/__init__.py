@@ -3,7 +3,7 @@
 from fbgen.catalog.catalog import Catalog, Replacement, load_catalog
 from fbgen.catalog.drives import ComNo, Drive, Trip
 from fbgen.catalog.gateways import Gateway, Led, LedState, StatusCode
-from fbgen.catalog.layouts import CyclicField, Identifier, Layout, parse_identifiers
+from fbgen.catalog.layouts import AccessWay, CyclicField, Layout, PlacedIdentifier
 from fbgen.catalog.located import Located, origin, validate
 from fbgen.catalog.options import Option, OptionValue
 from fbgen.catalog.protocols import Command, ErrorCode, Frame, Protocol
@@ -23,6 +23,7 @@ from fbgen.catalog.words import BitField, DecodedField, Word
 from fbgen.catalog.yaml_nodes import Document, load_yaml
 
 __all__ = [
+    "AccessWay",
     "BitField",
     "Catalog",
     "ComNo",
@@ -36,7 +37,6 @@ __all__ = [
     "ErrorCode",
     "Frame",
     "Gateway",
-    "Identifier",
     "Layout",
     "Led",
     "LedState",
@@ -44,6 +44,7 @@ __all__ = [
     "Option",
     "OptionValue",
     "Parameter",
+    "PlacedIdentifier",
     "Protocol",
     "ReadStep",
     "Replacement",
@@ -58,7 +59,6 @@ __all__ = [
     "load_catalog",
     "load_yaml",
     "origin",
-    "parse_identifiers",
     "parse_word",
     "validate",
 ]

@@ -1,9 +1,4 @@
-"""Cyclic data of a DP slave: configuration identifiers and what lies behind them.
-
-Identifier bytes as EN 50170 defines them for Chk_Cfg: bit 7 consistency over the whole length,
-bit 6 words instead of bytes, bits 5-4 direction (00 special format), bits 3-0 length - 1. Special
-format: bits 7-6 which length bytes follow (outputs first), bits 3-0 number of manufacturer bytes.
-"""
+"""Cyclic data of a DP slave: configuration identifiers and the fields they carry."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -14,15 +9,25 @@ from fbgen.catalog.named import no_duplicates, pick
 from fbgen.catalog.scalars import Count, EntryId, Flag, Octets, SnakeName, Text
 from fbgen.catalog.sourced import Sourced
 from fbgen.diagnostics import Diagnostic
+from fbgen.wire.profibus import (
+    Consistency,
+    IdentifierError,
+    Slot,
+    decode_identifiers,
+    input_length,
+    output_length,
+    slot_table,
+)
 
 AccessWay = Literal["per_identifier", "dpxx_dat", "process_image"]
 
 
 @dataclass(frozen=True, slots=True)
-class Identifier:
+class PlacedIdentifier:
     """One configuration identifier with its place in the cyclic data (bytes, offsets from 0).
 
-    `unit_length` is 1 for bytes and 2 for words; `consistent` means over the whole length.
+    `unit_length` is 1 for bytes and 2 for words; `consistent` means over the whole length in each
+    direction that the identifier has. A direction that it does not have is 0 bytes long.
     """
 
     index: int
@@ -61,19 +66,19 @@ class Layout(Sourced):
     input: tuple[CyclicField, ...]
 
     @property
-    def parsed_identifiers(self) -> tuple[Identifier, ...]:
+    def parsed_identifiers(self) -> tuple[PlacedIdentifier, ...]:
         """The identifiers one by one. They were checked when the entry was read."""
-        return parse_identifiers(self.identifiers)
+        return tuple(_placed(slot) for slot in slot_table(decode_identifiers(self.identifiers)))
 
     @property
     def output_length(self) -> int:
         """Bytes from the PLC to the gateway."""
-        return sum(item.output_length for item in self.parsed_identifiers)
+        return output_length(decode_identifiers(self.identifiers))
 
     @property
     def input_length(self) -> int:
         """Bytes from the gateway to the PLC."""
-        return sum(item.input_length for item in self.parsed_identifiers)
+        return input_length(decode_identifiers(self.identifiers))
 
     def output_field(self, name: str) -> CyclicField:
         """A field towards the gateway. Raises DiagnosticError FB1105 with the nearest names."""
@@ -84,30 +89,36 @@ class Layout(Sourced):
         return pick(self.input, name, "FB1105", f"'{self.name}' has no input field '{name}'")
 
     @property
+    def consistent(self) -> bool:
+        """Whether one identifier that is consistent over its whole length carries everything."""
+        parsed = self.parsed_identifiers
+        return len(parsed) == 1 and parsed[0].consistent
+
+    @property
     def access_ways(self) -> tuple[AccessWay, ...]:
         """How a PLC can reach the data.
 
-        `dpxx_dat` moves the whole frame with one DPRD_DAT/DPWR_DAT (SFC14/15), which reaches one
-        identifier: so one consistent identifier must cover the frame, and then a process image
-        or a direct access could not reach 3 or more than 4 bytes of it. Without such an
-        identifier the data are reached one identifier at a time, or through the process image.
+        One DPRD_DAT/DPWR_DAT (SFC14/15) reaches one identifier, so `dpxx_dat` needs one consistent
+        identifier over the whole frame; without it the data are reached identifier by identifier.
+        The process image is there in both cases.
         """
-        first = self.parsed_identifiers[0]
-        if len(self.parsed_identifiers) == 1 and first.consistent:
-            return ("dpxx_dat",)
-        return ("per_identifier", "process_image")
+        first: AccessWay = "dpxx_dat" if self.consistent else "per_identifier"
+        return (first, "process_image")
 
     def problems(self) -> Iterable[Diagnostic]:
         """FB1103 no source; FB1106 identifiers and fields that do not agree."""
         yield from super().problems()
         try:
-            parsed = parse_identifiers(self.identifiers)
-        except ValueError as wrong:
+            decoded = decode_identifiers(self.identifiers)
+        except IdentifierError as wrong:
             yield Diagnostic("FB1106", str(wrong), self.span_of("identifiers"))
             return
+        if not decoded:
+            yield Diagnostic("FB1106", "there is no identifier", self.span_of("identifiers"))
+            return
         for fields, length, name in (
-            (self.output, sum(item.output_length for item in parsed), "output"),
-            (self.input, sum(item.input_length for item in parsed), "input"),
+            (self.output, output_length(decoded), "output"),
+            (self.input, input_length(decoded), "input"),
         ):
             yield from no_duplicates(fields, "name", lambda item: item.name, f"{name} field")
             yield from self._fill(fields, length, name)
@@ -135,44 +146,16 @@ class Layout(Sourced):
             )
 
 
-def parse_identifiers(code: bytes) -> tuple[Identifier, ...]:
-    """The identifiers of a configuration. Raises ValueError for bytes that are none."""
-    found: list[Identifier] = []
-    output_offset = input_offset = position = 0
-    while position < len(code):
-        start, head = position, code[position]
-        position += 1
-        if head & 0x30:
-            unit = 2 if head & 0x40 else 1
-            length = ((head & 0x0F) + 1) * unit
-            output = length if head & 0x20 else 0
-            into = length if head & 0x10 else 0
-            consistent = bool(head & 0x80)
-        else:
-            lengths = []
-            for wanted in (head & 0x80, head & 0x40):
-                if not wanted:
-                    lengths.append((0, 1, False))
-                    continue
-                if position >= len(code):
-                    raise ValueError(f"the identifier {head:02X} lacks its length byte")
-                byte = code[position]
-                position += 1
-                unit = 2 if byte & 0x40 else 1
-                lengths.append((((byte & 0x3F) + 1) * unit, unit, bool(byte & 0x80)))
-            position += head & 0x0F
-            if position > len(code):
-                raise ValueError(f"the identifier {head:02X} lacks manufacturer bytes")
-            (output, out_unit, out_whole), (into, in_unit, in_whole) = lengths
-            unit = max(out_unit, in_unit)
-            consistent = (out_whole or not output) and (in_whole or not into)
-        item = Identifier(
-            len(found), code[start:position], output_offset, output, input_offset, into, unit,
-            consistent,
-        )  # fmt: skip
-        found.append(item)
-        output_offset += output
-        input_offset += into
-    if not found:
-        raise ValueError("there is no identifier")
-    return tuple(found)
+def _placed(slot: Slot) -> PlacedIdentifier:
+    identifier = slot.identifier
+    extents = [item for item in (identifier.outputs, identifier.inputs) if item is not None]
+    return PlacedIdentifier(
+        index=slot.number - 1,
+        code=identifier.code,
+        output_offset=slot.output_offset or 0,
+        output_length=identifier.output_length,
+        input_offset=slot.input_offset or 0,
+        input_length=identifier.input_length,
+        unit_length=max((item.unit_bytes for item in extents), default=1),
+        consistent=all(item.consistency is Consistency.WHOLE for item in extents),
+    )

@@ -1,11 +1,13 @@
 """The base of all models that are read from YAML: frozen, strict about keys, aware of places.
 
 A model class derives from `Located`, names its fields, and may override `problems()` to report
-what the field types alone cannot say. `validate` turns a YAML document into a model or raises one
-DiagnosticError with everything that is wrong in the document.
+what the field types alone cannot say, or `problems_against(known)` where that needs something that
+has been read before, such as the catalogue. `validate` turns a YAML document into a model or raises
+one DiagnosticError with everything that is wrong in the document: a finding inside one entry hides
+none in its neighbours or in the whole.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Self, TypeVar
 
@@ -15,6 +17,7 @@ from pydantic import (
     ModelWrapValidatorHandler,
     PrivateAttr,
     ValidationError,
+    ValidationInfo,
     model_validator,
 )
 from pydantic_core import ErrorDetails, PydanticCustomError
@@ -23,8 +26,6 @@ from fbgen.catalog.nearest import nearest
 from fbgen.catalog.yaml_nodes import Document, YamlFloat, YamlInt, YamlMapping, YamlSequence, locate
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.source import Origin, Span
-
-_FOUND = "diagnostics"
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,14 @@ class _Place:
     keys: dict[str, Span] = field(default_factory=dict, compare=False)
 
 
+@dataclass(slots=True)
+class _Reading:
+    """What accompanies the validation of one document."""
+
+    known: object
+    findings: list[Diagnostic] = field(default_factory=list)
+
+
 class Located(BaseModel):
     """A frozen model that remembers the place it was read from."""
 
@@ -44,18 +53,29 @@ class Located(BaseModel):
 
     @model_validator(mode="wrap")
     @classmethod
-    def _remember_place(cls, data: object, handler: ModelWrapValidatorHandler[Self]) -> Self:
+    def _remember_place(
+        cls, data: object, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo
+    ) -> Self:
         if isinstance(data, YamlMapping):
-            data.allowed_keys = tuple(info.alias or name for name, info in cls.model_fields.items())
+            data.allowed_keys = tuple(cls.model_fields)
         model = handler(data)
         if isinstance(data, YamlMapping):
             model._place = _Place(data.span, data.value_spans, data.key_spans)
-        if found := tuple(model.problems()):
-            raise PydanticCustomError(_FOUND, "{text}", {"text": found[0].message, _FOUND: found})
+        found = tuple(model.problems())
+        if isinstance(info.context, _Reading):
+            info.context.findings += found
+            if info.context.known is not None:
+                info.context.findings += model.problems_against(info.context.known)
+        elif found:
+            raise PydanticCustomError("diagnostics", "{text}", {"text": found[0].message})
         return model
 
     def problems(self) -> Iterable[Diagnostic]:
         """What is wrong with this model although each field is right. Override to report it."""
+        return ()
+
+    def problems_against(self, known: object) -> Iterable[Diagnostic]:
+        """What is wrong in the light of `known`, as it was given to `validate`. Override it."""
         return ()
 
     @property
@@ -81,39 +101,39 @@ def origin(what: str, model: Located, source: str = "") -> Origin | None:
 Model = TypeVar("Model", bound=Located)
 
 
-def validate(document: Document, model: type[Model]) -> Model:
+def validate(document: Document, model: type[Model], known: object = None) -> Model:
     """The document as a model. Raises DiagnosticError with everything that is wrong.
 
-    FB1005 unknown key, FB1006 missing key, FB1007 wrong type or value, and whatever the
-    `problems()` of the models report.
+    FB1005 unknown key, FB1006 missing key, FB1007 wrong type or value, and whatever `problems()`
+    and `problems_against(known)` of the models report.
     """
+    reading = _Reading(known)
     try:
-        return model.model_validate(document.data)
+        result = model.model_validate(document.data, context=reading)
     except ValidationError as failure:
-        found = [
-            diagnostic
-            for details in failure.errors(include_url=False)
-            for diagnostic in _translate(document, details)
-        ]
-    raise DiagnosticError(sorted(found, key=lambda item: item.span.start if item.span else 0))
+        details = failure.errors(include_url=False)
+        raise _all([*(_translate(document, item) for item in details), *reading.findings]) from None
+    if reading.findings:
+        raise _all(reading.findings)
+    return result
 
 
-def _translate(document: Document, details: ErrorDetails) -> Iterator[Diagnostic]:
+def _all(found: list[Diagnostic]) -> DiagnosticError:
+    """All findings in the order of their places; what an alias repeats is told once."""
+    once = dict.fromkeys(found)
+    return DiagnosticError(sorted(once, key=lambda item: item.span.start if item.span else 0))
+
+
+def _translate(document: Document, details: ErrorDetails) -> Diagnostic:
     kind, path = details["type"], details["loc"]
-    context = details.get("ctx", {})
-    if kind == _FOUND:
-        yield from context[_FOUND]
-        return
     if kind == "extra_forbidden":
-        yield _unknown_key(document, path)
-        return
+        return _unknown_key(document, path)
     span, value = locate(document, path)
     if kind == "missing":
         wanted = str(path[-1])
         first = span if not isinstance(value, YamlMapping) else _first_key(value)
-        yield Diagnostic("FB1006", f"the key '{wanted}' is missing here", first, f"add {wanted}:")
-        return
-    yield Diagnostic("FB1007", *_wrong_value(details, value, span))
+        return Diagnostic("FB1006", f"the key '{wanted}' is missing here", first, f"add {wanted}:")
+    return Diagnostic("FB1007", *_wrong_value(details, value, span))
 
 
 def _first_key(mapping: YamlMapping) -> Span:
