@@ -324,7 +324,7 @@ class CaseArm:
 
 @node
 class Case:
-    """CASE ... END_CASE."""
+    """CASE ... END_CASE; `opening` is behind OF."""
 
     span: Span
     selector: Expression
@@ -332,6 +332,7 @@ class Case:
     otherwise: ElseBranch | None
     leading: TriviaList = ()
     trailing: Trivia | None = None
+    opening: Trivia | None = None
 
 
 @node
@@ -489,6 +490,7 @@ class StructSpec:
     span: Span
     fields: tuple["Declaration", ...]
     closing: TriviaList = ()
+    opening: Trivia | None = None
 
 
 TypeSpec: TypeAlias = NamedType | StringSpec | ArraySpec | StructSpec
@@ -531,6 +533,7 @@ class VarSection:
     leading: TriviaList = ()
     trailing: Trivia | None = None
     closing: TriviaList = ()
+    opening: Trivia | None = None
 
 
 # --- blocks -----------------------------------------------------------------------------------

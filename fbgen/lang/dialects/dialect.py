@@ -1,0 +1,47 @@
+"""What can differ between dialects of the PLC language."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class Feature(Enum):
+    """Something that only some dialects have; the value is how a person calls it."""
+
+    LOCAL_MARKS = "'#' in front of local names"
+    QUOTED_NAMES = "names in double quotes"
+    LINE_COMMENTS = "'//' comments"
+    REGIONS = "REGION"
+    SLICES = "slices such as .%X0"
+    BIT_MEMBERS = "bit access such as w.3"
+    COMPOUND_ASSIGNMENTS = "assignments with += -= *= /="
+    GOTO = "GOTO"
+    PERIPHERAL = "peripheral addresses with ':P'"
+    DB_ADDRESSES = "absolute addresses in data blocks"
+    DATA_BLOCKS = "DATA_BLOCK"
+    ORGANIZATION_BLOCKS = "ORGANIZATION_BLOCK"
+    HEADERS = "block headers with TITLE, AUTHOR, FAMILY, NAME and VERSION"
+    PROGRAMS = "PROGRAM"
+    CONFIGURATIONS = "CONFIGURATION"
+    POWER_FIRST = "** that binds tighter than a sign"
+    DIV_OPERATOR = "the operator DIV"
+
+
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """One dialect. `advice` says, for a missing feature, what to write in its place.
+
+    `reserved` are the upper-case words that cannot be plain names; `indent` is one level of the
+    canonical layout; `identifier_length` is the longest name the tools take.
+    """
+
+    name: str
+    title: str
+    features: frozenset[Feature]
+    advice: dict[Feature, str]
+    reserved: frozenset[str]
+    indent: str
+    identifier_length: int
+
+    def has(self, feature: Feature) -> bool:
+        """Whether the dialect has it."""
+        return feature in self.features

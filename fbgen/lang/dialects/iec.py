@@ -1,0 +1,40 @@
+"""IEC 61131-3 Structured Text as MATIEC and OpenPLC take it.
+
+Source: IEC 61131-3 second edition, annex B; what the third edition added is read only where noted.
+"""
+
+from fbgen.lang.dialects.dialect import Dialect, Feature
+from fbgen.lang.dialects.words import COMMON, words
+
+IEC = Dialect(
+    name="iec",
+    title="IEC 61131-3 ST",
+    features=frozenset({Feature.PROGRAMS, Feature.CONFIGURATIONS}),
+    advice={
+        Feature.LOCAL_MARKS: "write the name without '#'",
+        Feature.QUOTED_NAMES: "write the name without quotes",
+        Feature.LINE_COMMENTS: "write (* ... *)",
+        Feature.REGIONS: "write the title as a comment: (* ... *)",
+        Feature.SLICES: "shift and mask: SHR(w, 3) AND WORD#16#0001",
+        Feature.BIT_MEMBERS: "shift and mask: SHR(w, 3) AND WORD#16#0001",
+        Feature.COMPOUND_ASSIGNMENTS: "write the variable again: x := x + 1;",
+        Feature.GOTO: "use IF, CASE, loops with EXIT, or RETURN",
+        Feature.PERIPHERAL: "declare a variable AT the address, without ':P'",
+        Feature.DB_ADDRESSES: "declare a variable and use its name",
+        Feature.DATA_BLOCKS: "declare a variable in VAR_GLOBAL",
+        Feature.ORGANIZATION_BLOCKS: "write a PROGRAM and give it a TASK",
+        Feature.HEADERS: "write a comment above the block",
+        Feature.DIV_OPERATOR: "write '/', which cuts the fraction off for integers",
+    },
+    reserved=COMMON
+    | words(
+        "PROGRAM END_PROGRAM CONFIGURATION END_CONFIGURATION RESOURCE END_RESOURCE TASK ON WITH "
+        "VAR_GLOBAL VAR_EXTERNAL VAR_ACCESS VAR_CONFIG ACTION END_ACTION STEP END_STEP "
+        "INITIAL_STEP TRANSITION END_TRANSITION FROM EN ENO R_EDGE F_EDGE READ_WRITE READ_ONLY "
+        "ANY ANY_BIT ANY_DATE ANY_DERIVED ANY_ELEMENTARY ANY_INT ANY_MAGNITUDE ANY_NUM ANY_REAL "
+        "ANY_STRING LD ST ANDN ORN XORN STN LDN CAL CALC CALCN JMP JMPC JMPCN RET RETC RETCN "
+        "GT GE EQ NE LE LT ADD SUB MUL DIV EXPT MOVE S R N P L D SD DS SL PT IN CV ET Q QU QD"
+    ),
+    indent="    ",
+    identifier_length=64,
+)

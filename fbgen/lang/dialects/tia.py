@@ -1,0 +1,42 @@
+"""TIA Portal SCL as external source: `.scl`, `.udt`, `.db` for S7-1200/1500 and S7-300/400.
+
+Source: TIA Portal help, SCL language elements; layout as TIA Portal exports it.
+"""
+
+from fbgen.lang.dialects.dialect import Dialect, Feature
+from fbgen.lang.dialects.words import COMMON, words
+
+TIA = Dialect(
+    name="tia",
+    title="TIA Portal SCL",
+    features=frozenset(
+        {
+            Feature.LOCAL_MARKS,
+            Feature.QUOTED_NAMES,
+            Feature.LINE_COMMENTS,
+            Feature.REGIONS,
+            Feature.SLICES,
+            Feature.COMPOUND_ASSIGNMENTS,
+            Feature.GOTO,
+            Feature.PERIPHERAL,
+            Feature.DB_ADDRESSES,
+            Feature.DATA_BLOCKS,
+            Feature.ORGANIZATION_BLOCKS,
+            Feature.HEADERS,
+            Feature.POWER_FIRST,
+            Feature.DIV_OPERATOR,
+        }
+    ),
+    advice={
+        Feature.BIT_MEMBERS: "write the bit as a slice: .%X3",
+        Feature.PROGRAMS: "write an ORGANIZATION_BLOCK or a FUNCTION",
+        Feature.CONFIGURATIONS: "tasks are set in the device configuration of the project",
+    },
+    reserved=COMMON
+    | words(
+        "DATA_BLOCK END_DATA_BLOCK ORGANIZATION_BLOCK END_ORGANIZATION_BLOCK BEGIN REGION "
+        "END_REGION GOTO DIV DB_SPECIFIC S5TIME DTL VARIANT ANY POINTER VOID EN ENO REF_TO"
+    ),
+    indent="   ",
+    identifier_length=125,
+)

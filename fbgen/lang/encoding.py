@@ -1,0 +1,49 @@
+"""Files of PLC text as they come: UTF-8 with and without BOM, UTF-16 with BOM, ANSI.
+
+Source: TIA Portal help, "Rules for external source files": ANSI, UTF-8 and UTF-16 with BOM.
+"""
+
+import codecs
+from pathlib import Path
+
+from fbgen.diagnostics import error
+from fbgen.source import Source
+
+_BOMS = (
+    (codecs.BOM_UTF8, "utf-8"),
+    (codecs.BOM_UTF16_LE, "utf-16-le"),
+    (codecs.BOM_UTF16_BE, "utf-16-be"),
+)
+
+
+def read_source(path: Path) -> Source:
+    """The text of a file, named by its path.
+
+    Raises `DiagnosticError`: FB3014 if it cannot be opened, FB3013 if it is no text.
+    """
+    try:
+        data = path.read_bytes()
+    except OSError as problem:
+        reason = (problem.strerror or str(problem)).lower()
+        raise error(
+            "FB3014", f"cannot read {path}: {reason}", help="check the name and your rights to it"
+        ) from None
+    return Source(str(path), decode(data, str(path)))
+
+
+def decode(data: bytes, name: str) -> str:
+    """The text of these bytes, without BOM. Raises `DiagnosticError` (FB3013)."""
+    try:
+        for bom, encoding in _BOMS:
+            if data.startswith(bom):
+                return data[len(bom) :].decode(encoding)
+        try:
+            return data.decode("utf-8")
+        except UnicodeDecodeError:
+            return data.decode("cp1252")
+    except UnicodeDecodeError as problem:
+        raise error(
+            "FB3013",
+            f"{name} is no text in UTF-8, UTF-16 or ANSI (byte {problem.start} does not fit)",
+            help="save the file as UTF-8 with BOM",
+        ) from None

@@ -1,0 +1,344 @@
+"""Units of a file: blocks, data blocks, types; configurations stand next door.
+
+Source: TIA Portal help, "Using external source files"; IEC 61131-3, program organization units;
+published sources for header lines in any order and comments between them.
+"""
+
+from fbgen.lang.ast import (
+    Assignment,
+    Block,
+    BlockKind,
+    DataBlock,
+    Expression,
+    File,
+    Globals,
+    HeaderItem,
+    NamedType,
+    StructSpec,
+    TriviaList,
+    TypeDeclaration,
+    TypeSpec,
+    Unit,
+    VarSection,
+)
+from fbgen.lang.dialects.dialect import Feature
+from fbgen.lang.parser.configurations import ConfigurationParser
+from fbgen.lang.parser.cursor import Unexpected
+from fbgen.lang.parser.declarations import SECTIONS, UNITS
+from fbgen.source import Span
+
+_HEADER_WORDS = frozenset({"AUTHOR", "FAMILY", "NAME", "VERSION"})
+_HEADER_FLAGS = frozenset({"KNOW_HOW_PROTECT", "NON_RETAIN", "RETAIN", "UNLINKED", "READ_ONLY"})
+_FEATURES = {
+    "ORGANIZATION_BLOCK": Feature.ORGANIZATION_BLOCKS,
+    "PROGRAM": Feature.PROGRAMS,
+}
+
+
+class BlockParser(ConfigurationParser):
+    """Reads a whole file."""
+
+    def file(self) -> File:
+        """Everything the source holds."""
+        units: list[Unit] = []
+        while self.kinds[self.at] != "end":
+            start = self.at
+            try:
+                units += self._units()
+            except Unexpected:
+                self.depth = 0
+                self._open.clear()
+                self._skip_unit(start)
+        return File(self.source, self.dialect.name, tuple(units), self.take_leading())
+
+    def _skip_unit(self, start: int) -> None:
+        if self.at == start:
+            self.at += 1
+        while self.kinds[self.at] not in UNITS and self.kinds[self.at] not in ("end", "VAR_GLOBAL"):
+            self.at += 1
+
+    def _units(self) -> list[Unit]:
+        kind = self.kinds[self.at]
+        if kind in BlockKind.__members__:
+            return [self._block(BlockKind[kind])]
+        if kind == "DATA_BLOCK":
+            return [self._data_block()]
+        if kind == "TYPE":
+            return list(self._types())
+        if kind == "CONFIGURATION":
+            return [self.configuration()]
+        if kind == "VAR_GLOBAL":
+            section = self.section()
+            return [Globals(section.span, section)]
+        if kind == ";":
+            self.at += 1
+            return []
+        raise self.failed(
+            "a block, a type or a data block",
+            f"a file holds units such as {', '.join(sorted(UNITS))}",
+        )
+
+    # --- blocks with code ---------------------------------------------------------------------
+
+    def _block(self, kind: BlockKind) -> Block:
+        leading = self.take_leading()
+        first = self.at
+        self.at += 1
+        if kind.value in _FEATURES:
+            self.need(_FEATURES[kind.value], first)
+        end = f"END_{kind.value}"
+        name = self.name()
+        return_type: TypeSpec | None = None
+        header: list[HeaderItem] = []
+        self._pragmas_into(header)
+        if kind is BlockKind.FUNCTION:
+            self.expect(":", "':' and the type of the result", "without result it is ': Void'")
+            return_type = self.type_spec()
+        comments = self._header(header)
+        sections = self._sections()
+        body_comments: TriviaList = ()
+        if self.kinds[self.at] == "BEGIN":
+            body_comments = self.take_leading()
+            self.at += 1
+            if comment := self.take_same_line():
+                body_comments = (*body_comments, comment)
+        body = self.body(end)
+        closing = self.take_leading()
+        self._end_unit(end, first)
+        return Block(
+            self.span(first),
+            kind,
+            name,
+            return_type,
+            tuple(header),
+            sections,
+            body,
+            leading,
+            comments,
+            body_comments,
+            closing,
+        )
+
+    def _end_unit(self, end: str, first: int) -> None:
+        if self.accept(end):
+            self.accept(";")
+        else:
+            self.missing_end(end, first)
+
+    def _sections(self) -> tuple[VarSection, ...]:
+        sections: list[VarSection] = []
+        while True:
+            kind = self.kinds[self.at]
+            if kind in SECTIONS and self.kinds[self.at + 1] != ":=":
+                sections.append(self.section())
+            elif kind == "name" and self.texts[self.at].upper() in ("VAR_ACCESS", "VAR_CONFIG"):
+                raise self.unread(
+                    self.texts[self.at].upper(), self.token_span(self.at), "leave it out"
+                )
+            else:
+                return tuple(sections)
+
+    # --- headers ------------------------------------------------------------------------------
+
+    def _pragmas_into(self, header: list[HeaderItem]) -> None:
+        while self.extra_at <= self.at and (pragma := self.take_pragma()):
+            header.append(pragma)
+
+    def _header(self, header: list[HeaderItem]) -> TriviaList:
+        """The header lines, into `header`; the comments in front of them are given back.
+
+        A comment in front of the first section, BEGIN or statement is left there, unless it ends
+        the line of the block's name or of a header item.
+        """
+        comments: TriviaList = ()
+        while True:
+            if comment := self.take_same_line():
+                comments += (comment,)
+            self._pragmas_into(header)
+            before = self.at
+            item = self._header_item()
+            if item is None:
+                return comments
+            comments += self.take_before(before)
+            header.append(item)
+
+    def _header_item(self) -> HeaderItem | None:
+        first = self.at
+        kind, text = self.kinds[first], self.texts[first]
+        if kind != "name":
+            return None
+        word = text.upper()
+        if word in _HEADER_FLAGS:
+            self.at += 1
+            return HeaderItem(self.token_span(first), word, "")
+        if word in _HEADER_WORDS and self.kinds[first + 1] in (":", "="):
+            return self._header_line(word)
+        if word == "TITLE" and self.kinds[first + 1] == "=":
+            return self._raw_line(word)
+        return None
+
+    def _header_line(self, word: str) -> HeaderItem:
+        """`AUTHOR : text`, raw to the end of the line; VERSION is one token."""
+        first = self.at
+        self.at += 2
+        self.need(Feature.HEADERS, first)
+        if word == "VERSION":
+            self.at += 0 if self.starts_line(self.at) else 1
+        else:
+            while not self.starts_line(self.at) and self.kinds[self.at] != "end":
+                if self.kinds[self.at] in SECTIONS or self.kinds[self.at] in ("BEGIN", "STRUCT"):
+                    break
+                self.at += 1
+        text = self.source.text[self.ends[first + 1] : self.ends[self.at - 1]].strip()
+        return HeaderItem(self.span(first), word, text)
+
+    def _raw_line(self, word: str) -> HeaderItem:
+        """`TITLE = text`, whatever stands in the rest of the line."""
+        first = self.at
+        self.need(Feature.HEADERS, first)
+        text = self.source.text
+        end = text.find("\n", self.ends[first + 1])
+        end = len(text) if end < 0 else end
+        while self.starts[self.at] < end:
+            self.at += 1
+        self.drop_extras(end)
+        raw = text[self.ends[first + 1] : end]
+        return HeaderItem(Span(self.source, self.starts[first], end), word, raw.strip())
+
+    # --- data blocks and types ----------------------------------------------------------------
+
+    def _data_block(self) -> DataBlock:
+        leading = self.take_leading()
+        first = self.at
+        self.at += 1
+        self.need(Feature.DATA_BLOCKS, first)
+        name = self.name()
+        header: list[HeaderItem] = []
+        comments = self._header(header)
+        type_name: NamedType | None = None
+        struct: StructSpec | None = None
+        sections: tuple[VarSection, ...] = ()
+        kind = self.kinds[self.at]
+        if kind == "STRUCT":
+            comments += self.take_leading()
+            struct = self.struct_type()
+            self.accept(";")
+        elif kind in SECTIONS:
+            sections = self._sections()
+        elif kind in ("name", '"'):
+            comments += self.take_leading()
+            type_name = self._type_name()
+            self.accept(";")
+        else:
+            raise self.failed("STRUCT, VAR, or the name of a type or function block")
+        self._more_header(header)
+        assignments: tuple[Assignment, ...] = ()
+        if self.accept("BEGIN"):
+            assignments = self._start_values()
+        closing = self.take_leading()
+        self._end_unit("END_DATA_BLOCK", first)
+        return DataBlock(
+            self.span(first),
+            name,
+            tuple(header),
+            type_name,
+            struct,
+            sections,
+            assignments,
+            leading,
+            comments,
+            closing,
+        )
+
+    def _more_header(self, header: list[HeaderItem]) -> None:
+        self._pragmas_into(header)
+        while item := self._header_item():
+            header.append(item)
+            self._pragmas_into(header)
+
+    def _type_name(self) -> NamedType:
+        name = self.name()
+        return NamedType(name.span, name.name, name.quoted)
+
+    def _start_values(self) -> tuple[Assignment, ...]:
+        assignments: list[Assignment] = []
+        depth = self.depth
+        while self.kinds[self.at] not in ("END_DATA_BLOCK", "end") and (
+            self.kinds[self.at] not in UNITS
+        ):
+            if self.accept(";"):
+                continue
+            start = self.at
+            try:
+                assignments.append(self._start_value())
+            except Unexpected:
+                self.depth = depth
+                self._skip_statement(start)
+        return tuple(assignments)
+
+    def _start_value(self) -> Assignment:
+        leading = self.take_leading()
+        first = self.at
+        target = self.operand()
+        self.expect(":=", "':='", "a start value looks like name := 5;")
+        value = self.initial_value()
+        if not self.accept(";"):
+            self.missing_semicolon("the assignment")
+        place = self.span(first)
+        leading, trailing = self.settle(leading)
+        return Assignment(place, target, ":=", value, leading, trailing)
+
+    def _types(self) -> list[TypeDeclaration]:
+        """All types between TYPE and END_TYPE."""
+        leading = self.take_leading()
+        first = self.at
+        self.at += 1
+        declarations: list[TypeDeclaration] = []
+        while self.kinds[self.at] in ("name", '"') or (
+            self.word(self.at) and self.kinds[self.at + 1] == ":"
+        ):
+            start = self.at if declarations else first
+            leading = (*leading, *self.take_leading())
+            declarations.append(self._type(start, leading))
+            leading = ()
+        if not declarations:
+            raise self.failed("the name of a type")
+        closing = self.take_leading()
+        self._end_unit("END_TYPE", first)
+        if closing:
+            declarations[-1] = _with_closing(declarations[-1], closing)
+        return declarations
+
+    def _type(self, first: int, leading: TriviaList) -> TypeDeclaration:
+        name = self.name()
+        header: list[HeaderItem] = []
+        comments: TriviaList = ()
+        if self.kinds[self.at] != ":":
+            comments = self._header(header)
+        self.accept(":")
+        comments += self.take_leading()
+        spec = self.type_spec()
+        initial: Expression | None = None
+        if self.accept(":="):
+            initial = self.initial_value()
+        if not self.accept(";") and not isinstance(spec, StructSpec):
+            self.missing_semicolon("the type")
+        place = self.span(first)
+        leading, trailing = self.settle(leading)
+        closing = (trailing,) if trailing else ()
+        return TypeDeclaration(
+            place, name, tuple(header), spec, initial, leading, comments, closing
+        )
+
+
+def _with_closing(declaration: TypeDeclaration, closing: TriviaList) -> TypeDeclaration:
+    return TypeDeclaration(
+        declaration.span,
+        declaration.name,
+        declaration.header,
+        declaration.type,
+        declaration.initial,
+        declaration.leading,
+        declaration.header_comments,
+        (*declaration.closing, *closing),
+    )

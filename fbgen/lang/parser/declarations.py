@@ -1,0 +1,266 @@
+"""Types, declarations and VAR sections.
+
+Source: IEC 61131-3, variables and data types; TIA Portal help, "Block interface"; published
+sources for attributes in odd places, END_STRUCT without semicolon and reserved words as names.
+"""
+
+from fbgen.lang.ast import (
+    ArraySpec,
+    Bounds,
+    Declaration,
+    DeclaredName,
+    DirectAddress,
+    Expression,
+    Name,
+    NamedType,
+    StringSpec,
+    StructSpec,
+    TypeSpec,
+    VarSection,
+)
+from fbgen.lang.dialects.words import words
+from fbgen.lang.parser.cursor import Unexpected
+from fbgen.lang.parser.expressions import NAMES, ExpressionParser
+
+SECTIONS = words("VAR VAR_INPUT VAR_OUTPUT VAR_IN_OUT VAR_TEMP VAR_GLOBAL VAR_EXTERNAL")
+_QUALIFIERS = words("CONSTANT RETAIN NON_RETAIN PERSISTENT DB_SPECIFIC R_EDGE F_EDGE")
+UNITS = words("FUNCTION_BLOCK FUNCTION ORGANIZATION_BLOCK PROGRAM DATA_BLOCK TYPE CONFIGURATION")
+"""Keywords that begin a unit of a file."""
+
+_UNIT_ENDS = frozenset(
+    {f"END_{unit}" for unit in UNITS} | {"END_RESOURCE", "BEGIN", "end", "END_REGION"}
+)
+_SECTION_ENDS = SECTIONS | _UNIT_ENDS | {"END_VAR", "END_STRUCT"}
+_UNREAD_TYPES = {
+    "REF_TO": "references",
+    "REFERENCE": "references",
+    "POINTER": "pointers",
+}
+
+
+class DeclarationParser(ExpressionParser):
+    """Reads what is declared."""
+
+    # --- types --------------------------------------------------------------------------------
+
+    def type_spec(self) -> TypeSpec:
+        """A type where one is used."""
+        at = self.at
+        kind = self.kinds[at]
+        if kind == "ARRAY":
+            return self._array_type()
+        if kind == "STRUCT":
+            return self.struct_type()
+        if kind == '"':
+            name = self.name()
+            return NamedType(name.span, name.name, True)
+        if kind == "name":
+            word = self.texts[at].upper()
+            if word in ("STRING", "WSTRING"):
+                return self._string_type(word == "WSTRING")
+            following = self.kinds[at + 1]
+            if word in _UNREAD_TYPES and (following in NAMES or self.word(at + 1)):
+                raise self.unread(
+                    f"the type {word}", self.token_span(at), f"{_UNREAD_TYPES[word]} are not read"
+                )
+            if following == "(" and self.kinds[at + 3] == "..":
+                raise self.unread("a subrange", self.token_span(at), "declare the whole type")
+            self.at = at + 1
+            return NamedType(self.token_span(at), self.texts[at])
+        if kind == "(":
+            raise self.unread(
+                "an enumeration", self.token_span(at), "declare an INT and named constants"
+            )
+        raise self.failed("a type", "a type is BOOL, INT, ARRAY[0..7] OF BYTE, STRUCT or a name")
+
+    def _string_type(self, wide: bool) -> StringSpec:
+        first = self.at
+        self.at += 1
+        length: Expression | None = None
+        for opening, closing in (("[", "]"), ("(", ")")):
+            if self.accept(opening):
+                length = self.expression()
+                self.expect(closing)
+                break
+        return StringSpec(self.span(first), wide, length)
+
+    def _array_type(self) -> ArraySpec:
+        first = self.at
+        self.at += 1
+        self.expect("[", "'['", "an array type looks like ARRAY[0..7] OF BYTE")
+        bounds = [self._bounds()]
+        while self.accept(","):
+            bounds.append(self._bounds())
+        self.expect("]", "']' or ','")
+        self.expect("OF", "OF", "an array type looks like ARRAY[0..7] OF BYTE")
+        self.deeper()
+        element = self.type_spec()
+        self.depth -= 1
+        return ArraySpec(self.span(first), tuple(bounds), element)
+
+    def _bounds(self) -> Bounds:
+        first = self.at
+        if self.accept("*"):
+            return Bounds(self.span(first), None, None)
+        low = self.expression()
+        self.expect("..", "'..'", "bounds look like 0..7")
+        high = self.expression()
+        return Bounds(self.span(first), low, high)
+
+    def struct_type(self) -> StructSpec:
+        """STRUCT ... END_STRUCT, without the semicolon behind it."""
+        first = self.expect("STRUCT")
+        opening = self.take_same_line()
+        self.deeper()
+        fields = self._declarations("END_STRUCT", first)
+        self.depth -= 1
+        closing = self.take_leading()
+        self._end_section("END_STRUCT", first)
+        return StructSpec(self.span(first), fields, closing, opening)
+
+    # --- sections -----------------------------------------------------------------------------
+
+    def section(self) -> VarSection:
+        """VAR ... END_VAR of any kind."""
+        leading = self.take_leading()
+        first = self.at
+        keyword = self.kinds[first]
+        self.at = first + 1
+        qualifiers: list[str] = []
+        while self.kinds[self.at] == "name" and self.texts[self.at].upper() in _QUALIFIERS:
+            if self.kinds[self.at + 1] in (":", ","):
+                break
+            qualifiers.append(self.texts[self.at].upper())
+            self.at += 1
+        opening = self.take_same_line()
+        declarations = self._declarations("END_VAR", first)
+        closing = self.take_leading()
+        self._end_section("END_VAR", first)
+        self.accept(";")
+        span = self.span(first)
+        leading, trailing = self.settle(leading)
+        return VarSection(
+            span, keyword, tuple(qualifiers), declarations, leading, trailing, closing, opening
+        )
+
+    def _end_section(self, end: str, first: int) -> None:
+        if not self.accept(end):
+            self.missing_end(end, first)
+
+    def missing_end(self, end: str, first: int) -> None:
+        """Report that what began with token `first` has no end before the next token."""
+        opener = self.token_span(first)
+        if self.at != self._last_finding_at:
+            self._last_finding_at = self.at
+            found = self.texts[self.at] or "the end of the file"
+            self.report(
+                "FB3007",
+                f"{opener.text.upper()} has no {end} before {found}",
+                opener,
+                f"write {end} where it ends",
+            )
+
+    def _declarations(self, end: str, first: int) -> tuple[Declaration, ...]:
+        """Everything up to `end`, which is not read."""
+        declarations: list[Declaration] = []
+        depth = self.depth
+        while True:
+            kind = self.kinds[self.at]
+            if kind == end:
+                break
+            if kind in _SECTION_ENDS and not self._is_declared_keyword():
+                if kind in ("END_VAR", "END_STRUCT") and depth == 0 and end == "END_VAR":
+                    self.unexpected("a declaration or END_VAR")
+                    self.at += 1
+                    self.accept(";")
+                    continue
+                break
+            if kind == ";":
+                self.at += 1
+                continue
+            start = self.at
+            try:
+                declarations.append(self._declaration())
+            except Unexpected:
+                self.depth = depth
+                self._skip_declaration(start)
+        return tuple(declarations)
+
+    def _is_declared_keyword(self) -> bool:
+        """Whether the keyword here is used as the name of a variable."""
+        return self.word(self.at) and self.kinds[self.at + 1] in (":", ",")
+
+    def _skip_declaration(self, start: int) -> None:
+        """Go to the next place where a declaration can begin."""
+        if self.at == start and self.kinds[self.at] not in _SECTION_ENDS:
+            self.at += 1
+        while True:
+            kind = self.kinds[self.at]
+            if kind == ";":
+                self.at += 1
+                return
+            if kind in _SECTION_ENDS:
+                return
+            if self.kinds[self.at + 1] == ":" and self.starts_line(self.at):
+                return
+            self.at += 1
+
+    def _declaration(self) -> Declaration:
+        leading = self.take_leading() if self.extra_at <= self.at else ()
+        first = self.at
+        names = [self._declared_name()]
+        while self.accept(","):
+            names.append(self._declared_name())
+        at: DirectAddress | Name | None = None
+        if self.kinds[self.at] == "name" and self.accept_word("AT"):
+            at = self.address() if self.kinds[self.at] == "address" else self.name()
+        self.expect(":", "':'", "a declaration looks like name : TYPE;")
+        type_attributes = self.pragma_text()
+        type_spec = self.type_spec()
+        type_attributes = type_attributes or self.pragma_text()
+        initial: Expression | None = None
+        if self.accept(":="):
+            initial = self.initial_value()
+        self._end_declaration(isinstance(type_spec, StructSpec))
+        span = self.span(first)
+        trailing = None
+        if self.extra_at <= self.at:
+            leading, trailing = self.settle(leading)
+        return Declaration(
+            span, tuple(names), type_spec, initial, at, type_attributes, leading, trailing
+        )
+
+    def _end_declaration(self, is_struct: bool) -> None:
+        if self.accept(";") or is_struct:
+            return
+        self.missing_semicolon("the declaration")
+
+    def missing_semicolon(self, what: str) -> None:
+        """Report that there is no ';' behind the last token; skip the rest of its line's junk."""
+        at = self.at
+        if at == self._last_finding_at:
+            raise Unexpected
+        if self.starts_line(at) or self.kinds[at] in _SECTION_ENDS or self.kinds[at] == "end":
+            end = self.ends[at - 1]
+            place = self.token_span(at - 1)._replace(start=max(end - 1, 0))
+            self._last_finding_at = at
+            self.report("FB3010", f"{what} has no ';' at its end", place, "write ';' here")
+            return
+        raise self.failed("';'", "a statement or declaration ends with ';'")
+
+    def _declared_name(self) -> DeclaredName:
+        at = self.at
+        kind = self.kinds[at]
+        if kind == '"':
+            name = self.name()
+        elif self.word(at) and kind not in ("END_VAR", "END_STRUCT"):
+            name = Name(self.token_span(at), self.texts[at])
+            self.at = at + 1
+        elif kind == "#":
+            name = self.name()
+            self.report(
+                "FB3001", "found '#' in a declaration", name.span, "declare the name without '#'"
+            )
+        else:
+            raise self.failed("the name of a variable")
+        return DeclaredName(name.span, name.name, name.quoted, self.pragma_text())

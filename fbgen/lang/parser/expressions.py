@@ -1,0 +1,372 @@
+"""Expressions, places and calls, with precedence climbing.
+
+Precedence from loosest: OR, XOR, AND, `= <>`, `< > <= >=`, `+ -`, `* / MOD DIV`, then signs, NOT
+and `**`: a sign binds looser than `**` where the dialect says so (TIA), tighter in IEC.
+Source: TIA Portal help, "Operators and order of evaluation"; IEC 61131-3, operators of ST.
+"""
+
+from fbgen.lang.ast import (
+    Argument,
+    ArgumentKind,
+    ArrayLiteral,
+    Binary,
+    Call,
+    DirectAddress,
+    Expression,
+    Index,
+    Literal,
+    LiteralKind,
+    Member,
+    Name,
+    Parenthesized,
+    Repeated,
+    Slice,
+    StructLiteral,
+    Unary,
+)
+from fbgen.lang.dialects.dialect import Dialect, Feature
+from fbgen.lang.dialects.words import words
+from fbgen.lang.literals import BadLiteralError, LiteralValue, read_literal
+from fbgen.lang.parser.addresses import read_address, read_slice
+from fbgen.lang.parser.cursor import Cursor
+from fbgen.source import Source, Span
+
+PRECEDENCE = {
+    "OR": 1,
+    "XOR": 2,
+    "AND": 3,
+    "=": 4,
+    "<>": 4,
+    "<": 5,
+    ">": 5,
+    "<=": 5,
+    ">=": 5,
+    "+": 6,
+    "-": 6,
+    "*": 7,
+    "/": 7,
+    "MOD": 7,
+    "DIV": 7,
+    "**": 8,
+}
+NAMES = frozenset({"name", "#", '"', '#"'})
+"""Kinds of tokens that are names."""
+
+SOFT_KEYWORDS = words(
+    "TYPE PROGRAM RESOURCE CONFIGURATION BEGIN STRUCT ARRAY REGION DATA_BLOCK FUNCTION "
+    "ORGANIZATION_BLOCK"
+)
+"""Keywords that can only be names where an expression is wanted."""
+
+_POSTFIX = frozenset({".", "[", "("})
+_SIGNS = frozenset({"-", "+", "NOT"})
+_NOTHING = LiteralValue(LiteralKind.INTEGER, 0)
+_make = tuple.__new__
+
+
+class ExpressionParser(Cursor):
+    """Reads expressions at the cursor."""
+
+    def __init__(self, source: Source, dialect: Dialect) -> None:
+        super().__init__(source, dialect)
+        self._literals: dict[str, LiteralValue] = {}
+        self._power_first = dialect.has(Feature.POWER_FIRST)
+
+    def expression(self) -> Expression:
+        """One expression."""
+        left = self.operand()
+        if self.kinds[self.at] in PRECEDENCE:
+            return self._climb(left, 0)
+        return left
+
+    def _climb(self, left: Expression, lowest: int) -> Expression:
+        """Go on from `left` with all operators that bind tighter than `lowest`."""
+        kinds = self.kinds
+        source, start = self.source, left.span[1]
+        operator = kinds[self.at]
+        precedence = PRECEDENCE.get(operator, 0)
+        while precedence > lowest:
+            self.at += 1
+            right = self.operand()
+            following = kinds[self.at]
+            next_precedence = PRECEDENCE.get(following, 0)
+            while next_precedence > precedence:
+                right = self._climb(right, precedence)
+                following = kinds[self.at]
+                next_precedence = PRECEDENCE.get(following, 0)
+            place = _make(Span, (source, start, right.span[2]))
+            left = Binary(place, operator, left, right)
+            operator, precedence = following, next_precedence
+        return left
+
+    def operand(self) -> Expression:
+        """A literal, a place, a call, something in parentheses, or one of these with a sign."""
+        at = self.at
+        kind = self.kinds[at]
+        place = _make(Span, (self.source, self.starts[at], self.ends[at]))
+        if kind == "name":
+            name: Expression = Name(place, self.texts[at])
+        elif kind == "literal":
+            return self._literal(place)
+        elif kind == "#":
+            name = Name(place, self.texts[at][1:], False, True)
+            if Feature.LOCAL_MARKS not in self.dialect.features:
+                self.missing_feature(Feature.LOCAL_MARKS, place)
+        elif kind in NAMES:
+            name = self.name()
+            self.at = at
+        elif kind in _SIGNS:
+            return self._signed(kind, place)
+        elif kind == "(":
+            return self._parenthesized()
+        elif kind == "address":
+            name = self.address()
+            self.at = at
+        elif kind in SOFT_KEYWORDS and self.word(at):
+            name = Name(place, self.texts[at])
+        else:
+            raise self.failed("an expression", "a value, a variable, a call or '(' can stand here")
+        self.at = at + 1
+        if self.kinds[at + 1] in _POSTFIX:
+            return self._postfix(name)
+        return name
+
+    def name(self) -> Name:
+        """A name in any spelling: x, #x, "x", #"x"."""
+        at = self.at
+        kind, text = self.kinds[at], self.texts[at]
+        place = self.token_span(at)
+        if kind == "#":
+            name = Name(place, text[1:], False, True)
+        elif kind == '"':
+            name = Name(place, text[1:-1], True, False)
+        elif kind == '#"':
+            name = Name(place, text[2:-1], True, True)
+        elif self.word(at):
+            name = Name(place, text)
+        else:
+            raise self.failed("a name")
+        self.at = at + 1
+        if name.quoted:
+            self.need(Feature.QUOTED_NAMES, at)
+            if not name.name.strip():
+                self.report("FB3004", "an empty name", place, "write a name between the quotes")
+        if name.local:
+            self.need(Feature.LOCAL_MARKS, at)
+        return name
+
+    def address(self) -> DirectAddress:
+        """An absolute address such as %IB256:P or %DB100.DBW4."""
+        at = self.at
+        place = self.token_span(at)
+        address = read_address(self.texts[at], place)
+        if address is None:
+            raise self.failed(
+                "an absolute address", "addresses look like %I0.0, %QW4, %MD10, %DB1.DBW2"
+            )
+        self.at = at + 1
+        if address.peripheral:
+            self.need(Feature.PERIPHERAL, at)
+        if address.area == "DB":
+            self.need(Feature.DB_ADDRESSES, at)
+        return address
+
+    def _literal(self, place: Span) -> Literal:
+        text = self.texts[self.at]
+        value = self._literals.get(text)
+        if value is None:
+            value = self._new_literal(text, place)
+        self.at += 1
+        return Literal(place, value.kind, value.value, text, value.type_name, value.base)
+
+    def _new_literal(self, text: str, place: Span) -> LiteralValue:
+        try:
+            value = read_literal(text)
+        except BadLiteralError as problem:
+            self.report("FB3004", str(problem), place, problem.help)
+            return _NOTHING
+        self._literals[text] = value
+        return value
+
+    def _signed(self, operator: str, place: Span) -> Unary:
+        self.at += 1
+        self.deeper()
+        operand = self.operand()
+        if self._power_first and self.kinds[self.at] == "**":
+            operand = self._climb(operand, PRECEDENCE["**"] - 1)
+        self.depth -= 1
+        return Unary(_make(Span, (self.source, place[1], operand.span[2])), operator, operand)
+
+    def _parenthesized(self) -> Parenthesized:
+        first = self.at
+        self.at = first + 1
+        self.deeper()
+        inner = self.expression()
+        self.expect(")", "')'", "each '(' needs its ')'")
+        self.depth -= 1
+        return Parenthesized(self.span(first), inner)
+
+    def _postfix(self, base: Expression) -> Expression:
+        """`base` with everything that follows it: members, slices, indices, arguments."""
+        source, start = self.source, base.span[1]
+        while True:
+            kind = self.kinds[self.at]
+            if kind == ".":
+                base = self._member(base)
+            elif kind == "[":
+                self.at += 1
+                self.deeper()
+                indices = [self.expression()]
+                while self.accept(","):
+                    indices.append(self.expression())
+                self.expect("]", "']' or ','", "each '[' needs its ']'")
+                self.depth -= 1
+                place = _make(Span, (source, start, self.ends[self.at - 1]))
+                base = Index(place, base, tuple(indices))
+            elif kind == "(":
+                self.at += 1
+                arguments = self.arguments()
+                place = _make(Span, (source, start, self.ends[self.at - 1]))
+                base = Call(place, base, arguments)
+            else:
+                return base
+
+    def _member(self, base: Expression) -> Expression:
+        at = self.at + 1
+        kind, text = self.kinds[at], self.texts[at]
+        place = _make(Span, (self.source, base.span[1], self.ends[at]))
+        self.at = at + 1
+        if kind == "name":
+            return Member(place, base, text)
+        if kind == '"':
+            self.need(Feature.QUOTED_NAMES, at)
+            return Member(place, base, text[1:-1], True)
+        if kind == "#":
+            return Member(place, base, text[1:])
+        if kind == '#"':
+            return Member(place, base, text[2:-1], True)
+        if kind == "address" and (part := read_slice(text)):
+            self.need(Feature.SLICES, at)
+            return Slice(place, base, *part)
+        if kind == "literal" and text.isdecimal() and len(text) < 3:
+            self.need(Feature.BIT_MEMBERS, at)
+            return Slice(place, base, "X", int(text))
+        if self.word(at):
+            return Member(place, base, text)
+        self.at = at
+        raise self.failed("the name of a member", "behind '.' stands a name, or a slice like %X0")
+
+    def arguments(self) -> tuple[Argument, ...]:
+        """The arguments of a call behind its '(', up to and with the ')'."""
+        if self.accept(")"):
+            return ()
+        self.deeper()
+        arguments: list[Argument] = []
+        while True:
+            argument = self._argument()
+            more = self.accept(",")
+            if self.extra_at <= self.at:
+                leading, trailing = self.settle(argument.leading)
+                argument = Argument(
+                    argument.span, argument.kind, argument.name, argument.value, leading, trailing
+                )
+            arguments.append(argument)
+            if not more:
+                break
+        self.expect(")", "')' or ','", "arguments are separated by ',' and end with ')'")
+        self.depth -= 1
+        return tuple(arguments)
+
+    def _argument(self) -> Argument:
+        first = self.at
+        leading = self.take_leading() if self.extra_at <= first else ()
+        following = self.kinds[first + 1] if self.kinds[first] != "end" else "end"
+        if following in (":=", "=>"):
+            name = self.name().name
+            self.at = first + 2
+            if following == "=>" and self.kinds[self.at] in (",", ")"):
+                return Argument(self.span(first), ArgumentKind.OUTPUT, name, None, leading)
+            kind = ArgumentKind.INPUT if following == ":=" else ArgumentKind.OUTPUT
+            value = self.expression()
+        else:
+            kind, name = ArgumentKind.POSITIONAL, ""
+            value = self.expression()
+        return Argument(self.span(first), kind, name, value, leading)
+
+    # --- initial values -----------------------------------------------------------------------
+
+    def initial_value(self) -> Expression:
+        """What stands behind ':=' in a declaration: an expression, [..] or (..)."""
+        kind = self.kinds[self.at]
+        if kind == "[":
+            return self._array_literal()
+        if kind == "(":
+            following = self.kinds[self.at + 1]
+            if following in (")", ",", "[", "(") or self.kinds[self.at + 2] in (":=", ","):
+                return self._struct_or_parenthesized()
+        return self.expression()
+
+    def _array_literal(self) -> ArrayLiteral:
+        first = self.expect("[")
+        self.deeper()
+        items: list[Repeated | Expression] = []
+        while self.kinds[self.at] != "]":
+            items.append(self._array_item())
+            if not self.accept(","):
+                break
+        self.expect("]", "']' or ','", "initial values of an array look like [1, 2, 3(0)]")
+        self.depth -= 1
+        return ArrayLiteral(self.span(first), tuple(items))
+
+    def _array_item(self) -> Expression:
+        first = self.at
+        value = self.initial_value()
+        if isinstance(value, Call) and len(value.arguments) == 1 and isinstance(value.callee, Name):
+            only = value.arguments[0]
+            if only.kind is ArgumentKind.POSITIONAL and only.value is not None:
+                return Repeated(value.span, value.callee, only.value)
+        if isinstance(value, Literal) and self.accept("("):
+            repeated = None if self.kinds[self.at] == ")" else self.initial_value()
+            self.expect(")")
+            return Repeated(self.span(first), value, repeated)
+        return value
+
+    def _struct_or_parenthesized(self) -> Expression:
+        """`(a := 1)`, `()`, `(1, , 3)`; a single value in parentheses is only that value."""
+        first = self.expect("(")
+        self.deeper()
+        fields: list[Argument] = []
+        while self.kinds[self.at] != ")":
+            fields.append(self._struct_field())
+            if not self.accept(","):
+                break
+            if self.kinds[self.at] == ")":
+                fields.append(self._empty_field())
+        self.expect(")", "')' or ','", "initial values of a structure look like (a := 1, b := 2)")
+        self.depth -= 1
+        only = fields[0] if len(fields) == 1 else None
+        if only and only.kind is ArgumentKind.POSITIONAL and only.value is not None:
+            value = only.value
+            if not isinstance(value, (StructLiteral, ArrayLiteral)):
+                return self._rest_of_expression(Parenthesized(self.span(first), value))
+        return StructLiteral(self.span(first), tuple(fields))
+
+    def _rest_of_expression(self, left: Expression) -> Expression:
+        return self._climb(left, 0) if self.kinds[self.at] in PRECEDENCE else left
+
+    def _struct_field(self) -> Argument:
+        first = self.at
+        leading = self.take_leading()
+        if self.kinds[first] == ",":
+            return self._empty_field()
+        if self.kinds[first + 1] == ":=":
+            name = self.name().name
+            self.at = first + 2
+            value = self.initial_value()
+            return Argument(self.span(first), ArgumentKind.INPUT, name, value, leading)
+        value = self.initial_value()
+        return Argument(self.span(first), ArgumentKind.POSITIONAL, "", value, leading)
+
+    def _empty_field(self) -> Argument:
+        place = Span(self.source, self.starts[self.at], self.starts[self.at])
+        return Argument(place, ArgumentKind.POSITIONAL, "", None)
