@@ -1,0 +1,1 @@
+"""Which blocks a plant needs, and what their templates are told."""

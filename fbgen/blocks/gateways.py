@@ -1,0 +1,230 @@
+"""One gateway of the plant as templates see it: its cyclic layout on this PLC, its drives."""
+
+from dataclasses import dataclass
+
+from fbgen.blocks.literals import SclText, byte, milliseconds, real
+from fbgen.blocks.sequences import SequenceView
+from fbgen.catalog import Catalog, CyclicField, Gateway, Layout, origin
+from fbgen.plant import Plant, PlantDrive, PlantGateway
+
+_MEMBERS = {
+    "control": "control",
+    "trigger": "trigger",
+    "status": "gatewayStatus",
+    "inv_no": "invNo",
+    "cmd": "cmd",
+    "comno": "comNo",
+    "data": "data",
+}
+"""Field of the catalogue's layout -> member of typeTosOutput and typeTosInput."""
+
+
+@dataclass(frozen=True, slots=True)
+class FieldView:
+    """A field of the cyclic data. `parts` are the addresses to access, the high byte first."""
+
+    name: str
+    offset: int
+    size: int
+    parts: tuple[SclText, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class CallView:
+    """The call of one sequence of one drive."""
+
+    id: str
+    instance: str
+    arguments: tuple[SclText, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class DriveView:
+    """A drive behind the gateway."""
+
+    name: str
+    series: str
+    inv_no: int
+    inv_no_byte: SclText
+    calls: tuple[CallView, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class GatewayView:
+    """A gateway with everything its blocks need."""
+
+    name: str
+    access: str
+    layout_id: str
+    identifiers: str
+    output_length: int
+    input_length: int
+    inputs: tuple[FieldView, ...]
+    outputs: tuple[FieldView, ...]
+    laddr_in: SclText
+    laddr_out: SclText
+    handshake: SclText
+    status_poll: bool
+    timeout: SclText
+    gap: SclText
+    poll_slot: int
+    drives: tuple[DriveView, ...]
+
+    @property
+    def outputs_trigger_last(self) -> tuple[FieldView, ...]:
+        """DATA first, then the rest backwards, the trigger at the very end."""
+        return (*reversed(self.outputs_without_trigger), self._trigger)
+
+    @property
+    def outputs_without_trigger(self) -> tuple[FieldView, ...]:
+        """Everything but the trigger, in ascending order."""
+        return tuple(item for item in self.outputs if item is not self._trigger)
+
+    @property
+    def trigger_address(self) -> SclText:
+        """Where the trigger lies."""
+        return self._trigger.parts[0]
+
+    @property
+    def send(self) -> str:
+        """When the outputs are written. The process image wants the trigger one cycle later."""
+        if self.access == "process_image":
+            return "TRUE"
+        return "#instTelegram.frameChanged OR #instIo.error"
+
+    @property
+    def _trigger(self) -> FieldView:
+        return next(item for item in self.outputs if item.name == "trigger")
+
+
+def gateway_view(
+    plant: Plant,
+    gateway: PlantGateway,
+    sequences: tuple[SequenceView, ...],
+    catalog: Catalog,
+) -> GatewayView:
+    """What the templates of one gateway are told."""
+    entry = catalog.gateway(gateway.type)
+    layout = entry.layout(gateway.layout)
+    place = origin(f"gateway {gateway.name}", gateway)
+    series = [catalog.drive(drive.series) for drive in gateway.drives]
+    reply_max = max(item.times.reply_max.ms for item in series)
+    slots = range(1, len(gateway.drives) * len(sequences) + 1)
+    return GatewayView(
+        name=gateway.name,
+        access=gateway.access,
+        layout_id=layout.name,
+        identifiers=layout.identifiers.hex(" ").upper(),
+        output_length=layout.output_length,
+        input_length=layout.input_length,
+        inputs=_fields(layout, layout.input, "I", gateway.input_address or 0),
+        outputs=_fields(layout, layout.output, "Q", gateway.output_address or 0),
+        laddr_in=_laddr(plant, gateway, gateway.input_address),
+        laddr_out=_laddr(plant, gateway, gateway.output_address),
+        handshake=SclText("TRUE" if gateway.options.get("handshake", True) else "FALSE", place),
+        status_poll=gateway.status_poll,
+        timeout=milliseconds(reply_timeout_ms(plant, entry, reply_max), place),
+        gap=milliseconds(silent_gap_ms(plant, entry, reply_max), place),
+        poll_slot=len(slots) + 1,
+        drives=tuple(
+            _drive(drive, sequences, slots[index * len(sequences) :])
+            for index, drive in enumerate(gateway.drives)
+        ),
+    )
+
+
+def reply_timeout_ms(plant: Plant, gateway: Gateway, reply_max_ms: float) -> float:
+    """How long a reply may take, with a reserve of twice the time that the manual adds up.
+
+    Drive, gateway in both directions and 8 bytes on the line in both directions, and two cycles of
+    the PLC for reading and writing. Source: TOSPBDP001 manual v1.1, 9.
+    """
+    line_ms = 2 * _frame_ms(gateway)
+    return 2 * (reply_max_ms + 2 * gateway.times.processing.ms + line_ms) + 2 * plant.cycle_time_ms
+
+
+def silent_gap_ms(plant: Plant, gateway: Gateway, reply_max_ms: float) -> float:
+    """How long the line is left alone after a telegram that nobody answers.
+
+    The gateway has surely looked at the trigger, processed and sent the telegram, also where the
+    trigger leaves the PLC a cycle after its data; then comes the drive's reply time, which the
+    manual asks for between telegrams to different drives. Source: TOSPBDP001 manual v1.1, 9.
+    """
+    times = gateway.times
+    sent_ms = times.trigger_poll.ms + times.processing.ms + _frame_ms(gateway)
+    return 2 * plant.cycle_time_ms + sent_ms + reply_max_ms
+
+
+def _frame_ms(gateway: Gateway) -> float:
+    """How long 8 bytes take on the line towards the drives."""
+    return 8 * gateway.subnetwork.character_bits / gateway.subnetwork.baud * 1000
+
+
+def _fields(
+    layout: Layout, fields: tuple[CyclicField, ...], area: str, base: int
+) -> tuple[FieldView, ...]:
+    views = []
+    for item in fields:
+        if item.pad:
+            continue
+        parts = _parts(layout, item, area, base)
+        views.append(FieldView(_MEMBERS[item.name], item.offset, item.length, parts))
+    return tuple(views)
+
+
+def _parts(layout: Layout, item: CyclicField, area: str, base: int) -> tuple[SclText, ...]:
+    """One access per identifier: a word where an identifier is a word, else byte by byte."""
+    source = origin(f"layout {layout.name}, {item.name}", item, layout.source or "")
+    address = base + item.offset
+    if item.length == 1:
+        return (SclText(f"%{area}B{address}", source),)
+    for slot in layout.slots():
+        outward = area == "Q"
+        start = slot.output_offset if outward else slot.input_offset
+        extent = slot.identifier.outputs if outward else slot.identifier.inputs
+        if start == item.offset and extent is not None and extent.unit_bytes == item.length:
+            return (SclText(f"%{area}W{address}", source),)
+    return tuple(SclText(f"%{area}B{address + i}", source) for i in range(item.length))
+
+
+def _laddr(plant: Plant, gateway: PlantGateway, address: int | None) -> SclText:
+    source = origin(f"gateway {gateway.name}", gateway)
+    if gateway.hardware_identifier is not None:
+        return SclText(str(gateway.hardware_identifier), source)
+    if plant.plc in ("s7-300", "s7-400"):
+        return SclText(f"W#16#{address or 0:X}", source)
+    return SclText(str(address or 0), source)
+
+
+def _drive(drive: PlantDrive, sequences: tuple[SequenceView, ...], slots: range) -> DriveView:
+    place = origin(f"drive {drive.name}", drive)
+    inv_no = byte(drive.inv_no, place)
+    calls = tuple(
+        CallView(
+            sequence.id,
+            f"inst_{drive.name}_{sequence.id}",
+            tuple(_arguments(drive, sequence, slot, inv_no)),
+        )
+        for sequence, slot in zip(sequences, slots, strict=False)
+    )
+    return DriveView(drive.name, drive.series, drive.inv_no, inv_no, calls)
+
+
+def _arguments(
+    drive: PlantDrive, sequence: SequenceView, slot: int, inv_no: SclText
+) -> list[SclText]:
+    path = f"#drives.{drive.name}.{sequence.id}"
+    source = origin(f"drive {drive.name}", drive)
+    given = [
+        ("execute", ":=", f"{path}.execute"),
+        ("invNo", ":=", str(inv_no)),
+        ("slot", ":=", str(slot)),
+    ]
+    if sequence.uses_max_frequency:
+        given.append(("maxFrequency", ":=", str(real(drive.max_frequency_hz))))
+    given += [(item.name, ":=", f"{path}.{item.name}") for item in sequence.parameters]
+    given.append(("line", ":=", "#statLine"))
+    outputs = ("done", "busy", "error", "status", "failedStep")
+    given += [(name, "=>", f"{path}.{name}") for name in outputs]
+    given += [(item.name, "=>", f"{path}.{item.name}") for item in sequence.results]
+    return [SclText(f"{name} {sign} {value}", source) for name, sign, value in given]

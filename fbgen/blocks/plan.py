@@ -1,0 +1,210 @@
+"""The list of blocks, types and data blocks that a plant needs, in the order of dependence."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from fbgen.blocks.gateways import GatewayView, gateway_view
+from fbgen.blocks.literals import SclText, byte, comno, one_line, source_text
+from fbgen.blocks.sequences import SequenceView, sequence_view
+from fbgen.blocks.words import WordView
+from fbgen.catalog import Catalog, ComNo, Drive, Gateway, origin
+from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.plant import Plant
+
+
+@dataclass(frozen=True, slots=True)
+class BlockSpec:
+    """One unit to generate: its name, its template and what only this unit is told.
+
+    `kind` is "udt", "scl" or "db", as TIA Portal calls its source files.
+    """
+
+    name: str
+    kind: str
+    template: str
+    context: Mapping[str, object] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class BlockPlan:
+    """All units of a plant, and what every template is told."""
+
+    specs: tuple[BlockSpec, ...]
+    context: Mapping[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class PlantView:
+    """The plant as templates see it."""
+
+    name: str
+    most_drives: int
+
+
+def plan_blocks(plant: Plant, catalog: Catalog) -> BlockPlan:
+    """Which blocks the plant needs. Raises DiagnosticError for what cannot be generated."""
+    drives = _series(plant, catalog)
+    sequences = tuple(_sequence(name, drives, catalog) for name in plant.sequences)
+    gateways = tuple(gateway_view(plant, item, sequences, catalog) for item in plant.gateways)
+    context = _plant_context(plant, gateways, sequences)
+    context |= _gateway_context(catalog.gateway(plant.gateways[0].type))
+    context |= _drive_context(drives[0], catalog)
+    context["times"] = {"timeout": gateways[0].timeout, "gap": gateways[0].gap}
+    return BlockPlan(
+        (*_types(gateways, sequences), *_blocks(gateways, sequences), *_data(gateways)), context
+    )
+
+
+def _types(
+    gateways: tuple[GatewayView, ...], sequences: tuple[SequenceView, ...]
+) -> list[BlockSpec]:
+    plain = ("typeTosInput", "typeTosOutput", "typeTosRequest", "typeTosReply", "typeTosLine")
+    specs = [_type(name) for name in (*plain, "typeTosPolled")]
+    specs += [
+        _type(f"typeTosSeq_{item.id}", "typeTosSeq", {"sequence": item}) for item in sequences
+    ]
+    specs.append(_type("typeTosDrive"))
+    specs += [
+        _type(f"typeTosGateway_{item.name}", "typeTosGateway", {"gateway": item})
+        for item in gateways
+    ]
+    return specs
+
+
+def _blocks(
+    gateways: tuple[GatewayView, ...], sequences: tuple[SequenceView, ...]
+) -> list[BlockSpec]:
+    names = ["TOS_HzToWord", "TOS_WordToHz", "TOS_WordToPercent"]
+    names += ["TOS_TriggerCounter", "TOS_Handshake", "TOS_Telegram"]
+    if any(item.status_poll for item in gateways):
+        names.append("TOS_StatusPoll")
+    specs = [_block(name) for name in names]
+    specs += [_block(f"TOS_Seq_{item.id}", "TOS_Seq", {"sequence": item}) for item in sequences]
+    for name in ("TOS_ConsistentIo", "TOS_Gateway"):
+        specs += [_block(f"{name}_{item.name}", name, {"gateway": item}) for item in gateways]
+    return specs
+
+
+def _data(gateways: tuple[GatewayView, ...]) -> list[BlockSpec]:
+    specs = [BlockSpec("TOS_Plant", "db", "data/TOS_Plant.db.jinja")]
+    specs += [
+        BlockSpec(
+            f"TOS_Gateway_{item.name}_DB",
+            "db",
+            "data/TOS_Gateway_DB.db.jinja",
+            {"gateway": item},
+        )
+        for item in gateways
+    ]
+    specs.append(_block("TOS_Main"))
+    return specs
+
+
+def _type(name: str, template: str = "", context: Mapping[str, object] | None = None) -> BlockSpec:
+    return BlockSpec(name, "udt", f"types/{template or name}.udt.jinja", context or {})
+
+
+def _block(name: str, template: str = "", context: Mapping[str, object] | None = None) -> BlockSpec:
+    return BlockSpec(name, "scl", f"blocks/{template or name}.scl.jinja", context or {})
+
+
+def _series(plant: Plant, catalog: Catalog) -> list[Drive]:
+    names = dict.fromkeys(drive.series for gateway in plant.gateways for drive in gateway.drives)
+    return [catalog.drive(name) for name in names]
+
+
+def _sequence(name: str, drives: list[Drive], catalog: Catalog) -> SequenceView:
+    sequence = catalog.sequence(name)
+    views = [sequence_view(sequence, drive, catalog) for drive in drives]
+    for drive, view in zip(drives[1:], views[1:], strict=True):
+        if str(view) != str(views[0]):
+            raise DiagnosticError(
+                [
+                    Diagnostic(
+                        "FB5001",
+                        f"the sequence '{name}' sends other telegrams to '{drive.id}' than to "
+                        f"'{drives[0].id}', and one block cannot do both",
+                        sequence.span,
+                        "make a sequence of its own for each series",
+                    )
+                ]
+            )
+    return views[0]
+
+
+def _plant_context(
+    plant: Plant, gateways: tuple[GatewayView, ...], sequences: tuple[SequenceView, ...]
+) -> dict[str, object]:
+    return {
+        "optimized": "TRUE" if plant.plc in ("s7-1200", "s7-1500", "iec") else "FALSE",
+        "plant": PlantView(plant.name, max(len(item.drives) for item in gateways)),
+        "gateways": gateways,
+        "sequences": sequences,
+    }
+
+
+def _gateway_context(gateway: Gateway) -> dict[str, object]:
+    shake, trigger = gateway.handshake, gateway.trigger
+    status = WordView(gateway.status_word, gateway.id)
+    place = origin("trigger", trigger)
+    return {
+        "control": WordView(gateway.control, gateway.id),
+        "status": status,
+        "shake": shake,
+        "undisturbed": status.masked(
+            gateway.power_on_status, shake.status_changed, shake.command_done
+        ),
+        "gateway_type": {
+            "trigger_source": source_text(trigger, trigger.source),
+            "handshake_source": source_text(shake, shake.source),
+            "trigger_first": SclText(str(trigger.first), place),
+            "trigger_last": SclText(str(trigger.last), place),
+        },
+    }
+
+
+def _drive_context(drive: Drive, catalog: Catalog) -> dict[str, object]:
+    protocol = catalog.protocol(drive.protocol)
+    numbers = protocol.inv_numbers["binary"]
+    read = protocol.command("read_padded")
+    lower_case = (read.tripped_reply_code or 0) ^ (read.reply_code or 0)
+    trip = drive.comno(drive.link.trip)
+    status = drive.comno(drive.link.status)
+    return {
+        "protocol": {
+            "broadcast": byte(int(numbers.broadcast, 16), origin("broadcast", numbers)),
+            "inv_no_max": SclText(str(numbers.maximum), origin("inverter numbers", numbers)),
+            "lower_case": byte(lower_case, origin("command G", read)),
+        },
+        "command": {
+            item.name: byte(item.code, origin(f"command {item.letter}", item, item.source or ""))
+            for item in protocol.commands
+        },
+        "comno": {
+            "trip": comno(trip),
+            "status_word": comno(status),
+            "trip_source": source_text(trip, trip.source),
+        },
+        "spacer": {"first": comno(trip), "second": comno(status)},
+        "scaling": _scaling(drive.comno(drive.link.setpoint), drive),
+    }
+
+
+def _scaling(setpoint: ComNo, drive: Drive) -> dict[str, object]:
+    current = drive.comno(drive.link.output_current)
+    frequency_origin = origin(f"ComNo {setpoint.hex}", setpoint, setpoint.source or "")
+    return {
+        "frequency_factor": SclText(f"{round(1 / setpoint.resolution, 6)}", frequency_origin),
+        "frequency_largest": SclText(f"{0xFFFF * setpoint.resolution:.2f}", frequency_origin),
+        "frequency_comment": SclText(
+            one_line(f"One count is {setpoint.resolution} {setpoint.unit} (ComNo {setpoint.hex})"),
+            frequency_origin,
+        ),
+        "percent_factor": SclText(
+            f"{round(1 / current.resolution, 6)}", origin(f"ComNo {current.hex}", current)
+        ),
+        "percent_comment": SclText(
+            one_line(f"One count is {current.resolution} {current.unit} (ComNo {current.hex})"),
+            origin(f"ComNo {current.hex}", current),
+        ),
+    }

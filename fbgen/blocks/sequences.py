@@ -1,0 +1,243 @@
+"""Command sequences as templates see them: steps with their telegrams spelled out in SCL."""
+
+from dataclasses import dataclass
+
+from fbgen.blocks.literals import NOTHING, SclText, comno, milliseconds, one_line, real, word
+from fbgen.catalog import (
+    Catalog,
+    ComNo,
+    DelayStep,
+    Drive,
+    Parameter,
+    Protocol,
+    ReadStep,
+    Result,
+    Sequence,
+    WriteStep,
+    origin,
+)
+
+_SCL_TYPES = {"BOOL": "Bool", "INT": "Int", "WORD": "Word", "REAL": "Real", "TIME": "Time"}
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterView:
+    """An input or output of a sequence block. `initial` is "" or ` := value`."""
+
+    name: str
+    type: str
+    initial: str
+    comment: SclText
+
+
+@dataclass(frozen=True, slots=True)
+class StepView:
+    """One step. `kind` is "write", "read" or "delay"; unused parts are empty."""
+
+    number: int
+    kind: str
+    comment: SclText
+    cmd: SclText = NOTHING
+    comno: SclText = NOTHING
+    data: tuple[SclText, ...] = ()
+    reply_expected: str = "TRUE"
+    timeout: SclText = NOTHING
+    duration: SclText = NOTHING
+    store: SclText = NOTHING
+
+
+@dataclass(frozen=True, slots=True)
+class SequenceView:
+    """A sequence with everything its block needs."""
+
+    id: str
+    title: str
+    description: tuple[str, ...]
+    parameters: tuple[ParameterView, ...]
+    results: tuple[ParameterView, ...]
+    steps: tuple[StepView, ...]
+    uses_max_frequency: bool
+
+    @property
+    def read_steps(self) -> tuple[StepView, ...]:
+        """The steps that store something."""
+        return tuple(step for step in self.steps if step.kind == "read")
+
+    @property
+    def has_delay(self) -> bool:
+        """Whether the block needs a timer."""
+        return any(step.kind == "delay" for step in self.steps)
+
+
+def sequence_view(sequence: Sequence, drive: Drive, catalog: Catalog) -> SequenceView:
+    """The sequence as it is for one series."""
+    protocol = catalog.protocol(drive.protocol)
+    builder = _Steps(sequence, drive, protocol)
+    steps = tuple(builder.view(number) for number in range(1, len(sequence.steps) + 1))
+    paragraphs = (sequence.description, sequence.does_not_protect, f"Source: {sequence.source}")
+    return SequenceView(
+        id=sequence.id,
+        title=one_line(sequence.title),
+        description=tuple(line for text in paragraphs for line in _wrap(one_line(text))),
+        parameters=tuple(_parameter(item) for item in sequence.parameters),
+        results=tuple(_parameter(item) for item in sequence.results),
+        steps=steps,
+        uses_max_frequency=builder.uses_max_frequency,
+    )
+
+
+class _Steps:
+    """Spells the steps of one sequence out, for one series."""
+
+    def __init__(self, sequence: Sequence, drive: Drive, protocol: Protocol) -> None:
+        self.sequence = sequence
+        self.drive = drive
+        self.protocol = protocol
+        self.uses_max_frequency = any(
+            isinstance(step, WriteStep) and step.parameter and self._is_setpoint(step.parameter)
+            for step in sequence.steps
+        )
+
+    def view(self, number: int) -> StepView:
+        step = self.sequence.steps[number - 1]
+        if isinstance(step, WriteStep):
+            return self._write(number, step)
+        if isinstance(step, ReadStep):
+            return self._read(number, step)
+        return self._delay(number, step)
+
+    def _write(self, number: int, step: WriteStep) -> StepView:
+        target = self.drive.comno(step.write)
+        command = "write_eeprom" if step.memory == "eeprom" else "write_ram"
+        return StepView(
+            number,
+            "write",
+            _comment(step, f"write {target.name}"),
+            self._command(command),
+            comno(target),
+            tuple(self._value(step, target)),
+            reply_expected="TRUE" if step.reply == "expected" else "FALSE",
+            timeout=self._timeout(step),
+        )
+
+    def _read(self, number: int, step: ReadStep) -> StepView:
+        target = self.drive.comno(step.read)
+        result = next(item for item in self.sequence.results if item.name == step.into)
+        return StepView(
+            number,
+            "read",
+            _comment(step, f"read {target.name}"),
+            self._command("read_padded"),
+            comno(target),
+            (SclText("#line.request.data := 16#0000;"),),
+            timeout=self._timeout(step),
+            store=SclText(f"#{result.name} := {self._received(result)};", origin("step", step)),
+        )
+
+    def _delay(self, number: int, step: DelayStep) -> StepView:
+        place = origin(f"step {number} of {self.sequence.id}", step)
+        if step.delay.parameter is not None:
+            duration = SclText(f"#stat_{step.delay.parameter}", place)
+        elif step.delay.drive_time is not None:
+            known = getattr(self.drive.times, step.delay.drive_time)
+            name = f"{self.drive.id} {step.delay.drive_time}"
+            duration = milliseconds(known.ms, origin(name, known, known.source or ""))
+        else:
+            duration = milliseconds(step.delay.ms or 0, place)
+        return StepView(number, "delay", _comment(step, "wait"), duration=duration)
+
+    def _value(self, step: WriteStep, target: ComNo) -> list[SclText]:
+        place = origin(f"step of {self.sequence.id}", step, self.sequence.source or "")
+        if step.literal is not None:
+            return [SclText(f"#line.request.data := {word(step.literal)};", place)]
+        if step.parameter is not None:
+            parameter = next(p for p in self.sequence.parameters if p.name == step.parameter)
+            return [SclText(f"#line.request.data := {self._sent(parameter)};", place)]
+        bits = self.drive.word(target.word or "")
+        lines = [SclText(f"#line.request.data := {word(bits.encode(step.bits or ()))};", place)]
+        for bit, name in step.bits_from.items():
+            mask = word(bits.encode([bit]))
+            lines += [
+                SclText(f"IF #stat_{name} THEN", place),
+                SclText(f"   #line.request.data := #line.request.data OR {mask};", place),
+                SclText("END_IF;", place),
+            ]
+        return lines
+
+    def _sent(self, parameter: Parameter) -> str:
+        latched = f"#stat_{parameter.name}"
+        if parameter.type == "WORD":
+            return latched
+        if parameter.type == "INT":
+            return f"INT_TO_WORD({latched})"
+        if parameter.scaled_by is None:
+            return f"DWORD_TO_WORD(DINT_TO_DWORD(REAL_TO_DINT({latched})))"
+        scale = self.drive.comno(parameter.scaled_by)
+        if self._is_setpoint(parameter.name):
+            return f'"TOS_HzToWord"(hz := {latched}, maxFrequency := #maxFrequency)'
+        low = real(scale.to_value(scale.minimum_word))
+        high = real(scale.to_value(scale.maximum_word))
+        limited = f"LIMIT(MN := {low}, IN := {latched}, MX := {high})"
+        return (
+            "DWORD_TO_WORD(DINT_TO_DWORD(REAL_TO_DINT("
+            f"{limited} * {real(round(1 / scale.resolution, 6))})))"
+        )
+
+    def _received(self, result: Result) -> str:
+        data = "#line.reply.data"
+        if result.type == "WORD":
+            return data
+        if result.type == "INT":
+            return f"WORD_TO_INT({data})"
+        if result.scaled_by is None:
+            return f"DINT_TO_REAL(DWORD_TO_DINT(WORD_TO_DWORD({data})))"
+        scale = self.drive.comno(result.scaled_by)
+        if scale.unit == "Hz" and scale.resolution == self._setpoint.resolution:
+            return f'"TOS_WordToHz"(value := {data})'
+        if scale.unit == "%" and scale.resolution == 0.01:
+            return f'"TOS_WordToPercent"(value := {data})'
+        number = f"DINT_TO_REAL(DWORD_TO_DINT(WORD_TO_DWORD({data})))"
+        return f"{number} / {real(round(1 / scale.resolution, 6))}"
+
+    @property
+    def _setpoint(self) -> ComNo:
+        return self.drive.comno(self.drive.link.setpoint)
+
+    def _is_setpoint(self, name: str) -> bool:
+        parameter = next((p for p in self.sequence.parameters if p.name == name), None)
+        return parameter is not None and parameter.scaled_by == self.drive.link.setpoint
+
+    def _command(self, name: str) -> SclText:
+        command = self.protocol.command(name)
+        place = origin(f"command {command.letter}", command, command.source or "")
+        return SclText(f"16#{command.code:02X}", place)
+
+    def _timeout(self, step: WriteStep | ReadStep) -> SclText:
+        if step.timeout_ms is not None:
+            return milliseconds(step.timeout_ms, origin("timeout_ms", step))
+        return milliseconds(self.sequence.reply_timeout_ms, origin("timeout", self.sequence))
+
+
+def _comment(step: WriteStep | ReadStep | DelayStep, fallback: str) -> SclText:
+    return SclText(one_line(step.title or fallback), origin("step", step))
+
+
+def _parameter(item: Parameter | Result) -> ParameterView:
+    default = item.default if isinstance(item, Parameter) else None
+    unit = f" in {item.unit}" if item.unit else ""
+    return ParameterView(
+        item.name,
+        _SCL_TYPES[item.type],
+        f" := {default}" if default is not None else "",
+        SclText(one_line(item.title + unit), origin(f"parameter {item.name}", item)),
+    )
+
+
+def _wrap(text: str, width: int = 92) -> list[str]:
+    lines: list[str] = []
+    for piece in text.split(" "):
+        if lines and len(lines[-1]) + 1 + len(piece) <= width:
+            lines[-1] += f" {piece}"
+        else:
+            lines.append(piece)
+    return lines
