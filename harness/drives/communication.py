@@ -1,0 +1,238 @@
+"""How an inverter listens and answers on its line.
+
+Facts: VF-S11 communications manual E6581222, pp. 4-13, 22; VF-AS1 RS485 manual E6581315, pp. 5-20,
+43; TOSPBDP001 manual, sections 6 to 9. Inferred: as the line is half duplex, a telegram that begins
+while the inverter still owes a reply or sends one is not heard; a telegram that came damaged, or
+that nobody carries out, does not restart the time-out.
+"""
+
+from functools import partial
+from typing import Protocol
+
+from fbgen.wire import toshiba_ascii, toshiba_binary
+from fbgen.wire.toshiba import (
+    BROADCAST,
+    Address,
+    BadRequest,
+    Command,
+    ErrorCode,
+    ErrorReply,
+    Form,
+    Group,
+    Reply,
+    Request,
+)
+from fbgen.wire.toshiba_stream import request_stream
+from harness.drives.registers import Registers
+from harness.drives.settings import InverterSettings
+from harness.kernel import NS_PER_S, Event, Kernel
+from harness.line import Line, Parity, Port, Reception, Role, SerialFormat
+
+_BAUD_RATES = (1200, 2400, 4800, 9600, 19200)
+_PARITIES = (Parity.NONE, Parity.EVEN, Parity.ODD)
+_SENT_STOP_BITS = 2
+_NEVER = 1 << 62
+_READS = (Command.R, Command.G)
+_EXPIRY_PRIORITY = 1
+"""A telegram that ends at the very instant of the time-out is in time."""
+
+
+class Device(Protocol):
+    """The inverter behind the port, as the port needs it."""
+
+    @property
+    def tripped(self) -> bool:
+        """True from a trip to the reset."""
+
+    def read(self, number: int) -> int | None:
+        """The word of a cell, None if there is none."""
+
+    def write_ram(self, number: int, word: int) -> ErrorCode | None:
+        """Write a cell until the next restart; why it is refused, or None."""
+
+    def write_eeprom(self, number: int, word: int) -> ErrorCode | None:
+        """Write a cell for good; why it is refused, or None."""
+
+    def set_scaled(self, number: int, word: int) -> None:
+        """Take a value of the commands S and s."""
+
+    def time_out(self) -> None:
+        """No telegram came within the time of F803."""
+
+
+class Communication:
+    """The inverter's serial port: a node on the line."""
+
+    __slots__ = (
+        "_deadline_ns",
+        "_deaf_until_ns",
+        "_device",
+        "_kernel",
+        "_registers",
+        "_reply",
+        "_settings",
+        "_timer",
+        "inv_no",
+        "port",
+        "stream",
+    )
+
+    def __init__(
+        self,
+        kernel: Kernel,
+        line: Line,
+        registers: Registers,
+        device: Device,
+        settings: InverterSettings,
+    ) -> None:
+        self._kernel = kernel
+        self._registers = registers
+        self._device = device
+        self._settings = settings
+        self._reply: Event | None = None
+        self._timer: Event | None = None
+        self._deadline_ns: int | None = None
+        self._deaf_until_ns = kernel.now_ns
+        self.stream = request_stream()
+        self.inv_no = 0
+        self.port: Port = line.attach(self, Role.SLAVE, self._format())
+        self.number_changed()
+
+    def receive(self, reception: Reception) -> None:
+        """Hear what has ended on the line."""
+        if reception.start_ns < self._deaf_until_ns:
+            return
+        for message in self.stream.feed(
+            reception.data, reception.start_ns, reception.byte_ns, reception.marks
+        ):
+            self._take(message)
+            if reception.end_ns < self._deaf_until_ns:
+                self.stream.reset()
+                return
+
+    def number_changed(self) -> None:
+        """Take over INV-NO from the rotary switch or, if that is at 0, from F802."""
+        self.inv_no = self._settings.rotary_switch or self._registers.word("inverter_number")
+
+    def timeout_changed(self) -> None:
+        """Forget the running time-out: the new one starts with the next telegram."""
+        self._deadline_ns = None
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+
+    def restart(self, silence_ns: int) -> None:
+        """Begin anew, deaf and mute for a while; the parameters that waited act from now on."""
+        self.stop()
+        self._deaf_until_ns = self._kernel.now_ns + silence_ns
+        self.port.format = self._format()
+        self.number_changed()
+
+    def stop(self) -> None:
+        """Fall silent in the middle of a reply if need be, until `restart`."""
+        if self._reply is not None:
+            self._reply.cancel()
+        self.port.abort()
+        self.stream.reset()
+        self.timeout_changed()
+        self._deaf_until_ns = _NEVER
+
+    def _take(self, message: Request | BadRequest) -> None:
+        address = message.address
+        several = address == BROADCAST or isinstance(address, Group)
+        answers = self._answers(address)
+        if not answers and not (several and self._is_meant(address)):
+            return
+        if isinstance(message, BadRequest):
+            if answers:
+                self._refuse(message, message.error)
+            return
+        reads = message.command in _READS
+        if reads and several and not self._settings.broadcast_reads:
+            return
+        if not reads or self._settings.timeout_restart == "any_answered":
+            self._restart_timeout()
+        self._carry_out(message, answers)
+
+    def _answers(self, address: Address) -> bool:
+        if address == self.inv_no or address is None:
+            return True
+        if isinstance(address, Group):
+            return address.lowest == self.inv_no
+        return address == BROADCAST and self.inv_no == 0
+
+    def _is_meant(self, address: Address) -> bool:
+        return not isinstance(address, Group) or address.includes(self.inv_no)
+
+    def _carry_out(self, request: Request, answers: bool) -> None:
+        command, number, device = request.command, request.com_no, self._device
+        value: int | None = request.data
+        error: ErrorCode | None = None
+        if command in _READS:
+            value = device.read(number)
+        elif command is Command.P:
+            error = device.write_ram(number, request.data)
+        elif command is Command.W:
+            error = device.write_eeprom(number, request.data)
+        else:
+            device.set_scaled(number, request.data)
+            return
+        if not answers or self._deaf_until_ns > self._kernel.now_ns:
+            return
+        if error is not None:
+            self._refuse(request, error)
+        elif value is None:
+            self._refuse(request, ErrorCode.COM_NO)
+        else:
+            form, checked = request.form, request.checked
+            self._send_later(
+                Reply(request.address, command, number, value, device.tripped, form, checked)
+            )
+
+    def _refuse(self, message: Request | BadRequest, error: ErrorCode) -> None:
+        tripped = self._device.tripped
+        self._send_later(ErrorReply(message.address, error, tripped, message.form, message.checked))
+
+    def _send_later(self, reply: Reply | ErrorReply) -> None:
+        if reply.form is Form.BINARY:
+            frame = toshiba_binary.encode_reply(reply)
+        else:
+            frame = toshiba_ascii.encode_reply(reply)
+        times = self._settings.reply_time
+        delay_ns = self._kernel.random.randint(times.minimum_ns, times.maximum_ns)
+        delay_ns += round(self._registers.value("send_waiting_time") * NS_PER_S)
+        self._reply = self._kernel.after(delay_ns, partial(self._send, frame))
+        self._deaf_until_ns = (
+            self._kernel.now_ns + delay_ns + self.port.format.duration_ns(len(frame))
+        )
+
+    def _send(self, frame: bytes) -> None:
+        self._reply = None
+        self.port.transmit(frame)
+
+    def _restart_timeout(self) -> None:
+        seconds = self._registers.word("communication_timeout")
+        if not seconds:
+            return
+        self._deadline_ns = self._kernel.now_ns + seconds * NS_PER_S
+        if self._timer is None:
+            self._timer = self._kernel.at(self._deadline_ns, self._expire, _EXPIRY_PRIORITY)
+
+    def _expire(self) -> None:
+        """One event runs behind the deadline instead of one per telegram."""
+        self._timer = None
+        if self._deadline_ns is None:
+            return
+        if self._deadline_ns > self._kernel.now_ns:
+            self._timer = self._kernel.at(self._deadline_ns, self._expire, _EXPIRY_PRIORITY)
+            return
+        self._deadline_ns = None
+        self._device.time_out()
+
+    def _format(self) -> SerialFormat:
+        registers = self._registers
+        return SerialFormat(
+            _BAUD_RATES[registers.word("baud_rate")],
+            _PARITIES[registers.word("parity")],
+            _SENT_STOP_BITS,
+        )

@@ -1,0 +1,310 @@
+"""A simulated VF-S11 on a line: everything a master, a scenario or a fault can see of it.
+
+It knows nothing of gateways. The series in the catalogue says which cells, words, trips and times
+it has; `operation` moves the motor, `communication` speaks the protocol, `registers` remember.
+Facts: VF-S11 communications manual E6581222; VF-AS1 RS485 manual E6581315; TOSPBDP001 manual,
+sections 6 to 9. What happens to a trip at power off (it is gone, the past trips stay) is inferred.
+"""
+
+from math import isclose
+from typing import Literal
+
+from fbgen.catalog import ComNo, Drive
+from fbgen.diagnostics import Diagnostic, DiagnosticError, error
+from fbgen.wire.toshiba import ErrorCode
+from harness.drives.communication import Communication
+from harness.drives.load import Load
+from harness.drives.monitors import Monitors
+from harness.drives.operation import Operation, Panel
+from harness.drives.registers import Registers
+from harness.drives.settings import InverterSettings
+from harness.drives.trips import TripLog
+from harness.drives.word_bits import CommandBits
+from harness.kernel import Kernel
+from harness.line import Line
+
+EMERGENCY_STOP = "E"
+COMMUNICATION_ERROR = "Err5"
+_WHOLE_PERCENT = 100
+_REFUSALS = {
+    ErrorCode.CANNOT_EXECUTE: "it cannot be written, or not while the inverter runs",
+    ErrorCode.DATA: "the value lies outside the range",
+    ErrorCode.COM_NO: "there is no such cell",
+}
+
+
+class Inverter:
+    """One inverter. It has been on for a while when it is made: it listens at once."""
+
+    __slots__ = (
+        "_bits",
+        "_kernel",
+        "communication",
+        "monitors",
+        "name",
+        "operation",
+        "powered",
+        "registers",
+        "series",
+        "trips",
+    )
+
+    def __init__(
+        self,
+        kernel: Kernel,
+        line: Line,
+        series: Drive,
+        settings: InverterSettings = InverterSettings(),  # noqa: B008 - frozen
+    ) -> None:
+        """Raises DiagnosticError FB7101 for parameters that the series would not take."""
+        self._kernel = kernel
+        self.series = series
+        self.name = settings.name
+        self.powered = True
+        self.registers = Registers(series, _delivered(series, settings))
+        self._bits = CommandBits.of(series.command_word)
+        self.trips = TripLog(series)
+        self.operation = Operation(kernel, series, self.registers, settings.motor, settings.load)
+        self.monitors = Monitors(series, self.registers, self.operation, self.trips)
+        self.communication = Communication(kernel, line, self.registers, self, settings)
+
+    # What a scenario reads
+
+    @property
+    def frequency_hz(self) -> float:
+        """Output frequency now, without direction."""
+        return abs(self.operation.output_hz)
+
+    @property
+    def set_point_hz(self) -> float:
+        """The frequency that is commanded, within the limits."""
+        return self.operation.wish.hz
+
+    @property
+    def shaft_hz(self) -> float:
+        """Speed of the shaft as a frequency, negative in reverse."""
+        return self.operation.shaft_hz
+
+    @property
+    def running(self) -> bool:
+        """True while the output turns the motor, ramping down included."""
+        return self.operation.running
+
+    @property
+    def direction(self) -> Literal["forward", "reverse"]:
+        """Direction of rotation; at rest the one that is commanded."""
+        return "reverse" if self.operation.reverse else "forward"
+
+    @property
+    def network_command(self) -> bool:
+        """True while run and stop come from the network."""
+        return self.operation.network_command
+
+    @property
+    def network_frequency(self) -> bool:
+        """True while the set-point comes from the network."""
+        return self.operation.network_frequency
+
+    @property
+    def current_percent(self) -> float:
+        """Output current in percent of the rated current."""
+        return self.operation.current_percent
+
+    @property
+    def torque_percent(self) -> float:
+        """Torque of the motor in percent of its rated torque."""
+        return self.operation.torque_percent
+
+    @property
+    def tripped(self) -> bool:
+        """True from a trip to the reset."""
+        return self.trips.code != 0
+
+    @property
+    def trip_code(self) -> int:
+        """The code in FC90, 0 without a trip."""
+        return self.trips.code
+
+    @property
+    def trip_display(self) -> str:
+        """The trip as the panel shows it, such as Err5; empty without one."""
+        return self.trips.display
+
+    @property
+    def inv_no(self) -> int:
+        """INV-NO to which the inverter listens."""
+        return self.communication.inv_no
+
+    # What a scenario does
+
+    @property
+    def load(self) -> Load:
+        """The driven machine; may be exchanged at any time."""
+        return self.operation.load
+
+    @load.setter
+    def load(self, load: Load) -> None:
+        self.operation.load = load
+
+    @property
+    def panel(self) -> Panel:
+        """The local commands as they are; `set_panel` changes them."""
+        return self.operation.panel
+
+    def set_panel(self, panel: Panel) -> None:
+        """Command from the panel or the terminals: counts while the network has no priority."""
+        self.operation.panel = panel
+        self._follow()
+
+    def read_parameter(self, key: str | int) -> float:
+        """The value of a ComNo in its unit, as a read over the line gives it. FB1105 if unknown."""
+        comno = self.series.comno(key)
+        return comno.to_value(self.read_word(comno.number))
+
+    def read_word(self, key: str | int) -> int:
+        """The word of a ComNo as a read over the line gives it. FB1105 if unknown."""
+        word = self.monitors.read(self.series.comno(key).number)
+        assert word is not None, "every ComNo of the catalogue has a cell"
+        return word
+
+    def set_parameter(self, key: str | int, value: float) -> None:
+        """Set a parameter at the panel, which stores it in the EEPROM.
+
+        Raises DiagnosticError FB1105 for an unknown one, FB7101 if the inverter does not take it.
+        """
+        comno = self.series.comno(key)
+        word = comno.to_word(value)
+        refused = self.write_eeprom(comno.number, word)
+        if refused is not None:
+            raise DiagnosticError([_not_taken(comno, value, refused)])
+
+    def trip(self, display: str) -> None:
+        """Let a trip come, by what the panel shows of it, such as OC1. FB7102 if unknown."""
+        self._trip(self.trips.code_of(display))
+
+    def reset(self) -> None:
+        """Reset a fault at the panel: the inverter restarts, network control is lost."""
+        if self.powered:
+            self._restart(self.series.times.reset_silence.ns)
+
+    def power_off(self) -> None:
+        """Take the supply away; a reply in progress breaks off."""
+        self.powered = False
+        self.communication.stop()
+        self.operation.stop_output()
+
+    def power_on(self) -> None:
+        """Give the supply back; the inverter is silent while it boots."""
+        if not self.powered:
+            self.powered = True
+            self._restart(self.series.times.boot.ns)
+
+    # What the communication asks for
+
+    def read(self, number: int) -> int | None:
+        """The word of a cell, None if there is none."""
+        return self.monitors.read(number)
+
+    def write_ram(self, number: int, word: int) -> ErrorCode | None:
+        """Write a cell until the next restart; why it is refused, or None."""
+        refused = self.registers.refusal(number, word, self.running)
+        if refused is None:
+            self.registers.write_ram(number, word)
+            self._written(number)
+        return refused
+
+    def write_eeprom(self, number: int, word: int) -> ErrorCode | None:
+        """Write a cell for good; why it is refused, or None."""
+        refused = self.registers.refusal(number, word, self.running)
+        if refused is None:
+            refused = self.registers.write_eeprom(number, word)
+        if refused is None:
+            self._written(number)
+        return refused
+
+    def set_scaled(self, number: int, word: int) -> None:
+        """Take a value of the commands S and s; only the set-point is scaled.
+
+        100.00 % are 10000. The two points of F811 to F814 give a straight line from percent to Hz,
+        cut off at 0 and at the maximum frequency. What is out of range is dropped: nobody answers.
+        """
+        if number != self.registers.number(self.series.link.setpoint):
+            self.write_ram(number, word)
+            return
+        value = self.registers.value
+        low, high = value("point_1_percent"), value("point_2_percent")
+        low_hz, high_hz = value("point_1_frequency"), value("point_2_frequency")
+        if isclose(low, high):
+            hz = high_hz
+        else:
+            hz = low_hz + (word / _WHOLE_PERCENT - low) * (high_hz - low_hz) / (high - low)
+        hz = min(max(hz, 0.0), value(self.series.link.maximum_frequency))
+        self.registers.write_ram(number, self.series.comno(number).to_word(hz))
+        self._written(number)
+
+    def time_out(self) -> None:
+        """No telegram came within the time of F803."""
+        self._trip(self.trips.code_of(COMMUNICATION_ERROR))
+
+    # Inside
+
+    def _written(self, number: int) -> None:
+        link, registers = self.series.link, self.registers
+        if number == registers.number(link.command):
+            self._command(registers.ram[number])
+            return
+        if number == registers.number(link.inv_no):
+            self.communication.number_changed()
+        elif number == registers.number(link.timeout):
+            self.communication.timeout_changed()
+        self._follow()
+
+    def _command(self, command: int) -> None:
+        if command & self._bits.fault_reset:
+            self._restart(self.series.times.reset_silence.ns)
+            return
+        self.operation.command = command
+        if command & self._bits.emergency_stop:
+            self._trip(self.trips.code_of(EMERGENCY_STOP))
+        self._follow()
+
+    def _follow(self) -> None:
+        if self.powered and not self.tripped:
+            self.operation.evaluate()
+
+    def _trip(self, code: int) -> None:
+        if self.powered and not self.tripped:
+            self.trips.latch(code, self.monitors.freeze())
+            self.operation.stop_output()
+
+    def _restart(self, silence_ns: int) -> None:
+        self.trips.reset()
+        self.registers.restart()
+        self.operation.restart()
+        self.communication.restart(silence_ns)
+
+
+def _delivered(series: Drive, settings: InverterSettings) -> dict[int, int]:
+    """The parameters of the settings as words. FB7101 for all that the series would not take."""
+    words: dict[int, int] = {}
+    found: list[Diagnostic] = []
+    for key, value in settings.parameters.items():
+        comno = series.comno(key)
+        word = comno.to_word(value)
+        if comno.storage != "eeprom":
+            found.append(_not_taken(comno, value, ErrorCode.CANNOT_EXECUTE))
+        elif not comno.minimum_word <= word <= comno.maximum_word:
+            found.append(_not_taken(comno, value, ErrorCode.DATA))
+        words[comno.number] = word
+    if found:
+        raise DiagnosticError(found)
+    return words
+
+
+def _not_taken(comno: ComNo, value: float, refused: ErrorCode) -> Diagnostic:
+    return error(
+        "FB7101",
+        f"the inverter does not take {value:g} {comno.unit} for {comno.name} ({comno.hex}): "
+        f"{_REFUSALS[refused]}",
+        help=f"the range is {comno.minimum} to {comno.maximum} {comno.unit}".rstrip(),
+    ).diagnostics[0]

@@ -1,0 +1,127 @@
+"""What an inverter gives when a monitor is read: FC90, FC91, FD00.. and FE00..
+
+Facts: VF-AS1 RS485 manual E6581315, sections 8.2, 8.3 and appendix 1; LinuxCNC driver vfs11_vfd for
+the bits of FD01. Input and output terminals read as their fields say; the DC voltage is the rated
+one. A monitor that copies another follows it until a trip freezes it.
+"""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+
+from fbgen.catalog import Drive
+from harness.drives.operation import Mode, Operation, hours
+from harness.drives.registers import Registers
+from harness.drives.trips import TripLog
+from harness.drives.word_bits import StatusBits
+
+_CPU_VERSION = 0x0100
+_EEPROM_VERSION = 0x0100
+_RATED_VOLTAGE_PERCENT = 100.0
+
+
+class Monitors:
+    """Reads any cell of the inverter. `alarm` holds the bits of FC91."""
+
+    __slots__ = (
+        "_bits",
+        "_emergency",
+        "_frozen_copies",
+        "_operation",
+        "_readers",
+        "_registers",
+        "_trips",
+        "alarm",
+        "dc_voltage_percent",
+        "input_terminals",
+        "output_terminals",
+    )
+
+    def __init__(
+        self, series: Drive, registers: Registers, operation: Operation, trips: TripLog
+    ) -> None:
+        self._registers = registers
+        self._operation = operation
+        self._trips = trips
+        self._bits = StatusBits.of(series.word("status"))
+        self._emergency = trips.code_of("E")
+        self.alarm = 0
+        self.dc_voltage_percent = _RATED_VOLTAGE_PERCENT
+        self.input_terminals = 0
+        self.output_terminals = 0
+        present = self._present()
+        self._readers: dict[int, Callable[[], int]] = {
+            comno.number: present[comno.name] for comno in series.comnos if comno.name in present
+        }
+        self._frozen_copies: dict[int, Callable[[], int]] = {
+            comno.number: self._readers[registers.number(comno.frozen_copy_of)]
+            for comno in series.comnos
+            if comno.frozen_copy_of is not None
+        }
+        self._readers.update(self._frozen_copies)
+
+    def read(self, number: int) -> int | None:
+        """The word of a cell, None if there is no such cell."""
+        if number in self._trips.frozen:
+            return self._trips.frozen[number]
+        reader = self._readers.get(number)
+        return self._registers.ram.get(number) if reader is None else reader()
+
+    def freeze(self) -> Mapping[int, int]:
+        """The values now of all monitors that a trip freezes."""
+        return {number: reader() for number, reader in self._frozen_copies.items()}
+
+    @property
+    def status(self) -> int:
+        """The operating status, FD01."""
+        bits, operation, trip = self._bits, self._operation, self._trips.code
+        wish = operation.wish
+        coasting = wish.coast
+        word = 0
+        for mask, is_set in (
+            (bits.failure, bool(trip)),
+            (bits.tripped, bool(trip)),
+            (bits.alarm, bool(self.alarm)),
+            (bits.pattern_2, wish.pattern_2),
+            (bits.pi_control_off, wish.pi_control_off),
+            (bits.motor_2, wish.motor_2),
+            (bits.dc_braking, operation.mode is Mode.DC_BRAKE),
+            (bits.jog, wish.jog and operation.mode is Mode.RUN),
+            (bits.reverse, operation.reverse),
+            (bits.running, operation.running),
+            (bits.coast_stopped, coasting),
+            (bits.emergency_stopped, trip == self._emergency),
+            (bits.standby_st_on, not trip and not coasting),
+            (bits.standby, not trip),
+        ):
+            if is_set:
+                word |= mask
+        return word
+
+    def _present(self) -> dict[str, Callable[[], int]]:
+        """The monitors by their names in the catalogue."""
+        operation, trips = self._operation, self._trips
+        motor = operation.motor
+        readers: dict[str, Callable[[], int]] = {
+            "trip_code": lambda: trips.code,
+            "alarm": lambda: self.alarm,
+            "status": lambda: self.status,
+            "output_frequency": lambda: _hundredths(operation.output_hz),
+            "frequency_command": lambda: _hundredths(operation.wish.hz),
+            "output_current": lambda: _hundredths(operation.current_percent),
+            "output_voltage": lambda: _hundredths(motor.voltage_percent(operation.output_hz)),
+            "dc_voltage": lambda: _hundredths(self.dc_voltage_percent),
+            "torque": lambda: _hundredths(operation.torque_percent),
+            "input_terminals": lambda: self.input_terminals,
+            "output_terminals": lambda: self.output_terminals,
+            "operation_time": lambda: hours(operation.operated_ns) & 0xFFFF,
+            "cpu1_version": lambda: _CPU_VERSION,
+            "eeprom_version": lambda: _EEPROM_VERSION,
+        }
+        for place in range(len(trips.past)):
+            readers[f"past_trip_{place + 1}"] = partial(trips.past.__getitem__, place)
+        return readers
+
+
+def _hundredths(value: float) -> int:
+    """A frequency, percentage or the like without its sign in counts of 0.01."""
+    return min(0xFFFF, round(abs(value) * 100))

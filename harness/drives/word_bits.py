@@ -1,0 +1,66 @@
+"""The bits of command and status word as masks, looked up once by their names in the catalogue."""
+
+from dataclasses import dataclass, fields
+from typing import Self
+
+from fbgen.catalog import Word
+
+
+@dataclass(frozen=True, slots=True)
+class _Masks:
+    @classmethod
+    def of(cls, word: Word) -> Self:
+        """The masks of a word of the catalogue. DiagnosticError FB1202 if a bit is missing."""
+        return cls(**{field.name: word.field(field.name).mask for field in fields(cls)})
+
+
+@dataclass(frozen=True, slots=True)
+class CommandBits(_Masks):
+    """Masks of the command word FA00."""
+
+    network_command: int
+    network_frequency: int
+    fault_reset: int
+    emergency_stop: int
+    coast_stop: int
+    run: int
+    reverse: int
+    jog: int
+    dc_braking: int
+    pattern_2: int
+    pi_control_off: int
+    motor_2: int
+    preset_speed_4: int
+    preset_speed_3: int
+    preset_speed_2: int
+    preset_speed_1: int
+
+    def preset(self, command: int) -> int:
+        """Number of the preset speed that a command word asks for, 0 for none."""
+        masks = (
+            self.preset_speed_1,
+            self.preset_speed_2,
+            self.preset_speed_3,
+            self.preset_speed_4,
+        )
+        return sum(1 << place for place, mask in enumerate(masks) if command & mask)
+
+
+@dataclass(frozen=True, slots=True)
+class StatusBits(_Masks):
+    """Masks of the operating status FD01."""
+
+    standby: int
+    standby_st_on: int
+    emergency_stopped: int
+    coast_stopped: int
+    running: int
+    reverse: int
+    jog: int
+    dc_braking: int
+    pattern_2: int
+    pi_control_off: int
+    motor_2: int
+    alarm: int
+    tripped: int
+    failure: int
