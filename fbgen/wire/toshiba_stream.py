@@ -53,6 +53,15 @@ class FrameStream(Generic[Message]):
         self.pending = bytearray()
         self.started_ns = 0
 
+    def whole(self, data: bytes) -> Message | None:
+        """The message, if no frame is in progress and these clean bytes are exactly one frame.
+
+        The short way for what comes nearly always: whoever gets None calls `feed`.
+        """
+        if self.pending:
+            return None
+        return self._parse_ascii(data) if data[:1] == b"(" else self._parse_binary(data)
+
     def feed(
         self, data: bytes, start_ns: int, byte_ns: int, marks: bytes | None = None
     ) -> tuple[Message, ...]:
@@ -61,11 +70,8 @@ class FrameStream(Generic[Message]):
         Byte i arrives at `start_ns` + (i + 1) x `byte_ns`. A byte whose mark is not 0 came with a
         parity, framing or overrun error.
         """
-        if marks is None and not self.pending:
-            parse = self._parse_ascii if data[:1] == b"(" else self._parse_binary
-            whole = parse(data)
-            if whole is not None:
-                return (whole,)
+        if marks is None and (whole := self.whole(data)) is not None:
+            return (whole,)
         found: list[Message] = []
         for index, byte in enumerate(data):
             now_ns = start_ns + (index + 1) * byte_ns

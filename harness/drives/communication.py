@@ -32,6 +32,8 @@ _BAUD_RATES = (1200, 2400, 4800, 9600, 19200)
 _PARITIES = (Parity.NONE, Parity.EVEN, Parity.ODD)
 _SENT_STOP_BITS = 2
 _NEVER = 1 << 62
+_SINGLE = range(100)
+"""Numbers that mean one inverter."""
 _READS = (Command.R, Command.G)
 _EXPIRY_PRIORITY = 1
 """A telegram that ends at the very instant of the time-out is in time."""
@@ -101,6 +103,10 @@ class Communication:
     def receive(self, reception: Reception) -> None:
         """Hear what has ended on the line."""
         if reception.start_ns < self._deaf_until_ns:
+            return
+        if reception.marks is None and (whole := self.stream.whole(reception.data)) is not None:
+            if whole.address == self.inv_no or whole.address not in _SINGLE:
+                self._take(whole)
             return
         for message in self.stream.feed(
             reception.data, reception.start_ns, reception.byte_ns, reception.marks
@@ -199,7 +205,8 @@ class Communication:
         else:
             frame = toshiba_ascii.encode_reply(reply)
         times = self._settings.reply_time
-        delay_ns = self._kernel.random.randint(times.minimum_ns, times.maximum_ns)
+        span_ns = times.maximum_ns - times.minimum_ns
+        delay_ns = times.minimum_ns + int(self._kernel.random.random() * (span_ns + 1))
         delay_ns += round(self._registers.value("send_waiting_time") * NS_PER_S)
         self._reply = self._kernel.after(delay_ns, partial(self._send, frame))
         self._deaf_until_ns = (

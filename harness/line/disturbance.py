@@ -24,12 +24,13 @@ from harness.line.transmission import Reception, Transmission
 class Rate:
     """Independent hits with one probability each, such as bit errors."""
 
-    __slots__ = ("_distance", "_probability", "_random")
+    __slots__ = ("_distance", "_probability", "_random", "idle")
 
     def __init__(self, random: Random) -> None:
         self._random = random
         self._probability = 0.0
         self._distance = -1
+        self.idle = True
 
     @property
     def probability(self) -> float:
@@ -41,11 +42,12 @@ class Rate:
         if not 0.0 <= value <= 1.0:
             raise ValueError(f"a probability lies between 0 and 1, not at {value}")
         self._probability = value
+        self.idle = value == 0.0
         self._distance = self._draw()
 
     def hits(self, trials: int) -> list[int]:
         """Which of so many trials, counted from 0, are hit."""
-        if self._probability == 0.0:
+        if self.idle:
             return []
         hit = []
         while self._distance < trials:
@@ -55,7 +57,7 @@ class Rate:
         return hit
 
     def _draw(self) -> int:
-        if self._probability == 0.0:
+        if self.idle:
             return -1
         if self._probability == 1.0:
             return 0
@@ -97,12 +99,14 @@ class Interference:
 
     def heard(self, transmission: Transmission) -> Reception:
         """The transmission, now over, as it arrives at an undisturbed receiver."""
+        sent, start_ns, end_ns = transmission.data, transmission.start_ns, transmission.end_ns
+        undisturbed = self.bit_errors.idle and self.byte_losses.idle and not self._bursts
+        if undisturbed and not self._next and not transmission.overlapping:
+            return Reception(transmission, sent, start_ns, end_ns)
         flips = self._flips(transmission)
-        lost = set(self.byte_losses.hits(len(transmission.data)))
+        lost = set(self.byte_losses.hits(len(sent)))
         planned = self._next.popleft() if self._next else None
-        if not (flips or lost or planned or transmission.overlapping):
-            return Reception(transmission, transmission.data)
-        data = bytearray(transmission.data)
+        data = bytearray(sent)
         marks = bytearray(len(data))
         for index, mask in flips.items():
             data[index], marks[index] = flipped(data[index], mask, transmission.format)
@@ -116,7 +120,8 @@ class Interference:
             for index in transmission.bytes_within(other.start_ns, other.end_ns):
                 data[index] = self._random.getrandbits(8)
                 marks[index] |= self._random.choice((PARITY_ERROR, FRAMING_ERROR))
-        heard = Reception(transmission, bytes(data), bytes(marks) if any(marks) else None)
+        errors = bytes(marks) if any(marks) else None
+        heard = Reception(transmission, bytes(data), start_ns, end_ns, errors)
         return heard.without(frozenset(lost)) if lost else heard
 
     def _flips(self, transmission: Transmission) -> dict[int, int]:

@@ -71,7 +71,7 @@ class Transmission:
 
 
 class Reception(NamedTuple):
-    """A transmission as one receiver heard it.
+    """A transmission as one receiver heard it, from `start_ns` to `end_ns`, which is now.
 
     `marks` has one byte per byte of `data`: 0, or `PARITY_ERROR` and `FRAMING_ERROR`; None says
     that all are clean. `positions` gives the index that each byte had in the transmission; None
@@ -80,18 +80,10 @@ class Reception(NamedTuple):
 
     transmission: Transmission
     data: bytes
+    start_ns: int
+    end_ns: int
     marks: bytes | None = None
     positions: tuple[int, ...] | None = None
-
-    @property
-    def start_ns(self) -> int:
-        """Instant at which the transmission began."""
-        return self.transmission.start_ns
-
-    @property
-    def end_ns(self) -> int:
-        """Instant at which the transmission was over: now, when a node receives it."""
-        return self.transmission.end_ns
 
     @property
     def byte_ns(self) -> int:
