@@ -1,0 +1,53 @@
+# make demo and make test need only Python 3.11+ and PyPI: everything else goes into .venv.
+# Another Python: make test PYTHON=python3.12
+
+# The Python of an existing .venv, otherwise the first on the path that is new enough.
+PYTHON ?= $(or $(wildcard .venv/bin/python),$(shell \
+  for python in python3 python3.13 python3.12 python3.11 python; do \
+    $$python -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$python && break; \
+  done),python3)
+BIN := .venv/bin
+# The tests run in this many processes at once.
+JOBS ?= 2
+
+.PHONY: help demo test check bench sweep golden schemas format environment
+
+help:
+	@echo "make demo     run the manual's example on the example plant: from YAML to inverter and back"
+	@echo "make test     ruff, mypy --strict and all tests; ends with what was skipped and why"
+	@echo "make check    ruff and mypy alone"
+	@echo "make sweep    the tests marked slow"
+	@echo "make bench    speed and size"
+	@echo "make golden   write the golden files anew (look at the difference before you commit)"
+	@echo "make schemas  write the JSON Schemas anew"
+	@echo "make format   let ruff format and mend"
+
+environment:
+	@$(PYTHON) tools/environment.py
+
+demo: environment
+	@$(BIN)/fbgen demo
+
+test: check
+	$(BIN)/python -m pytest -n $(JOBS)
+
+check: environment
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+sweep: environment
+	$(BIN)/python -m pytest -n $(JOBS) -m slow
+
+bench: environment
+	$(BIN)/python -m bench
+
+golden: environment
+	$(BIN)/python -m pytest -n $(JOBS) --update-golden
+
+schemas: environment
+	$(BIN)/fbgen schemas schemas
+
+format: environment
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
