@@ -7,7 +7,7 @@ one DiagnosticError with everything that is wrong in the document: a finding ins
 none in its neighbours or in the whole.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Self, TypeVar
 
@@ -35,6 +35,7 @@ class _Place:
     span: Span | None = field(default=None, compare=False)
     fields: dict[str, Span] = field(default_factory=dict, compare=False)
     keys: dict[str, Span] = field(default_factory=dict, compare=False)
+    items: dict[str, list[Span]] = field(default_factory=dict, compare=False)
 
 
 @dataclass(slots=True)
@@ -56,16 +57,24 @@ class Located(BaseModel):
     def _remember_place(
         cls, data: object, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo
     ) -> Self:
+        reading = info.context if isinstance(info.context, _Reading) else None
+        if isinstance(data, YamlMapping) and reading is not None:
+            reading.findings += _unknown_keys(data, cls.model_fields)
+            model = handler({key: data[key] for key in data if key in cls.model_fields})
+        else:
+            model = handler(data)
         if isinstance(data, YamlMapping):
-            data.allowed_keys = tuple(cls.model_fields)
-        model = handler(data)
-        if isinstance(data, YamlMapping):
-            model._place = _Place(data.span, data.value_spans, data.key_spans)
+            items = {
+                key: value.item_spans
+                for key, value in data.items()
+                if isinstance(value, YamlSequence)
+            }
+            model._place = _Place(data.span, data.value_spans, data.key_spans, items)
         found = tuple(model.problems())
-        if isinstance(info.context, _Reading):
-            info.context.findings += found
-            if info.context.known is not None:
-                info.context.findings += model.problems_against(info.context.known)
+        if reading is not None:
+            reading.findings += found
+            if reading.known is not None:
+                reading.findings += model.problems_against(reading.known)
         elif found:
             raise PydanticCustomError("diagnostics", "{text}", {"text": found[0].message})
         return model
@@ -86,6 +95,11 @@ class Located(BaseModel):
     def span_of(self, name: str) -> Span | None:
         """Where the value of a field stands, or the model itself where the field is not written."""
         return self._place.fields.get(name, self._place.span)
+
+    def item_span_of(self, name: str, index: int) -> Span | None:
+        """Where an item of a list stands, or the list where items have no place."""
+        items = self._place.items.get(name, ())
+        return items[index] if index < len(items) else self.span_of(name)
 
     def key_span_of(self, name: str) -> Span | None:
         """Where the name of a field stands, or the model itself where the field is not written."""
@@ -111,11 +125,25 @@ def validate(document: Document, model: type[Model], known: object = None) -> Mo
     try:
         result = model.model_validate(document.data, context=reading)
     except ValidationError as failure:
-        details = failure.errors(include_url=False)
+        details = _first_hand(failure.errors(include_url=False))
         raise _all([*(_translate(document, item) for item in details), *reading.findings]) from None
     if reading.findings:
         raise _all(reading.findings)
     return result
+
+
+def _first_hand(details: list[ErrorDetails]) -> list[ErrorDetails]:
+    """Without "too short" of lists that are short only because an item of theirs is wrong."""
+    return [
+        item
+        for item in details
+        if item["type"] != "too_short"
+        or not any(
+            other["loc"][: len(item["loc"])] == item["loc"]
+            for other in details
+            if other is not item
+        )
+    ]
 
 
 def _all(found: list[Diagnostic]) -> DiagnosticError:
@@ -126,8 +154,6 @@ def _all(found: list[Diagnostic]) -> DiagnosticError:
 
 def _translate(document: Document, details: ErrorDetails) -> Diagnostic:
     kind, path = details["type"], details["loc"]
-    if kind == "extra_forbidden":
-        return _unknown_key(document, path)
     span, value = locate(document, path)
     if kind == "missing":
         wanted = str(path[-1])
@@ -140,14 +166,11 @@ def _first_key(mapping: YamlMapping) -> Span:
     return next(iter(mapping.key_spans.values()), mapping.span)
 
 
-def _unknown_key(document: Document, path: tuple[int | str, ...]) -> Diagnostic:
-    span, owner = locate(document, path[:-1])
-    key = str(path[-1])
-    known: Iterable[str] = ()
-    if isinstance(owner, YamlMapping):
-        span = owner.key_spans.get(key, span)
-        known = owner.allowed_keys
-    return Diagnostic("FB1005", f"the key '{key}' is not known here", span, nearest(key, known))
+def _unknown_keys(data: YamlMapping, known: Iterable[str]) -> Iterator[Diagnostic]:
+    for key, span in data.key_spans.items():
+        if key not in known:
+            message = f"the key '{key}' is not known here"
+            yield Diagnostic("FB1005", message, span, nearest(key, known))
 
 
 _EXPECTED = {
@@ -179,6 +202,8 @@ def _wrong_value(details: ErrorDetails, value: object, span: Span) -> tuple[str,
         return f"{found}, expected one of: {', '.join(choices)}", span, nearest(str(value), choices)
     if kind in _EXPECTED:
         return f"{found}, expected {_EXPECTED[kind]}", span, _type_help(kind, value)
+    if kind == "too_short":
+        return f"found an empty list, expected at least {context['min_length']} item", span, ""
     if kind == "value_error":
         return str(context["error"]), span, ""
     if kind == "string_pattern_mismatch":

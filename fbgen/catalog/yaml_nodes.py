@@ -56,14 +56,13 @@ class YamlFloat(float):
 class YamlMapping(dict[str, object]):
     """A mapping with the places of its keys and values."""
 
-    __slots__ = ("allowed_keys", "key_spans", "span", "value_spans")
+    __slots__ = ("key_spans", "span", "value_spans")
 
     def __init__(self, span: Span) -> None:
         super().__init__()
         self.span = span
         self.key_spans: dict[str, Span] = {}
         self.value_spans: dict[str, Span] = {}
-        self.allowed_keys: tuple[str, ...] = ()
 
 
 class YamlSequence(list[object]):

@@ -1,0 +1,292 @@
+"""What can be wrong in a plant although every single field is right."""
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import TYPE_CHECKING, TypeVar
+
+from fbgen.catalog import Catalog, Drive, Gateway, Layout, Located, Option, OptionValue
+from fbgen.catalog.nearest import nearest
+from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
+from fbgen.plant.families import FAMILIES, Family
+from fbgen.plant.names import name_problems
+
+if TYPE_CHECKING:
+    from fbgen.plant.plant import Plant, PlantDrive, PlantGateway
+
+Item = TypeVar("Item", bound=Located)
+
+
+def drive(item: "PlantDrive", catalog: Catalog) -> Iterator[Diagnostic]:
+    """FB2009 unknown series, FB2010 maximum frequency, FB2003 options."""
+    entry = catalog.drives.get(item.series)
+    if entry is None:
+        message = f"there is no drive series '{item.series}'"
+        help_text = nearest(item.series, catalog.drives)
+        yield Diagnostic("FB2009", message, item.span_of("series"), help_text)
+        return
+    limit = entry.comno(entry.link.maximum_frequency)
+    low, high = limit.minimum, limit.maximum
+    if low is not None and high is not None and not low <= item.max_frequency_hz <= high:
+        yield Diagnostic(
+            "FB2010",
+            f"{item.max_frequency_hz:g} Hz is no maximum frequency of {entry.title}",
+            item.span_of("max_frequency_hz"),
+            f"use {low:g} to {high:g} Hz",
+        )
+    yield from _options(item, item.options, entry.options, entry.id)
+
+
+def gateway(item: "PlantGateway", catalog: Catalog) -> Iterator[Diagnostic]:
+    """FB2001 type, FB2002 layout, FB2003 options, FB2004 address, FB2005 access way, FB2007
+    INV-NO out of range, FB2008 series that the gateway does not serve."""
+    entry = catalog.gateways.get(item.type)
+    if entry is None:
+        message = f"there is no gateway type '{item.type}'"
+        help_text = nearest(item.type, catalog.gateways)
+        yield Diagnostic("FB2001", message, item.span_of("type"), help_text)
+        return
+    low, high = entry.profibus.minimum_address, entry.profibus.maximum_address
+    if not low <= item.profibus_address <= high:
+        yield Diagnostic(
+            "FB2004",
+            f"the switches of {entry.id} cannot be set to PROFIBUS address {item.profibus_address}",
+            item.span_of("profibus_address"),
+            f"use {low} to {high}",
+        )
+    yield from _layout(item, entry)
+    yield from _options(item, item.options, entry.options, entry.id)
+    yield from _drives(item, entry, catalog)
+
+
+def _layout(item: "PlantGateway", entry: Gateway) -> Iterator[Diagnostic]:
+    names = [layout.name for layout in entry.layouts]
+    if item.layout not in names:
+        message = f"{entry.id} has no layout '{item.layout}'"
+        help_text = nearest(item.layout, names)
+        yield Diagnostic("FB2002", message, item.span_of("layout"), help_text)
+        return
+    layout = entry.layout(item.layout)
+    if item.access in layout.access_ways:
+        return
+    others = [other.name for other in entry.layouts if item.access in other.access_ways]
+    reason = (
+        "no single identifier covers the frame consistently"
+        if item.access == "dpxx_dat"
+        else "one identifier covers the whole frame"
+    )
+    help_text = f"use {' or '.join(layout.access_ways)}"
+    if others:
+        help_text += f", or the layout {' or '.join(others)}"
+    yield Diagnostic(
+        "FB2005",
+        f"layout '{layout.name}' cannot be reached by {item.access}: {reason}",
+        item.span_of("access"),
+        help_text,
+    )
+
+
+def _drives(item: "PlantGateway", entry: Gateway, catalog: Catalog) -> Iterator[Diagnostic]:
+    numbers = catalog.protocol(entry.protocol).inv_numbers["binary"]
+    for member in item.drives:
+        if not numbers.minimum <= member.inv_no <= numbers.maximum:
+            yield Diagnostic(
+                "FB2007",
+                f"no inverter can have the INV-NO {member.inv_no}",
+                member.span_of("inv_no"),
+                f"use {numbers.minimum} to {numbers.maximum}; FF (255) addresses all inverters",
+            )
+        known: Drive | None = catalog.drives.get(member.series)
+        if known is not None and known.id not in entry.series:
+            yield Diagnostic(
+                "FB2008",
+                f"{entry.id} does not serve {known.id}",
+                member.span_of("series"),
+                f"it serves {', '.join(entry.series)}",
+            )
+
+
+def _options(
+    owner: Located, chosen: dict[str, OptionValue], options: Iterable[Option], device: str
+) -> Iterator[Diagnostic]:
+    known = {option.id: option for option in options}
+    for name, value in chosen.items():
+        if name not in known:
+            message = f"{device} has no option '{name}'"
+            help_text = nearest(name, known)
+            yield Diagnostic("FB2003", message, owner.span_of("options"), help_text)
+            continue
+        try:
+            known[name].check(value)
+        except DiagnosticError as wrong:
+            for found in wrong.diagnostics:
+                yield Diagnostic("FB2003", found.message, owner.span_of("options"), found.help)
+
+
+def inverter_numbers(item: "PlantGateway") -> Iterator[Diagnostic]:
+    """FB2006: one INV-NO for two drives of one gateway."""
+    yield from _twice(
+        item.drives,
+        "inv_no",
+        lambda member: str(member.inv_no),
+        code="FB2006",
+        message="INV-NO {} is given twice on this gateway",
+        help_text="every inverter on a line needs its own number",
+    )
+
+
+def plant(item: "Plant") -> Iterator[Diagnostic]:
+    """FB2012 and FB2013 names, FB2014 dialect, FB2015 PROFIBUS addresses, FB2019 identifiers."""
+    parts: tuple[Plant | PlantGateway | PlantDrive, ...] = (item, *item.gateways, *item.drives)
+    for part in parts:
+        yield from name_problems(part.name, part.span_of("name"))
+    named: tuple[PlantGateway | PlantDrive, ...] = (*item.gateways, *item.drives)
+    yield from _twice(
+        named,
+        "name",
+        lambda part: part.name.lower(),
+        code="FB2013",
+        message="the name '{}' is given twice",
+        help_text="upper and lower case are the same in a PLC: choose names that differ otherwise",
+    )
+    if item.dialect not in item.family.dialects:
+        fitting = [family.name for family in FAMILIES.values() if item.dialect in family.dialects]
+        yield Diagnostic(
+            "FB2014",
+            f"{item.family.title} does not read the dialect {item.dialect}",
+            item.span_of("dialect"),
+            f"write dialect: {' or '.join(item.family.dialects)}, or plc: {' or '.join(fitting)}",
+        )
+    yield from _twice(
+        item.gateways,
+        "profibus_address",
+        lambda part: str(part.profibus_address),
+        code="FB2015",
+        message="the PROFIBUS address {} is given twice",
+        help_text="every slave needs its own address",
+    )
+    with_identifier = [part for part in item.gateways if part.hardware_identifier is not None]
+    yield from _twice(
+        with_identifier,
+        "hardware_identifier",
+        lambda part: str(part.hardware_identifier),
+        code="FB2019",
+        message="the hardware identifier {} is given twice",
+        help_text="look it up in the device configuration of each gateway",
+    )
+
+
+def sequences(item: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
+    """FB2011: a sequence that is not there, stands twice, or fits no drive of the plant."""
+    series = {member.series for member in item.drives}
+    for index, name in enumerate(item.sequences):
+        span = item.item_span_of("sequences", index)
+        entry = catalog.sequences.get(name)
+        if entry is None:
+            message = f"there is no sequence '{name}'"
+            yield Diagnostic("FB2011", message, span, nearest(name, catalog.sequences))
+        elif name in item.sequences[:index]:
+            yield Diagnostic("FB2011", f"the sequence '{name}' stands twice", span)
+        elif not series & set(entry.series):
+            message = f"the sequence '{name}' fits no drive of this plant"
+            help_text = f"it is made for {', '.join(entry.series)}"
+            yield Diagnostic("FB2011", message, span, help_text)
+
+
+def addresses(item: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
+    """FB2016 overlapping data, FB2017 missing address, FB2018 beyond the area, FB2005 access."""
+    layouts = [(part, found) for part in item.gateways if (found := _found(part, catalog))]
+    for part, layout in layouts:
+        yield from _reachable(part, layout, item.family)
+    for field, length in (
+        ("input_address", lambda layout: layout.input_length),
+        ("output_address", lambda layout: layout.output_length),
+    ):
+        yield from _overlaps(layouts, field, length, item.family)
+
+
+def _found(part: "PlantGateway", catalog: Catalog) -> Layout | None:
+    entry = catalog.gateways.get(part.type)
+    if entry is None:
+        return None
+    return next((layout for layout in entry.layouts if layout.name == part.layout), None)
+
+
+def _reachable(part: "PlantGateway", layout: Layout, family: Family) -> Iterator[Diagnostic]:
+    if part.access == "dpxx_dat" and not family.whole_frame:
+        yield Diagnostic(
+            "FB2005",
+            f"{family.title} has no DPRD_DAT and DPWR_DAT",
+            part.span_of("access"),
+            "use process_image, or per_identifier where the layout has several identifiers",
+        )
+        return
+    if part.access == "process_image" and layout.consistent and not family.image_moves_whole:
+        yield Diagnostic(
+            "FB2005",
+            f"the process image of {family.title} cannot hold the consistent data of "
+            f"layout '{layout.name}'",
+            part.span_of("access"),
+            "use dpxx_dat",
+        )
+    by_identifier = part.access == "dpxx_dat" and family.hardware_identifiers
+    needed = ["hardware_identifier"] if by_identifier else ["input_address", "output_address"]
+    for field in needed:
+        if getattr(part, field) is None:
+            yield Diagnostic(
+                "FB2017",
+                f"{part.access} on {family.title} needs {field}",
+                part.span_of("access"),
+                f"add {field}: as the device configuration of gateway '{part.name}' shows it",
+            )
+
+
+def _overlaps(
+    layouts: list[tuple["PlantGateway", Layout]],
+    field: str,
+    length: Callable[[Layout], int],
+    family: Family,
+) -> Iterator[Diagnostic]:
+    taken: list[tuple[int, int, PlantGateway]] = []
+    for part, layout in layouts:
+        first: int | None = getattr(part, field)
+        if first is None:
+            continue
+        last = first + length(layout) - 1
+        area = field.removesuffix("_address")
+        if first < 0 or last > family.last_address:
+            yield Diagnostic(
+                "FB2018",
+                f"{area} bytes {first} to {last} lie outside the area of {family.title}",
+                part.span_of(field),
+                f"the area goes from 0 to {family.last_address}",
+            )
+        for other_first, other_last, other in taken:
+            if first <= other_last and other_first <= last:
+                yield Diagnostic(
+                    "FB2016",
+                    f"{area} bytes {first} to {last} of '{part.name}' overlap "
+                    f"{other_first} to {other_last} of '{other.name}'",
+                    part.span_of(field),
+                    f"the next free byte is {max(end for _, end, _ in taken) + 1}",
+                    (Note("taken here", other.span_of(field)),),
+                )
+                break
+        taken.append((first, last, part))
+
+
+def _twice(
+    items: Iterable[Item],
+    field: str,
+    key: Callable[[Item], str],
+    *,
+    code: str,
+    message: str,
+    help_text: str,
+) -> Iterator[Diagnostic]:
+    first: dict[str, Item] = {}
+    for item in items:
+        earlier = first.setdefault(key(item), item)
+        if earlier is not item:
+            shown = getattr(item, field)
+            notes = (Note("first here", earlier.span_of(field)),)
+            text = message.format(shown)
+            yield Diagnostic(code, text, item.span_of(field), help_text, notes)

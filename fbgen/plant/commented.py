@@ -1,0 +1,98 @@
+"""The commented plant file that `fbgen init` writes: every key with what it means."""
+
+_TEXT = """\
+# A plant for fbgen: one PLC, its gateways, the inverters on their lines.
+#
+#   fbgen generate plant.yaml -o out      writes the PLC blocks
+#   fbgen catalog list                    shows gateways, drive series and sequences
+#
+# None of the generated blocks is a safety function. An emergency stop by communication stops a
+# process; people are protected by STO and hard-wired terminals.
+version: 1
+
+# A name for a PLC program: letters, digits and single underscores, a letter first.
+name: my_plant
+
+# Optional, for people.
+title: Two inverters on one gateway
+
+# The language of the generated text: tia (TIA Portal SCL) or iec (Structured Text).
+dialect: tia
+
+# The PLC: s7-1200, s7-1500, s7-300, s7-400 (dialect tia) or iec (dialect iec).
+plc: s7-1500
+
+# Time between two calls of TOS_Main in milliseconds.
+cycle_time_ms: 10
+
+# Command sequences of the catalogue; each becomes a block TOS_Seq_<name>.
+sequences:
+  - start_forward
+  - start_reverse
+  - stop            # has an input `reverse`: the stop telegram keeps the direction
+  - set_frequency
+  - read_current
+  - read_status
+  - fault_reset
+  - emergency_stop
+
+gateways:
+  - name: gw1
+    title: Conveyor hall       # optional
+    type: tospbdp001
+
+    # How the cyclic data are laid out. The manual and its GSD file disagree:
+    #   gsd10   10 bytes out, 8 in, as the printed GSD file ESCO1803.GSD configures it
+    #   doc9     9 bytes out, 8 in, as the tables of the manual say
+    #   whole10 10 bytes out, 8 in behind one consistent identifier; invented, no real GSD has it
+    layout: gsd10
+
+    # As set on the rotary switches (B x 10 + A); a change counts after switching off and on.
+    profibus_address: 2
+
+    # How the blocks reach the data:
+    #   per_identifier  identifier by identifier, the trigger byte last (gsd10, doc9)
+    #   process_image   through the process image, the trigger one cycle after its data
+    #   dpxx_dat        the whole frame by DPRD_DAT/DPWR_DAT, SFC14/15 (whole10)
+    access: per_identifier
+
+    # First byte in the input and in the output area of the PLC.
+    input_address: 256
+    output_address: 256
+
+    # For dpxx_dat on S7-1200 and S7-1500 instead of the two addresses:
+    # hardware_identifier: 270
+
+    # Read trip code and status of every drive in turn while no command waits.
+    status_poll: true
+
+    # What the documents leave open, with the documented default. `fbgen catalog show tospbdp001`
+    # explains each; all but the first concern the simulated gateway only.
+    options:
+      handshake: true
+      trigger_poll: false
+      error_counter: restart
+      error_status_code: hms
+      status_toggle: when_taken
+      offline_timeout_ms: 0
+      heartbeat_frame: "(**P08800001)"
+
+    drives:
+      - name: infeed
+        title: Infeed conveyor   # optional
+        inv_no: 1                # 0 to 63, parameter F802; number 0 also answers broadcasts
+        series: vf-s11
+        max_frequency_hz: 50.0   # parameter FH
+      - name: outfeed
+        inv_no: 2
+        series: vf-s11
+        max_frequency_hz: 60.0
+        options:
+          timeout_restart: any_answered
+          broadcast_reads: false
+"""
+
+
+def write_commented_plant() -> str:
+    """The text of a complete, valid plant file in which every key is explained."""
+    return _TEXT
