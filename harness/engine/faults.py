@@ -132,6 +132,16 @@ def no_layout(span: Span | None, kind: Type) -> DiagnosticError:
     )
 
 
+def not_decimal(span: Span, value: int) -> DiagnosticError:
+    """FB6014: a word that should hold decimal digits (BCD, S5TIME) has a digit above 9."""
+    return error(
+        "FB6014",
+        f"16#{value:04X} is not binary coded decimal",
+        span,
+        "each hexadecimal digit must be 0 to 9; the first one is the sign or the time base",
+    )
+
+
 # --- what is asked from outside ---------------------------------------------------------------
 
 

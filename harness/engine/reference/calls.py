@@ -1,0 +1,142 @@
+"""Calls of blocks: frames, parameters, and how deep blocks may be inside each other."""
+
+from fbgen.lang.checked import (
+    Block,
+    Expression,
+    FunctionCall,
+    InstanceCall,
+    Place,
+    Program,
+    StandardBlock,
+    Variable,
+    VariableKind,
+)
+from fbgen.lang.types import AnyType
+from fbgen.source import Span
+from harness.engine.faults import nesting_too_deep
+from harness.engine.interface import Limits, Value
+from harness.engine.reference.allocation import Allocator
+from harness.engine.reference.expressions import Expressions
+from harness.engine.reference.memory import Memory
+from harness.engine.reference.places import Frame, Places
+from harness.engine.reference.standard_blocks import run_standard_block
+from harness.engine.reference.statements import Statements, Watchdog
+from harness.engine.reference.storage import LIVING_KINDS, InstanceStorage, Storage
+
+
+class Calls:
+    """Runs the blocks of one program."""
+
+    __slots__ = (
+        *("_allocator", "_depth", "_environment", "_expressions", "_limits", "_places"),
+        *("_program", "_statements", "_watchdog"),
+    )
+
+    def __init__(
+        self,
+        program: Program,
+        memory: Memory,
+        limits: Limits,
+        allocator: Allocator,
+        program_globals: dict[Variable, Storage],
+    ) -> None:
+        self._program = program
+        self._environment = memory.environment
+        self._limits = limits
+        self._allocator = allocator
+        self._watchdog = Watchdog(limits.loop_passes)
+        self._places = Places(memory, program_globals, self._index)
+        self._expressions = Expressions(
+            program.dialect, memory.environment, self._places, self._call_function
+        )
+        self._statements = Statements(
+            *(self._expressions, self._places, self._watchdog),
+            *(self._call_function, self._call_instance),
+        )
+        self._depth = 0
+
+    def begin(self) -> None:
+        """A call from outside begins: no loop passes yet, no block inside another."""
+        self._watchdog.restart()
+        self._depth = 0
+
+    def run_function(self, block: Block, arguments: Frame, span: Span | None) -> None:
+        """A FUNCTION; its other variables start anew in the frame of its arguments."""
+        for variable in block.variables:
+            if variable not in arguments.storages and variable.kind is not VariableKind.IN_OUT:
+                arguments.storages[variable] = self._allocator.variable(variable)
+        self._run_body(block, arguments, span)
+
+    def run_instance(self, instance: InstanceStorage, span: Span | None) -> None:
+        """A block with variables that live on; its inputs and in-outs have been set."""
+        block = instance.block
+        assert isinstance(block, Block)
+        frame = Frame()
+        for variable in block.variables:
+            key = variable.name.casefold()
+            if variable.kind in LIVING_KINDS:
+                frame.storages[variable] = instance.parts[key]
+            elif variable.kind is not VariableKind.IN_OUT:
+                frame.storages[variable] = self._allocator.variable(variable)
+            elif key in instance.connections:
+                frame.storages[variable] = instance.connections[key]
+        self._run_body(block, frame, span)
+
+    def run_standard(self, instance: InstanceStorage, block: StandardBlock) -> None:
+        """A block of the controller; its inputs have been set."""
+        run_standard_block(instance, block, self._environment.now_ns)
+
+    def _run_body(self, block: Block, frame: Frame, span: Span | None) -> None:
+        if self._depth >= self._limits.call_depth:
+            raise nesting_too_deep(span, block.name, self._limits.call_depth)
+        self._depth += 1
+        self._statements.run(self._program.bodies[block], frame)
+        self._depth -= 1
+
+    def _call_function(self, call: FunctionCall, frame: Frame) -> Value | None:
+        inner = Frame()
+        for variable, expression in call.inputs:
+            inner.storages[variable] = self._argument(variable, expression, frame)
+        for variable, place in call.in_outs:
+            inner.storages[variable] = self._places.find(place, frame)
+        self.run_function(call.function, inner, call.span)
+        for variable, place in call.outputs:
+            value = inner.storages[variable].read()
+            self._places.find(place, frame).write(value)
+        result = call.function.result
+        return None if result is None else inner.storages[result].read()
+
+    def _argument(self, variable: Variable, expression: Expression, frame: Frame) -> Storage:
+        """A cell of its own with the value; an area is passed by reference."""
+        if isinstance(variable.type, AnyType):
+            assert isinstance(expression, Place)
+            return self._places.find(expression, frame)
+        value = self._expressions.value(expression, frame)
+        storage = self._allocator.variable(variable)
+        storage.write(value)
+        return storage
+
+    def _call_instance(self, call: InstanceCall, frame: Frame) -> None:
+        instance = self._places.find(call.instance, frame)
+        assert isinstance(instance, InstanceStorage)
+        values = [
+            (variable, self._expressions.value(expression, frame))
+            for variable, expression in call.inputs
+        ]
+        connections = [
+            (variable, self._places.find(place, frame)) for variable, place in call.in_outs
+        ]
+        for variable, value in values:
+            instance.parts[variable.name.casefold()].write(value)
+        for variable, storage in connections:
+            instance.connections[variable.name.casefold()] = storage
+        if isinstance(call.block, StandardBlock):
+            self.run_standard(instance, call.block)
+        else:
+            self.run_instance(instance, call.span)
+        for variable, place in call.outputs:
+            value = instance.parts[variable.name.casefold()].read()
+            self._places.find(place, frame).write(value)
+
+    def _index(self, expression: Expression, frame: Frame) -> int:
+        return self._expressions.integer(expression, frame)

@@ -1,0 +1,141 @@
+"""What expressions are worth."""
+
+from collections.abc import Callable
+
+from fbgen.lang.checked import (
+    AddressRef,
+    Binary,
+    Constant,
+    Convert,
+    Expression,
+    FieldRef,
+    FunctionCall,
+    IndexRef,
+    Place,
+    SliceRef,
+    StandardCall,
+    SystemCall,
+    Unary,
+    VariableRef,
+)
+from fbgen.lang.checker.system_instructions import INSTRUCTIONS
+from fbgen.lang.types import AnyType, Scalar, StringType
+from harness.engine.environment import Area, Environment
+from harness.engine.interface import Value
+from harness.engine.reference.areas import StorageArea
+from harness.engine.reference.arithmetic import binary, unary
+from harness.engine.reference.conversion import convert
+from harness.engine.reference.date_functions import DATE_FUNCTIONS
+from harness.engine.reference.functions import NUMERIC_FUNCTIONS, Signature
+from harness.engine.reference.places import Frame, Places
+from harness.engine.reference.text_functions import TEXT_FUNCTIONS
+
+_FUNCTIONS = {**NUMERIC_FUNCTIONS, **TEXT_FUNCTIONS, **DATE_FUNCTIONS}
+
+
+class Expressions:
+    """Evaluates the expressions of one program."""
+
+    __slots__ = ("_call_function", "_environment", "_on_s7", "_places")
+
+    def __init__(
+        self,
+        dialect: str,
+        environment: Environment,
+        places: Places,
+        call_function: Callable[[FunctionCall, Frame], Value | None],
+    ) -> None:
+        self._on_s7 = dialect in ("tia", "step7")
+        self._environment = environment
+        self._places = places
+        self._call_function = call_function
+
+    def value(self, expression: Expression, frame: Frame) -> Value:
+        """The value of any expression; of a structure or an array a copy."""
+        if isinstance(expression, VariableRef | FieldRef | IndexRef | SliceRef | AddressRef):
+            return self._places.find(expression, frame).read()
+        if isinstance(expression, FunctionCall):
+            value = self._call_function(expression, frame)
+            assert value is not None
+            return value
+        return self._calculated(expression, frame)
+
+    def scalar(self, expression: Expression, frame: Frame) -> Scalar:
+        """The value of an expression of an elementary type or a text."""
+        value = self.value(expression, frame)
+        assert isinstance(value, bool | int | float | str)
+        return value
+
+    def integer(self, expression: Expression, frame: Frame) -> int:
+        """The value of an expression that counts in whole numbers."""
+        value = self.value(expression, frame)
+        assert isinstance(value, int)
+        return value
+
+    def system_call(self, call: SystemCall, frame: Frame) -> Scalar:
+        """A system instruction: areas by reference, everything else by value."""
+        parameters = INSTRUCTIONS[call.name.casefold()].parameters
+        areas = {
+            parameter.name
+            for parameter in parameters
+            if parameter.is_output or isinstance(parameter.type, AnyType)
+        }
+        arguments: dict[str, Scalar | Area] = {}
+        for name, expression in call.arguments:
+            if name in areas:
+                storage = self._places.find(_as_place(expression), frame)
+                arguments[name] = StorageArea(storage, expression.span)
+            else:
+                arguments[name] = self.scalar(expression, frame)
+        return self._environment.instruction(call.name, arguments, call.span)
+
+    def _calculated(
+        self,
+        expression: Constant | Unary | Binary | Convert | StandardCall | SystemCall,
+        frame: Frame,
+    ) -> Scalar:
+        match expression:
+            case Constant():
+                return expression.value
+            case Unary():
+                operand = self.scalar(expression.operand, frame)
+                return unary(expression.operator, operand, expression.type)
+            case Binary():
+                return self._chain(expression, frame)
+            case Convert():
+                operand = self.scalar(expression.operand, frame)
+                source, target = expression.operand.type, expression.type
+                return convert(operand, source, target, expression.rounding, expression.span)
+            case StandardCall():
+                return self._standard_call(expression, frame)
+            case SystemCall():
+                return self.system_call(expression, frame)
+
+    def _chain(self, expression: Binary, frame: Frame) -> Scalar:
+        """A left-deep tree, from the leftmost operand up."""
+        operations: list[Binary] = []
+        leftmost: Expression = expression
+        while isinstance(leftmost, Binary):
+            operations.append(leftmost)
+            leftmost = leftmost.left
+        result = self.scalar(leftmost, frame)
+        for operation in reversed(operations):
+            right = self.scalar(operation.right, frame)
+            kind = operation.left.type
+            result = binary(operation.operator, result, right, kind, operation.span)
+        return result
+
+    def _standard_call(self, call: StandardCall, frame: Frame) -> Scalar:
+        values = [self.scalar(argument, frame) for argument in call.arguments]
+        kinds = tuple(argument.type for argument in call.arguments)
+        signature = Signature(kinds, call.type, self._on_s7, call.span)
+        result = _FUNCTIONS[call.name](values, signature)
+        if isinstance(call.type, StringType):
+            assert isinstance(result, str)
+            return result[: call.type.length]
+        return result
+
+
+def _as_place(expression: Expression) -> Place:
+    assert isinstance(expression, VariableRef | FieldRef | IndexRef | SliceRef | AddressRef)
+    return expression

@@ -1,0 +1,169 @@
+"""What statements do, and the watchdog over their loops."""
+
+from collections.abc import Callable, Sequence
+from enum import Enum, auto
+
+from fbgen.lang.checked import (
+    Assignment,
+    Case,
+    Continue,
+    Evaluate,
+    Exit,
+    For,
+    FunctionCall,
+    If,
+    InstanceCall,
+    Repeat,
+    Return,
+    Statement,
+    While,
+)
+from fbgen.lang.types import Elementary
+from fbgen.source import Span
+from harness.engine.faults import endless_loop, step_is_zero
+from harness.engine.interface import Value
+from harness.engine.reference.arithmetic import wrap
+from harness.engine.reference.expressions import Expressions
+from harness.engine.reference.places import Frame, Places
+
+
+class Flow(Enum):
+    """How a statement ended."""
+
+    NEXT = auto()
+    CONTINUE = auto()
+    EXIT = auto()
+    RETURN = auto()
+
+
+class Watchdog:
+    """Counts the loop passes of one call from outside."""
+
+    __slots__ = ("_limit", "_passes")
+
+    def __init__(self, limit: int) -> None:
+        self._limit = limit
+        self._passes = 0
+
+    def restart(self) -> None:
+        """A new call from outside begins."""
+        self._passes = 0
+
+    def begin_pass(self, loop: Span) -> None:
+        """A loop begins a pass. Raises FB6004."""
+        self._passes += 1
+        if self._passes > self._limit:
+            raise endless_loop(loop, self._limit)
+
+
+class Statements:
+    """Carries out the statements of one program."""
+
+    __slots__ = ("_call_function", "_call_instance", "_expressions", "_places", "_watchdog")
+
+    def __init__(
+        self,
+        expressions: Expressions,
+        places: Places,
+        watchdog: Watchdog,
+        call_function: Callable[[FunctionCall, Frame], Value | None],
+        call_instance: Callable[[InstanceCall, Frame], None],
+    ) -> None:
+        self._expressions = expressions
+        self._places = places
+        self._watchdog = watchdog
+        self._call_function = call_function
+        self._call_instance = call_instance
+
+    def run(self, statements: Sequence[Statement], frame: Frame) -> Flow:
+        """One statement after the other, until one leaves the list."""
+        for statement in statements:
+            flow = self._one(statement, frame)
+            if flow is not Flow.NEXT:
+                return flow
+        return Flow.NEXT
+
+    def _one(self, statement: Statement, frame: Frame) -> Flow:
+        match statement:
+            case Assignment():
+                value = self._expressions.value(statement.value, frame)
+                self._places.find(statement.target, frame).write(value)
+            case Evaluate():
+                if isinstance(statement.call, FunctionCall):
+                    self._call_function(statement.call, frame)
+                else:
+                    self._expressions.system_call(statement.call, frame)
+            case InstanceCall():
+                self._call_instance(statement, frame)
+            case If():
+                return self._if(statement, frame)
+            case Case():
+                return self._case(statement, frame)
+            case For():
+                return self._for(statement, frame)
+            case While():
+                return self._while(statement, frame)
+            case Repeat():
+                return self._repeat(statement, frame)
+            case Exit():
+                return Flow.EXIT
+            case Continue():
+                return Flow.CONTINUE
+            case Return():
+                return Flow.RETURN
+        return Flow.NEXT
+
+    def _if(self, statement: If, frame: Frame) -> Flow:
+        for branch in statement.branches:
+            if self._expressions.scalar(branch.condition, frame):
+                return self.run(branch.body, frame)
+        return self.run(statement.otherwise, frame)
+
+    def _case(self, statement: Case, frame: Frame) -> Flow:
+        selector = self._expressions.integer(statement.selector, frame)
+        for arm in statement.arms:
+            if any(first <= selector <= last for first, last in arm.ranges):
+                return self.run(arm.body, frame)
+        return self.run(statement.otherwise, frame)
+
+    def _for(self, statement: For, frame: Frame) -> Flow:
+        """The variable is set before `last` and `step` are worked out."""
+        variable = self._places.find(statement.variable, frame)
+        kind = variable.kind
+        assert isinstance(kind, Elementary)
+        variable.write(self._expressions.integer(statement.first, frame))
+        last = self._expressions.integer(statement.last, frame)
+        step = self._expressions.integer(statement.step, frame)
+        if step == 0:
+            raise step_is_zero(statement.span)
+        while True:
+            counter = variable.read()
+            assert isinstance(counter, int)
+            if counter > last if step > 0 else counter < last:
+                return Flow.NEXT
+            self._watchdog.begin_pass(statement.span)
+            flow = self.run(statement.body, frame)
+            if flow in (Flow.EXIT, Flow.RETURN):
+                return Flow.NEXT if flow is Flow.EXIT else flow
+            counter = variable.read()
+            assert isinstance(counter, int)
+            variable.write(wrap(kind, counter + step))
+            if not kind.minimum <= counter + step <= kind.maximum:
+                return Flow.NEXT
+
+    def _while(self, statement: While, frame: Frame) -> Flow:
+        while self._expressions.scalar(statement.condition, frame):
+            self._watchdog.begin_pass(statement.span)
+            flow = self.run(statement.body, frame)
+            if flow in (Flow.EXIT, Flow.RETURN):
+                return Flow.NEXT if flow is Flow.EXIT else flow
+        return Flow.NEXT
+
+    def _repeat(self, statement: Repeat, frame: Frame) -> Flow:
+        while True:
+            self._watchdog.begin_pass(statement.span)
+            flow = self.run(statement.body, frame)
+            if flow in (Flow.EXIT, Flow.RETURN):
+                return Flow.NEXT if flow is Flow.EXIT else flow
+            if self._expressions.scalar(statement.condition, frame):
+                return Flow.NEXT
