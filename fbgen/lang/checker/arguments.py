@@ -1,0 +1,85 @@
+"""Which argument of a call belongs to which parameter."""
+
+from collections.abc import Sequence
+from typing import TypeVar
+
+from fbgen.catalog.nearest import nearest
+from fbgen.diagnostics import Note
+from fbgen.lang import ast
+from fbgen.lang.checker.context import Context
+
+_P = TypeVar("_P")
+
+
+def bind(
+    ctx: Context,
+    call: ast.Call,
+    name: str,
+    parameters: Sequence[tuple[str, _P]],
+) -> list[tuple[_P, ast.Argument]] | None:
+    """Each argument with its parameter, in the order written; None after reporting errors.
+
+    `parameters` are the names with whatever belongs to them, in positional order.
+    """
+    positional = [
+        argument for argument in call.arguments if argument.kind is ast.ArgumentKind.POSITIONAL
+    ]
+    if positional and len(positional) != len(call.arguments):
+        ctx.findings.error(
+            "FB4044",
+            f"the call of {name} mixes arguments with and without names",
+            call.span,
+            "name all of them, or none",
+        )
+        return None
+    if positional:
+        return _by_position(ctx, call, name, parameters)
+    return _by_name(ctx, call, name, parameters)
+
+
+def _by_position(
+    ctx: Context, call: ast.Call, name: str, parameters: Sequence[tuple[str, _P]]
+) -> list[tuple[_P, ast.Argument]] | None:
+    if len(call.arguments) > len(parameters):
+        names = ", ".join(parameter for parameter, _ in parameters)
+        ctx.findings.error(
+            "FB4042",
+            f"{name} takes {len(parameters)} arguments, not {len(call.arguments)}",
+            call.arguments[len(parameters)].span,
+            f"its parameters are: {names}" if names else "it has no parameters",
+        )
+        return None
+    pairs = zip(parameters, call.arguments, strict=False)
+    return [(parameter, argument) for (_, parameter), argument in pairs]
+
+
+def _by_name(
+    ctx: Context, call: ast.Call, name: str, parameters: Sequence[tuple[str, _P]]
+) -> list[tuple[_P, ast.Argument]] | None:
+    known = {parameter.casefold(): value for parameter, value in parameters}
+    seen: dict[str, ast.Argument] = {}
+    bound = []
+    complete = True
+    for argument in call.arguments:
+        key = argument.name.casefold()
+        if key not in known:
+            complete = False
+            ctx.findings.error(
+                "FB4006",
+                f"{name} has no parameter '{argument.name}'",
+                argument.span,
+                nearest(argument.name, (parameter for parameter, _ in parameters)),
+            )
+        elif key in seen:
+            complete = False
+            ctx.findings.error(
+                "FB4043",
+                f"parameter '{argument.name}' of {name} is given twice",
+                argument.span,
+                "remove one of them",
+                (Note("the first one is here", seen[key].span),),
+            )
+        else:
+            seen[key] = argument
+            bound.append((known[key], argument))
+    return bound if complete else None

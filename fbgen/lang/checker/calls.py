@@ -1,0 +1,439 @@
+"""Calls: finds out what is called, and gives each parameter its argument.
+
+Sources: IEC 61131-3 third edition, section 6.6.1.7; TIA Portal help, "Calling blocks (SCL)".
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from fbgen.catalog.nearest import nearest
+from fbgen.lang import ast, checked
+from fbgen.lang.ast import BlockKind
+from fbgen.lang.checked import (
+    AnyBlock,
+    Block,
+    Constant,
+    Expression,
+    FunctionCall,
+    InstanceCall,
+    Place,
+    StandardBlock,
+    SystemCall,
+    Variable,
+    VariableKind,
+)
+from fbgen.lang.checker.arguments import bind
+from fbgen.lang.checker.coercion import coerce, spelled
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.conversions import keeps_representation
+from fbgen.lang.checker.evaluation import check_expression
+from fbgen.lang.checker.literals import ERRONEOUS, default_value, erroneous
+from fbgen.lang.checker.places import find_symbol, is_place
+from fbgen.lang.checker.standard_blocks import TIMER_METHODS, standard_block
+from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
+from fbgen.lang.checker.standard_functions import OPERATORS_BY_NAME, STANDARD_FUNCTIONS
+from fbgen.lang.checker.system_instructions import (
+    INSTRUCTIONS,
+    RETURN_VALUE,
+    Instruction,
+    instruction_named,
+)
+from fbgen.lang.checker.targets import check_target
+from fbgen.lang.types import VOID, AnyType, BlockType, Elementary, StringType, Type
+
+_PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)
+_ARROW = ast.ArgumentKind.OUTPUT
+
+
+@dataclass(frozen=True, slots=True)
+class _Bound:
+    """The arguments of a call, by the direction of their parameters."""
+
+    inputs: tuple[tuple[Variable, Expression], ...]
+    in_outs: tuple[tuple[Variable, Place], ...]
+    outputs: tuple[tuple[Variable, Place], ...]
+
+
+CallResult: TypeAlias = FunctionCall | SystemCall
+
+
+def check_call(ctx: Context, node: ast.Call, expected: Type | None) -> Expression:
+    """A call whose value is used."""
+    name = _called_name(ctx, node)
+    if name is None:
+        return _not_a_value(ctx, node)
+    block = _user_block(ctx, node.callee, name)
+    if block is not None:
+        return _value_of_block(ctx, node, block)
+    instruction = instruction_named(name)
+    if instruction is not None:
+        return system_call(ctx, node, instruction)[0]
+    if is_standard_function(name):
+        return check_standard_call(ctx, node, name, expected)
+    unknown_callee(ctx, node, name)
+    return erroneous(node.span)
+
+
+def _called_name(ctx: Context, node: ast.Call) -> str | None:
+    """The name of the function that is called; None for instances and what is no name."""
+    callee = node.callee
+    if not isinstance(callee, ast.Name) or callee.local:
+        return None
+    symbol = find_symbol(ctx, callee)
+    if symbol is None or (
+        symbol.kind is VariableKind.RESULT if isinstance(symbol, Variable) else 0
+    ):
+        return callee.name
+    return None
+
+
+def _user_block(ctx: Context, callee: ast.Expression, name: str) -> Block | None:
+    block = ctx.library.user_block(name)
+    quoted = isinstance(callee, ast.Name) and callee.quoted
+    if block is not None and ctx.rules.quoted_blocks and not quoted and is_built_in(name):
+        return None
+    return block
+
+
+def is_built_in(name: str) -> bool:
+    """True for the names of the controller's own functions and instructions."""
+    return is_standard_function(name) or instruction_named(name) is not None
+
+
+def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
+    """Report the call of something that does not exist."""
+    if standard_block(name) is not None:
+        _without_instance(ctx, node, name)
+        return
+    known = [
+        *ctx.library.block_names(),
+        *STANDARD_FUNCTIONS,
+        *OPERATORS_BY_NAME,
+        *(instruction.name for instruction in INSTRUCTIONS.values()),
+    ]
+    ctx.findings.error(
+        "FB4004",
+        f"there is no function or block '{name}'",
+        node.callee.span,
+        nearest(name, known),
+    )
+
+
+def _without_instance(ctx: Context, node: ast.Call, name: str) -> None:
+    ctx.findings.error(
+        "FB4045",
+        f"{name} is a function block and is called through an instance",
+        node.span,
+        f"declare one: inst{name} : {name}; and call inst{name}(...)",
+    )
+
+
+def _not_a_value(ctx: Context, node: ast.Call) -> Expression:
+    callee = check_expression(ctx, node.callee)
+    if callee.type == ERRONEOUS:
+        return callee
+    if isinstance(callee.type, BlockType):
+        ctx.findings.error(
+            "FB4045",
+            f"the call of {spelled(callee.type)} has no value",
+            node.span,
+            "call it in a statement of its own, then read its outputs: inst.out",
+        )
+    else:
+        _not_callable(ctx, node, callee)
+    return erroneous(node.span)
+
+
+def _not_callable(ctx: Context, node: ast.Call, callee: Expression) -> None:
+    ctx.findings.error(
+        "FB4047",
+        f"'{node.callee.span.text}' is {spelled(callee.type)} and cannot be called",
+        node.span,
+        "call a function, or an instance of a function block",
+    )
+
+
+def _value_of_block(ctx: Context, node: ast.Call, block: Block) -> Expression:
+    if block.kind is BlockKind.FUNCTION_BLOCK:
+        _without_instance(ctx, node, block.name)
+        return erroneous(node.span)
+    call = function_call(ctx, node, block)
+    if call is None:
+        return erroneous(node.span)
+    if call.type == VOID:
+        ctx.findings.error(
+            "FB4048",
+            f"{block.name} has no result",
+            node.span,
+            "call it in a statement of its own and take its outputs by =>",
+        )
+        return erroneous(node.span)
+    return call
+
+
+# --- functions of the user --------------------------------------------------------------------
+
+
+def function_call(ctx: Context, node: ast.Call, block: Block) -> FunctionCall | None:
+    """The call of a FUNCTION; None after reporting errors."""
+    if block.kind is not BlockKind.FUNCTION:
+        ctx.findings.error(
+            "FB4047",
+            f"{block.name} is a {block.kind.value} and is called by the controller only",
+            node.span,
+            "move the code into a FUNCTION or FUNCTION_BLOCK and call that",
+        )
+        return None
+    ctx.calls.setdefault(block, node.span)
+    bound = _bind_variables(ctx, node, block.name, block, by_assignment=True)
+    if bound is None:
+        return None
+    inputs = _with_defaults(ctx, node, block, bound)
+    if inputs is None:
+        return None
+    kind = block.result.type if block.result is not None else VOID
+    return FunctionCall(node.span, block, inputs, bound.in_outs, bound.outputs, kind)
+
+
+def _with_defaults(
+    ctx: Context, node: ast.Call, block: Block, bound: _Bound
+) -> tuple[tuple[Variable, Expression], ...] | None:
+    """All inputs in their order, those that were left out with their initial values."""
+    given = dict(bound.inputs)
+    inputs = []
+    missing = []
+    for variable in block.variables:
+        if variable.kind is not VariableKind.INPUT:
+            continue
+        kind = variable.type
+        if variable in given:
+            inputs.append((variable, given[variable]))
+        elif ctx.rules.inputs_complete or not isinstance(kind, Elementary | StringType):
+            missing.append(variable.name)
+        else:
+            value = variable.initial if variable.initial is not None else default_value(kind)
+            assert isinstance(value, bool | int | float | str)
+            inputs.append((variable, Constant(node.span, value, kind)))
+    if not missing:
+        return tuple(inputs)
+    _missing(ctx, node, block.name, missing)
+    return None
+
+
+def _missing(ctx: Context, node: ast.Call, name: str, missing: Sequence[str]) -> None:
+    ctx.findings.error(
+        "FB4040",
+        f"the call of {name} leaves out {', '.join(missing)}",
+        node.span,
+        f"add {', '.join(f'{parameter} := ...' for parameter in missing)}",
+    )
+
+
+def _bind_variables(
+    ctx: Context, node: ast.Call, name: str, block: AnyBlock, by_assignment: bool
+) -> _Bound | None:
+    parameters = [
+        (variable.name, variable) for variable in block.variables if variable.kind in _PARAMETERS
+    ]
+    bound = bind(ctx, node, name, parameters)
+    if bound is None:
+        for argument in node.arguments:
+            if argument.value is not None:
+                check_expression(ctx, argument.value)
+        return None
+    inputs: list[tuple[Variable, Expression]] = []
+    in_outs: list[tuple[Variable, Place]] = []
+    outputs: list[tuple[Variable, Place]] = []
+    complete = True
+    for variable, argument in bound:
+        if argument.value is None:
+            continue
+        where = f"parameter {variable.name} of {name}"
+        if _wrong_way(ctx, variable, argument, by_assignment):
+            complete = False
+        elif variable.kind is VariableKind.INPUT:
+            value = check_expression(ctx, argument.value, variable.type)
+            inputs.append((variable, coerce(ctx, value, variable.type, where)))
+        elif variable.kind is VariableKind.IN_OUT:
+            place = _in_out(ctx, argument.value, variable, where)
+            complete = complete and place is not None
+            if place is not None:
+                in_outs.append((variable, place))
+        else:
+            place = _output(ctx, argument.value, variable.type, where)
+            complete = complete and place is not None
+            if place is not None:
+                outputs.append((variable, place))
+    given = {variable for variable, _ in bound}
+    missing = [
+        variable.name
+        for variable in block.variables
+        if variable.kind is VariableKind.IN_OUT and variable not in given
+    ]
+    if missing:
+        _missing(ctx, node, name, missing)
+        return None
+    return _Bound(tuple(inputs), tuple(in_outs), tuple(outputs)) if complete else None
+
+
+def _wrong_way(
+    ctx: Context, variable: Variable, argument: ast.Argument, by_assignment: bool
+) -> bool:
+    if argument.kind is ast.ArgumentKind.POSITIONAL:
+        return False
+    is_output = variable.kind is VariableKind.OUTPUT
+    if (argument.kind is _ARROW) == is_output:
+        return False
+    if is_output and by_assignment and ctx.rules.outputs_by_assignment:
+        return False
+    right = "=>" if is_output else ":="
+    ctx.findings.error(
+        "FB4041",
+        f"{variable.kind.value} '{variable.name}' is given by {argument.kind.value}",
+        argument.span,
+        f"write {variable.name} {right} ...",
+    )
+    return True
+
+
+def _in_out(ctx: Context, node: ast.Expression, variable: Variable, where: str) -> Place | None:
+    place = check_target(ctx, node, where)
+    if place is None:
+        return None
+    if place.type != variable.type:
+        ctx.findings.error(
+            "FB4010",
+            f"{where} works on the variable itself and takes exactly {spelled(variable.type)},"
+            f" not {spelled(place.type)}",
+            node.span,
+            "copy the value to a variable of that type before the call, and back behind it",
+        )
+        return None
+    return place
+
+
+def _output(ctx: Context, node: ast.Expression, source: Type, where: str) -> Place | None:
+    place = check_target(ctx, node, where)
+    if place is None:
+        return None
+    if not keeps_representation(source, place.type):
+        ctx.findings.error(
+            "FB4010",
+            f"{where} gives {spelled(source)}, which {spelled(place.type)} cannot take",
+            node.span,
+            "take it into a variable of that type, then convert it",
+        )
+        return None
+    return place
+
+
+# --- instances --------------------------------------------------------------------------------
+
+
+def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | None:
+    """The call of an instance of a function block; None after reporting errors."""
+    callee = node.callee
+    method = ""
+    if isinstance(callee, ast.Member) and callee.name.upper() in TIMER_METHODS:
+        base = check_expression(ctx, callee.base)
+        if isinstance(base.type, BlockType) and standard_block(base.type.name):
+            method = callee.name
+            callee = callee.base
+    place = check_expression(ctx, callee)
+    if place.type == ERRONEOUS:
+        return None
+    if not isinstance(place.type, BlockType) or not is_place(place):
+        _not_callable(ctx, node, place)
+        return None
+    block = ctx.library.block(method or place.type.name)
+    assert block is not None
+    assert isinstance(place, checked.VariableRef | checked.FieldRef | checked.IndexRef)
+    if isinstance(block, StandardBlock) and block.name == "IEC_TIMER":
+        ctx.findings.error(
+            "FB4047",
+            "a timer of type IEC_TIMER is called with its kind",
+            node.span,
+            f"write {callee.span.text}.TON(IN := ..., PT := ...)",
+        )
+        return None
+    if isinstance(block, Block):
+        ctx.calls.setdefault(block, node.span)
+    bound = _bind_variables(ctx, node, block.name, block, by_assignment=False)
+    if bound is None:
+        return None
+    return InstanceCall(node.span, place, block, bound.inputs, bound.in_outs, bound.outputs)
+
+
+# --- instructions of the controller -----------------------------------------------------------
+
+
+def system_call(
+    ctx: Context, node: ast.Call, instruction: Instruction
+) -> tuple[Expression, ast.Expression | None]:
+    """The call of a system instruction, and where `RET_VAL =>` puts its result."""
+    parameters = [(parameter.name, parameter) for parameter in instruction.parameters]
+    result_place: ast.Expression | None = None
+    rest = []
+    for argument in node.arguments:
+        if argument.name.upper() == RETURN_VALUE and argument.kind is _ARROW:
+            result_place = argument.value
+        else:
+            rest.append(argument)
+    plain = ast.Call(node.span, node.callee, tuple(rest))
+    bound = bind(ctx, plain, instruction.name, parameters)
+    if bound is None:
+        return erroneous(node.span), None
+    arguments: dict[str, Expression] = {}
+    for parameter, argument in bound:
+        where = f"parameter {parameter.name} of {instruction.name}"
+        named = argument.kind is not ast.ArgumentKind.POSITIONAL
+        allowed = parameter.is_output and ctx.rules.outputs_by_assignment
+        if named and (argument.kind is _ARROW) != parameter.is_output and not allowed:
+            ctx.findings.error(
+                "FB4041",
+                f"'{parameter.name}' of {instruction.name} is given by {argument.kind.value}",
+                argument.span,
+                f"write {parameter.name} {'=>' if parameter.is_output else ':='} ...",
+            )
+            return erroneous(node.span), None
+        if argument.value is None:
+            continue
+        if isinstance(parameter.type, AnyType):
+            value = _area(ctx, argument.value, parameter.is_output, where)
+        else:
+            checked_value = check_expression(ctx, argument.value, parameter.type)
+            value = _hardware_address(ctx, checked_value, parameter.type, where)
+        arguments[parameter.name] = value
+    missing = [name for name, _ in parameters if name not in arguments]
+    if missing:
+        _missing(ctx, node, instruction.name, missing)
+    if missing or any(value.type == ERRONEOUS for value in arguments.values()):
+        return erroneous(node.span), None
+    ordered = tuple((name, arguments[name]) for name, _ in parameters)
+    return SystemCall(node.span, instruction.name, ordered, instruction.result), result_place
+
+
+def _hardware_address(
+    ctx: Context, value: Expression, target: Elementary, where: str
+) -> Expression:
+    """An address or hardware identifier: TIA gives it as WORD or as an integer of that width."""
+    kind = value.type
+    if isinstance(kind, Elementary) and kind.is_integer and kind.bits == target.bits:
+        return checked.Convert(value.span, value, target, implicit=True)
+    return coerce(ctx, value, target, where)
+
+
+def _area(ctx: Context, node: ast.Expression, written: bool, where: str) -> Expression:
+    if written:
+        return check_target(ctx, node, where) or erroneous(node.span)
+    expression = check_expression(ctx, node)
+    if expression.type != ERRONEOUS and not is_place(expression):
+        ctx.findings.error(
+            "FB4022",
+            f"{where} takes a variable, not a value",
+            node.span,
+            "put the value into a variable and give that",
+        )
+        return erroneous(node.span)
+    return expression

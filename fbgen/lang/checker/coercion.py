@@ -1,0 +1,164 @@
+"""Giving an expression the type that its place asks for, or saying why that cannot be."""
+
+from fbgen.lang.checked import Constant, Convert, Expression
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.conversions import conversion_between, is_implicit
+from fbgen.lang.checker.folding import fold_conversion
+from fbgen.lang.checker.literals import (
+    ERRONEOUS,
+    erroneous,
+    fitted,
+    is_untyped,
+    settled,
+)
+from fbgen.lang.types import (
+    BOOL,
+    AnyType,
+    ArrayType,
+    BlockType,
+    Elementary,
+    Family,
+    StringType,
+    StructType,
+    Type,
+)
+
+
+def spelled(kind: Type) -> str:
+    """A type as a message names it."""
+    if isinstance(kind, BlockType):
+        return f"an instance of {kind.name}"
+    if isinstance(kind, AnyType):
+        return f"an area ({kind.name})"
+    return kind.name
+
+
+def converted(expression: Expression, target: Type) -> Expression:
+    """The expression in a type that it becomes by itself; constants at once."""
+    if expression.type == target:
+        return expression
+    if isinstance(expression, Constant):
+        value = fold_conversion(expression, target)
+        if value is not None:
+            return Constant(expression.span, value, target)
+    return Convert(expression.span, expression, target, implicit=True)
+
+
+def as_typed(expression: Expression) -> Expression:
+    """An untyped constant in its own type; anything else as it is."""
+    return settled(expression) if isinstance(expression, Constant) else expression
+
+
+def coerce(ctx: Context, expression: Expression, target: Type, where: str) -> Expression:
+    """The expression as a value of `target`; reports what stands against it.
+
+    `where` names the place for the message, as in "the condition of IF".
+    """
+    source = expression.type
+    if source == target and not isinstance(expression, Constant):
+        return expression
+    if ERRONEOUS in (source, target):
+        return erroneous(expression.span)
+    if isinstance(expression, Constant) and (is_untyped(source) or isinstance(source, StringType)):
+        return _fit(ctx, expression, target, where)
+    if source == target:
+        return expression
+    if is_implicit(source, target, ctx.rules):
+        return converted(expression, target)
+    _refuse(ctx, expression, target, where)
+    return erroneous(expression.span)
+
+
+def _fit(ctx: Context, constant: Constant, target: Type, where: str) -> Expression:
+    value = fitted(constant, target)
+    if value is not None:
+        return Constant(constant.span, value, target)
+    if isinstance(constant.value, str):
+        _refuse_text(ctx, constant, target, where)
+    elif _could_hold(constant, target):
+        ctx.findings.error(
+            "FB4014",
+            f"{_written(constant)} is outside of {target.name}, which {where} takes",
+            constant.span,
+            _range_help(target),
+        )
+    else:
+        _refuse(ctx, constant, target, where)
+    return erroneous(constant.span)
+
+
+def _refuse_text(ctx: Context, constant: Constant, target: Type, where: str) -> None:
+    value = str(constant.value)
+    if isinstance(target, StringType) and len(value) > target.length:
+        ctx.findings.error(
+            "FB4014",
+            f"a text of {len(value)} characters does not fit {target.name} of {where}",
+            constant.span,
+            "shorten the text or declare a longer STRING",
+        )
+        return
+    _refuse(ctx, constant, target, where)
+
+
+def _could_hold(constant: Constant, target: Type) -> bool:
+    """True if another value of the same kind would fit, so that it is a matter of range."""
+    if not isinstance(target, Elementary):
+        return False
+    if target.family is Family.REAL:
+        return True
+    return isinstance(constant.value, int) and target.family in (
+        Family.BOOL,
+        Family.BITS,
+        Family.SIGNED,
+        Family.UNSIGNED,
+    )
+
+
+def _range_help(target: Type) -> str:
+    if not isinstance(target, Elementary) or target.family is Family.REAL:
+        return "use a smaller number or a wider type"
+    if target == BOOL:
+        return "write TRUE or FALSE"
+    if target.family is Family.BITS:
+        return f"{target.name} holds 16#0 to 16#{target.maximum:X}"
+    return f"{target.name} holds {target.minimum} to {target.maximum}"
+
+
+def _written(constant: Constant) -> str:
+    text = constant.span.text
+    return text if text and len(text) <= 40 and "\n" not in text else str(constant.value)
+
+
+def _refuse(ctx: Context, expression: Expression, target: Type, where: str) -> None:
+    shown = as_typed(expression)
+    source = expression.type if isinstance(shown, Constant) else shown.type
+    function = conversion_between(shown.type, target)
+    code, help_text = "FB4010", _mismatch_help(shown.type, target)
+    if function and not (isinstance(shown, Constant) and is_untyped(expression.type)):
+        code, help_text = "FB4011", f"write the conversion: {function}(...)"
+    elif isinstance(expression, Constant) and is_untyped(source):
+        help_text = _constant_help(target)
+    ctx.findings.error(
+        code, f"{where} takes {spelled(target)}, not {spelled(source)}", expression.span, help_text
+    )
+
+
+def _mismatch_help(source: Type, target: Type) -> str:
+    if target == BOOL:
+        return "compare it with something: x <> 0"
+    if source == BOOL:
+        return "use SEL(x, 0, 1) or a BOOL variable"
+    if isinstance(target, StructType | ArrayType):
+        return "both sides need the same declared type: declare it once with TYPE, and use its name"
+    return "use a value of that type"
+
+
+def _constant_help(target: Type) -> str:
+    if isinstance(target, Elementary):
+        if target.family is Family.DURATION:
+            return f"write a duration, such as {'T' if target.bits == 32 else 'LT'}#100ms"
+        if target.is_integer or target.family is Family.BITS:
+            return "write a whole number, or convert it with ROUND or TRUNC"
+        if target.family is Family.CHAR:
+            return "write a character in quotes"
+    return "use a value of that type"

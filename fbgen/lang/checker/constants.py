@@ -1,0 +1,180 @@
+"""Literals, and expressions that have to be known before the program runs.
+
+Sources: IEC 61131-3 third edition, tables 5 to 9; TIA Portal help, "Data types"; for S5TIME the
+BCD form with the time base in bits 13 and 12 ("Format of S5TIME").
+"""
+
+import math
+
+from fbgen.lang import ast
+from fbgen.lang.checked import Constant, Expression
+from fbgen.lang.checker.coercion import coerce
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.evaluation import check_expression
+from fbgen.lang.checker.literals import (
+    ERRONEOUS,
+    UNTYPED_INTEGER,
+    UNTYPED_REAL,
+    erroneous,
+    fitted,
+    holds_untyped,
+)
+from fbgen.lang.types import (
+    BOOL,
+    CHAR,
+    DATE,
+    DATE_AND_TIME,
+    ELEMENTARY,
+    LDT,
+    LTIME,
+    LTIME_OF_DAY,
+    S5TIME,
+    TIME,
+    TIME_OF_DAY,
+    WCHAR,
+    Elementary,
+    Scalar,
+    StringType,
+    Type,
+)
+
+_NS_PER_MS = 1_000_000
+_S5_BASES = ((0, 10), (1, 100), (2, 1000), (3, 10_000))
+_COUNTED_IN_NS = (LTIME, LTIME_OF_DAY, DATE_AND_TIME, LDT)
+_COUNTED_IN_MS = (TIME, TIME_OF_DAY)
+_UNPREFIXED = {
+    ast.LiteralKind.DURATION: TIME,
+    ast.LiteralKind.DATE: DATE,
+    ast.LiteralKind.TIME_OF_DAY: TIME_OF_DAY,
+    ast.LiteralKind.DATE_AND_TIME: DATE_AND_TIME,
+}
+
+
+def check_literal(ctx: Context, node: ast.Literal, _expected: Type | None = None) -> Expression:
+    """A literal: typed by its prefix or its form, or else without a type of its own."""
+    kind, value = node.kind, node.value
+    if kind in (ast.LiteralKind.STRING, ast.LiteralKind.WSTRING):
+        return _text(ctx, node, str(value))
+    if kind is ast.LiteralKind.BOOL:
+        return Constant(node.span, bool(value), BOOL)
+    if kind in _UNPREFIXED:
+        return _counted(ctx, node, int(value))
+    if kind is ast.LiteralKind.REAL:
+        if not math.isfinite(float(value)):
+            return _refuse(ctx, node, "LREAL", "use a smaller number")
+        constant = Constant(node.span, float(value), UNTYPED_REAL)
+    else:
+        if not holds_untyped(int(value)):
+            return _refuse(ctx, node, "every integer type", "64 bits are the limit")
+        constant = Constant(node.span, int(value), UNTYPED_INTEGER)
+    if not node.type_name:
+        return constant
+    target = ELEMENTARY.get(node.type_name)
+    if target is None:
+        return _unknown_type(ctx, node)
+    fitting = fitted(constant, target)
+    if fitting is None:
+        return _refuse(ctx, node, target.name, "use a value in its range or a wider type")
+    return Constant(node.span, fitting, target)
+
+
+def _refuse(ctx: Context, node: ast.Literal, kind: str, help_text: str) -> Expression:
+    ctx.findings.error("FB4014", f"{node.text} is outside of {kind}", node.span, help_text)
+    return erroneous(node.span)
+
+
+def _unknown_type(ctx: Context, node: ast.Literal) -> Expression:
+    ctx.findings.error(
+        "FB4054",
+        f"constants of type {node.type_name} are not supported",
+        node.span,
+        "use a constant of another type",
+    )
+    return erroneous(node.span)
+
+
+def _text(ctx: Context, node: ast.Literal, value: str) -> Expression:
+    wide = node.kind is ast.LiteralKind.WSTRING
+    target: Type = StringType(max(1, len(value)), wide)
+    if node.type_name in ("CHAR", "WCHAR"):
+        target = WCHAR if node.type_name == "WCHAR" else CHAR
+    fitting = fitted(Constant(node.span, value, StringType()), target)
+    if fitting is None:
+        return _refuse(
+            ctx,
+            node,
+            target.name,
+            "characters above 255 need WSTRING; CHAR takes exactly one character",
+        )
+    return Constant(node.span, fitting, target)
+
+
+def _counted(ctx: Context, node: ast.Literal, value: int) -> Expression:
+    """A duration, date or time of day in the unit of its type."""
+    target = ELEMENTARY.get(node.type_name) if node.type_name else _UNPREFIXED[node.kind]
+    if target is None:
+        return _unknown_type(ctx, node)
+    if target == S5TIME:
+        return _s5time(ctx, node, value)
+    count = value
+    if target in _COUNTED_IN_MS:
+        count, rest = divmod(abs(value), _NS_PER_MS)
+        count = count if value >= 0 else -count
+        if rest:
+            ctx.findings.warning(
+                "FB4105",
+                f"{target.name} counts whole milliseconds: the rest of {node.text} is lost",
+                node.span,
+                f"write whole milliseconds, or use L{target.name}",
+            )
+    if not target.minimum <= count <= target.maximum:
+        return _refuse(ctx, node, target.name, f"use a shorter time, or L{target.name}")
+    return Constant(node.span, count, target)
+
+
+def _s5time(ctx: Context, node: ast.Literal, value: int) -> Expression:
+    ms = value // _NS_PER_MS
+    for code, base_ms in _S5_BASES:
+        count = ms // base_ms
+        if 0 <= count <= 999:
+            bcd = int(str(count), 16)
+            return Constant(node.span, code << 12 | bcd, S5TIME)
+    return _refuse(ctx, node, "S5TIME", "S5TIME holds 0 to 2h46m30s; use TIME")
+
+
+def constant_of(ctx: Context, node: ast.Expression, target: Type, where: str) -> Scalar | None:
+    """The value of an expression that has to be constant; None after reporting why it is not."""
+    expression = coerce(ctx, check_expression(ctx, node, target), target, where)
+    if expression.type == ERRONEOUS:
+        return None
+    if isinstance(expression, Constant):
+        return expression.value
+    ctx.findings.error(
+        "FB4017",
+        f"{where} has to be constant",
+        node.span,
+        "use literals and VAR CONSTANT names only",
+    )
+    return None
+
+
+def whole_number(ctx: Context, node: ast.Expression, where: str) -> int | None:
+    """The value of a constant expression of any integer type; None after reporting."""
+    expression = check_expression(ctx, node)
+    kind = expression.type
+    if kind == ERRONEOUS:
+        return None
+    if not isinstance(expression, Constant):
+        ctx.findings.error(
+            "FB4017",
+            f"{where} has to be constant",
+            node.span,
+            "use literals and VAR CONSTANT names only",
+        )
+        return None
+    if isinstance(kind, Elementary) and kind.is_integer:
+        return int(expression.value)
+    ctx.findings.error(
+        "FB4010", f"{where} is a whole number, not {kind}", node.span, "write an integer constant"
+    )
+    return None

@@ -1,0 +1,91 @@
+"""What the checking of one block's text works with."""
+
+from typing import TYPE_CHECKING
+
+from fbgen.lang.checked import Block, Variable
+from fbgen.lang.checker.findings import Findings
+from fbgen.lang.checker.rules import Rules
+from fbgen.lang.checker.symbols import PendingConstant, Scope, Symbol
+from fbgen.source import Span
+
+if TYPE_CHECKING:
+    from fbgen.lang.checker.library import Library
+
+NESTING_LIMIT = 1000
+"""How many nodes may be nested in each other; the parser's own limit comes long before it."""
+
+
+class Context:
+    """Rules, names and findings for one block, and what was seen while its text was checked.
+
+    `used` and `written` collect the symbols that the text mentions and assigns, `calls` the
+    blocks it calls with the place of the first call.
+    """
+
+    __slots__ = (
+        "block",
+        "calls",
+        "depth",
+        "findings",
+        "library",
+        "loops",
+        "rules",
+        "scope",
+        "used",
+        "written",
+    )
+
+    def __init__(self, library: "Library", scope: Scope, block: Block | None = None) -> None:
+        self.library = library
+        self.rules: Rules = library.rules
+        self.findings: Findings = library.findings
+        self.scope = scope
+        self.block = block
+        self.depth = 0
+        self.loops = 0
+        self.used: set[Symbol] = set()
+        self.written: set[Variable] = set()
+        self.calls: dict[Block, Span] = {}
+
+    def local(self, key: str) -> Symbol | None:
+        """The symbol that the block itself declares under a casefolded name."""
+        return self._resolved(self.scope, key)
+
+    def of_program(self, key: str) -> Symbol | None:
+        """The global variable, data block or constant under a casefolded name."""
+        return self._resolved(self.library.globals, key)
+
+    def is_read_only(self, variable: Variable) -> bool:
+        """True for constants that are kept as variables."""
+        return variable in self.scope.read_only or variable in self.library.globals.read_only
+
+    def too_deep(self, span: Span) -> bool:
+        """Report and say so if the nesting goes beyond the limit."""
+        if self.depth <= NESTING_LIMIT:
+            return False
+        self.findings.error(
+            "FB4053",
+            f"nested deeper than {NESTING_LIMIT} levels",
+            span,
+            "split it: put a part into a variable or into a block of its own",
+        )
+        return True
+
+    def _resolved(self, scope: Scope, key: str) -> Symbol | None:
+        entry = scope.entries.get(key)
+        if not isinstance(entry, PendingConstant):
+            return entry
+        if entry.busy:
+            self.findings.error(
+                "FB4050",
+                f"the value of '{entry.name}' depends on itself",
+                entry.span,
+                "give one of the constants a value that does not use the others",
+            )
+            return None
+        entry.busy = True
+        symbol = entry.evaluate()
+        scope.entries[key] = symbol
+        if isinstance(symbol, Variable):
+            scope.read_only.add(symbol)
+        return symbol

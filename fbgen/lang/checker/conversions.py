@@ -1,0 +1,189 @@
+"""Which type becomes which other: by itself, or by a conversion somebody writes.
+
+What a `Convert` does, for each pair of families (both engines follow this table):
+
+* integer or bit string to integer or bit string: the low bits of the two's complement, signed
+  sources sign-extended. BOOL gives 0 or 1; to BOOL: the lowest bit.
+* REAL, LREAL to integer or bit string: rounded (to nearest, ties to even, or cut), then the low
+  bits; not-a-number and infinite give 0. Exceptions: REAL to DWORD and LREAL to LWORD, and back,
+  copy the 32 or 64 bits unchanged. Integer to REAL: the nearest number. REAL to LREAL: the same.
+* TIME counts milliseconds, LTIME nanoseconds: to and from a number as that count; TIME to LTIME
+  times 1,000,000, back divided and cut towards zero. TIME_OF_DAY counts milliseconds,
+  LTIME_OF_DAY nanoseconds, DATE days: numbers likewise.
+* DATE_AND_TIME and LDT to DATE, TIME_OF_DAY, LTIME_OF_DAY: the part. (Both are nanoseconds since
+  1970-01-01, DATE is days since 1990-01-01: 7305 days later.)
+* CHAR and WCHAR to a number: the code; back: the character. CHAR to STRING: that one character.
+  STRING to a shorter STRING: cut; WSTRING to STRING: characters above 255 become `?`.
+
+Sources: IEC 61131-3 third edition, section 6.6.2.5.2 and figures 11 and 12; TIA Portal help,
+"Explicit data type conversion"; ties to even: conformance rule of the project for all dialects.
+"""
+
+from functools import cache
+
+from fbgen.lang.checker.rules import Rules
+from fbgen.lang.types import (
+    ALIASES,
+    BYTE,
+    CHAR,
+    DATE,
+    DATE_AND_TIME,
+    DINT,
+    DWORD,
+    ELEMENTARY,
+    INT,
+    LDT,
+    LINT,
+    LREAL,
+    LTIME,
+    LTIME_OF_DAY,
+    LWORD,
+    REAL,
+    S5TIME,
+    SINT,
+    TIME,
+    TIME_OF_DAY,
+    UDINT,
+    UINT,
+    ULINT,
+    USINT,
+    WCHAR,
+    WORD,
+    Elementary,
+    Family,
+    StringType,
+    Type,
+)
+
+_WIDENING: dict[Elementary, tuple[Elementary, ...]] = {
+    SINT: (INT, DINT, LINT, REAL, LREAL),
+    INT: (DINT, LINT, REAL, LREAL),
+    DINT: (LINT, LREAL),
+    USINT: (UINT, UDINT, ULINT, INT, DINT, LINT, REAL, LREAL),
+    UINT: (UDINT, ULINT, DINT, LINT, REAL, LREAL),
+    UDINT: (ULINT, LINT, LREAL),
+    REAL: (LREAL,),
+    BYTE: (WORD, DWORD, LWORD),
+    WORD: (DWORD, LWORD),
+    DWORD: (LWORD,),
+    TIME: (LTIME,),
+    TIME_OF_DAY: (LTIME_OF_DAY,),
+    DATE_AND_TIME: (LDT,),
+}
+_INTEGERS = (SINT, USINT, INT, UINT, DINT, UDINT, LINT, ULINT)
+_BITS = (BYTE, WORD, DWORD, LWORD)
+_ASCENDING = (*_INTEGERS, REAL, LREAL, *_BITS, TIME, LTIME)
+_COUNTS = (Family.SIGNED, Family.UNSIGNED, Family.BITS)
+UNSIGNED_OF = {BYTE: USINT, WORD: UINT, DWORD: UDINT, LWORD: ULINT}
+"""The integer that a bit string acts as in a calculation."""
+SIGNED_OF = {USINT: SINT, UINT: INT, UDINT: DINT, ULINT: LINT}
+"""The signed integer of the same width."""
+
+
+@cache
+def _implicit(source: Elementary, target: Elementary, rules: Rules) -> bool:
+    if target in _WIDENING.get(source, ()):
+        return True
+    if rules.any_integer_to_real and source.is_integer and target == REAL:
+        return source.bits <= 32
+    if not rules.iec_check and S5TIME not in (source, target):
+        return (
+            source.family in _COUNTS
+            and target.family in _COUNTS
+            and Family.BITS in (source.family, target.family)
+            and source.bits <= target.bits
+        )
+    return False
+
+
+def is_implicit(source: Type, target: Type, rules: Rules) -> bool:
+    """True if a value of `source` becomes `target` without anybody writing it."""
+    if isinstance(source, Elementary) and isinstance(target, Elementary):
+        return source == target or _implicit(source, target, rules)
+    if isinstance(target, StringType):
+        if isinstance(source, StringType):
+            return source.wide == target.wide
+        return source == (WCHAR if target.wide else CHAR)
+    return source == target
+
+
+def common_type(left: Type, right: Type, rules: Rules) -> Type | None:
+    """The smallest type that both become by themselves; None if there is none."""
+    if left == right or is_implicit(right, left, rules):
+        return left
+    if is_implicit(left, right, rules):
+        return right
+    if isinstance(left, Elementary) and isinstance(right, Elementary):
+        for kind in _ASCENDING:
+            if _implicit(left, kind, rules) and _implicit(right, kind, rules):
+                return kind
+    return None
+
+
+def wider_types(kind: Elementary, rules: Rules) -> tuple[Elementary, ...]:
+    """What `kind` becomes by itself, the smallest first."""
+    return tuple(wider for wider in _ASCENDING if wider != kind and _implicit(kind, wider, rules))
+
+
+def keeps_representation(source: Type, target: Type) -> bool:
+    """True if every value of `source` is the same run-time value in `target`."""
+    if source == target:
+        return True
+    if not isinstance(source, Elementary) or target not in _WIDENING.get(source, ()):
+        return False
+    return isinstance(target, Elementary) and (
+        source == REAL or (source.family in _COUNTS and target.family in _COUNTS)
+    )
+
+
+@cache
+def is_convertible(source: Type, target: Type) -> bool:
+    """True if a written conversion from `source` to `target` exists as a `Convert`."""
+    if isinstance(source, StringType) and isinstance(target, StringType):
+        return True
+    if isinstance(target, StringType):
+        return source == (WCHAR if target.wide else CHAR)
+    if not isinstance(source, Elementary) or not isinstance(target, Elementary):
+        return False
+    if source == target:
+        return source.family is not Family.VOID
+    if S5TIME in (source, target):
+        return {source.family, target.family} == {Family.BITS}
+    pair = (source.family, target.family)
+    if Family.VOID in pair:
+        return False
+    if Family.DATE in pair and Family.DATE == source.family == target.family:
+        stamps = (DATE_AND_TIME, LDT)
+        parts = (DATE, TIME_OF_DAY, LTIME_OF_DAY, *stamps)
+        times = (TIME_OF_DAY, LTIME_OF_DAY)
+        return (source in stamps and target in parts) or (source in times and target in times)
+    plain = (*_COUNTS, Family.BOOL, Family.REAL)
+    if source.family in plain and target.family in plain:
+        return pair not in ((Family.BOOL, Family.REAL), (Family.REAL, Family.BOOL))
+    counted = (*_COUNTS, Family.DATE, Family.CHAR)
+    if Family.DURATION in pair:
+        other = target.family if source.family is Family.DURATION else source.family
+        return other in (*_COUNTS, Family.DURATION, Family.REAL)
+    if Family.CHAR in pair and pair[0] is not pair[1]:
+        return pair[0] in (*_COUNTS, Family.CHAR) and pair[1] in (*_COUNTS, Family.CHAR)
+    return source.family in counted and target.family in counted
+
+
+def elementary_named(name: str) -> Elementary | StringType | None:
+    """The elementary type or string type with that name in a conversion; None for others."""
+    key = name.upper()
+    key = ALIASES.get(key, key)
+    if key in ("STRING", "WSTRING"):
+        return StringType(wide=key == "WSTRING")
+    kind = ELEMENTARY.get(key)
+    return kind if kind is not None and kind.family is not Family.VOID else None
+
+
+def conversion_between(source: Type, target: Type) -> str:
+    """The name of the function that converts, for a help text; empty if there is none."""
+    if isinstance(source, Elementary) and isinstance(target, Elementary):
+        if is_convertible(source, target):
+            return f"{source.name}_TO_{target.name}"
+        if source.family is Family.BOOL or target.family is Family.BOOL:
+            return ""
+    return ""

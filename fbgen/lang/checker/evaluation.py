@@ -1,0 +1,40 @@
+"""The way from a written expression to a checked one: which function checks which node.
+
+The modules for places, operators and calls enter their functions here, so that they can refer to
+each other's expressions without importing each other.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+from fbgen.lang import ast
+from fbgen.lang.checked import Expression
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.literals import erroneous
+from fbgen.lang.types import Type
+
+Check = Callable[[Context, Any, Type | None], Expression]
+
+_CHECKS: dict[type, Check] = {}
+
+
+def enter(checks: dict[type, Check]) -> None:
+    """Say which functions check which nodes."""
+    _CHECKS.update(checks)
+
+
+def check_expression(
+    ctx: Context, node: ast.Expression, expected: Type | None = None
+) -> Expression:
+    """The meaning of an expression.
+
+    `expected` is the type that its place takes, a hint for functions that exist for many types.
+    The result may be an untyped constant; `coercion.coerce` gives it its type.
+    """
+    ctx.depth += 1
+    try:
+        if ctx.too_deep(node.span):
+            return erroneous(node.span)
+        return _CHECKS[type(node)](ctx, node, expected)
+    finally:
+        ctx.depth -= 1

@@ -1,0 +1,46 @@
+"""Every kind of expression and the function that checks it."""
+
+from typing import Any
+
+from fbgen.lang import ast
+from fbgen.lang.checked import Expression
+from fbgen.lang.checker import calls, constants, operators, places
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.evaluation import check_expression, enter
+from fbgen.lang.checker.literals import erroneous
+from fbgen.lang.types import Type
+
+
+def _parenthesized(ctx: Context, node: ast.Parenthesized, expected: Type | None) -> Expression:
+    return check_expression(ctx, node.inner, expected)
+
+
+def _initial_only(ctx: Context, node: Any, _expected: Type | None) -> Expression:
+    ctx.findings.error(
+        "FB4057",
+        "a list of values stands only behind := in a declaration",
+        node.span,
+        "assign the elements one by one",
+    )
+    return erroneous(node.span)
+
+
+enter(
+    {
+        ast.Literal: constants.check_literal,
+        ast.Name: places.check_name,
+        ast.Member: places.check_member,
+        ast.Index: places.check_index,
+        ast.Slice: places.check_slice,
+        ast.DirectAddress: places.check_address,
+        ast.Call: calls.check_call,
+        ast.Unary: operators.check_unary,
+        ast.Binary: operators.check_binary,
+        ast.Parenthesized: _parenthesized,
+        ast.ArrayLiteral: _initial_only,
+        ast.Repeated: _initial_only,
+        ast.StructLiteral: _initial_only,
+    }
+)
+
+__all__ = ["check_expression"]

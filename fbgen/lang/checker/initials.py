@@ -1,0 +1,259 @@
+"""Initial values: scalars, lists with repetition, structures, and start values of data blocks.
+
+An initial value is complete where it is given: what a structure leaves out has the default of its
+type, and where a declaration overlays the initial value of its type, both are merged here.
+Sources: IEC 61131-3 third edition, tables 11, 13 and 14; TIA Portal help, "Default values".
+"""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from fbgen.catalog.nearest import nearest
+from fbgen.lang import ast
+from fbgen.lang.checked import VariableKind
+from fbgen.lang.checker.coercion import spelled
+from fbgen.lang.checker.constants import constant_of, whole_number
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.types import (
+    ArrayInitial,
+    ArrayType,
+    BlockType,
+    Elementary,
+    Initial,
+    StringType,
+    StructInitial,
+    StructType,
+    Type,
+)
+from fbgen.source import Span
+
+if TYPE_CHECKING:
+    from fbgen.lang.checker.library import Library
+
+_SETTABLE = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.STATIC, VariableKind.IN_OUT)
+
+
+class Initials:
+    """Checks initial values against the types they are for."""
+
+    def __init__(self, library: "Library") -> None:
+        self._library = library
+
+    def check(
+        self, ctx: Context, node: ast.Expression, kind: Type, base: Initial | None
+    ) -> Initial | None:
+        """The value of an initializer over `base`; `base` itself after reporting errors."""
+        node = _bare(node)
+        if isinstance(kind, ArrayType):
+            if isinstance(node, ast.ArrayLiteral):
+                return self._array(ctx, node, kind)
+            return self._shape(ctx, node.span, kind, base, "[value, value, ...]")
+        if isinstance(kind, StructType | BlockType):
+            if isinstance(node, ast.StructLiteral):
+                return self._structure(ctx, node, kind, base)
+            return self._shape(ctx, node.span, kind, base, "(name := value, ...)")
+        if isinstance(node, ast.ArrayLiteral | ast.StructLiteral):
+            return self._shape(ctx, node.span, kind, base, "one value")
+        if not isinstance(kind, Elementary | StringType) or kind == ERRONEOUS:
+            return base
+        value = constant_of(ctx, node, kind, "this initial value")
+        return base if value is None else value
+
+    def _shape(
+        self, ctx: Context, span: Span, kind: Type, base: Initial | None, form: str
+    ) -> Initial | None:
+        ctx.findings.error(
+            "FB4057",
+            f"this is no initial value for {spelled(kind)}",
+            span,
+            f"write {form}",
+        )
+        return base
+
+    def _array(self, ctx: Context, node: ast.ArrayLiteral, kind: ArrayType) -> Initial | None:
+        items: list[Initial | None] = []
+        self._items(ctx, node.items, kind, items)
+        if len(items) > kind.count:
+            ctx.findings.error(
+                "FB4057",
+                f"{len(items)} values for an array of {kind.count}",
+                node.span,
+                "remove some values, or declare the array larger",
+            )
+            return None
+        items += [None] * (kind.count - len(items))
+        return ArrayInitial(tuple(items))
+
+    def _items(
+        self,
+        ctx: Context,
+        nodes: Sequence["ast.Repeated | ast.Expression"],
+        kind: ArrayType,
+        items: list[Initial | None],
+    ) -> None:
+        for node in nodes:
+            if isinstance(node, ast.ArrayLiteral) and not isinstance(kind.element, ArrayType):
+                self._items(ctx, node.items, kind, items)
+            elif not isinstance(node, ast.Repeated):
+                items.append(self.check(ctx, node, kind.element, None))
+            else:
+                self._repeated(ctx, node, kind, items)
+
+    def _repeated(
+        self, ctx: Context, node: ast.Repeated, kind: ArrayType, items: list[Initial | None]
+    ) -> None:
+        count = whole_number(ctx, node.count, "a repetition count")
+        if count is None:
+            return
+        if not 0 <= count <= kind.count:
+            ctx.findings.error(
+                "FB4057",
+                f"{count} values for an array of {kind.count}",
+                node.span,
+                "repeat as often as the array has elements left",
+            )
+            return
+        value = None
+        if node.value is not None:
+            value = self.check(ctx, node.value, kind.element, None)
+        items += [value] * count
+
+    def _structure(
+        self, ctx: Context, node: ast.StructLiteral, kind: Type, base: Initial | None
+    ) -> Initial | None:
+        parts = self._library.parts_of(kind)
+        known = {name.casefold(): (name, part, initial) for name, part, initial in parts}
+        named: dict[str, Initial] = dict(base.fields) if isinstance(base, StructInitial) else {}
+        for position, field in enumerate(node.fields):
+            if field.value is None:
+                continue
+            if field.kind is ast.ArgumentKind.POSITIONAL:
+                if position >= len(parts):
+                    ctx.findings.error(
+                        "FB4057",
+                        f"{spelled(kind)} has {len(parts)} parts only",
+                        field.span,
+                        "remove the values behind them",
+                    )
+                    break
+                name, part, initial = parts[position]
+            elif field.name.casefold() in known:
+                name, part, initial = known[field.name.casefold()]
+            else:
+                ctx.findings.error(
+                    "FB4005",
+                    f"{kind.name} has no member '{field.name}'",
+                    field.span,
+                    nearest(field.name, (name for name, _, _ in parts)),
+                )
+                continue
+            value = self.check(ctx, field.value, part, named.get(name, initial))
+            if value is not None:
+                named[name] = value
+        return StructInitial(tuple(named.items()))
+
+    # --- start values of data blocks: one assignment for each part ---------------------------
+
+    def assign(
+        self, ctx: Context, node: ast.Assignment, kind: Type, base: Initial | None
+    ) -> Initial | None:
+        """The initial value `base` of a data block with one start value set."""
+        path = _path(node.target)
+        if path is None or node.operator != ":=":
+            ctx.findings.error(
+                "FB4057",
+                "a data block's BEGIN part takes start values only",
+                node.span,
+                "write member := value;",
+            )
+            return base
+        return self._set(ctx, path, kind, base, node.value)
+
+    def _set(
+        self,
+        ctx: Context,
+        path: Sequence[ast.Name | ast.Member | ast.Index],
+        kind: Type,
+        base: Initial | None,
+        value: ast.Expression,
+    ) -> Initial | None:
+        if not path:
+            return self.check(ctx, value, kind, base)
+        step = path[0]
+        if isinstance(step, ast.Index):
+            return self._set_element(ctx, path, kind, base, value)
+        parts = self._library.parts_of(kind) if isinstance(kind, StructType | BlockType) else ()
+        for name, part, initial in parts:
+            if name.casefold() != step.name.casefold():
+                continue
+            named = dict(base.fields) if isinstance(base, StructInitial) else {}
+            inner = self._set(ctx, path[1:], part, named.get(name, initial), value)
+            if inner is not None:
+                named[name] = inner
+            return StructInitial(tuple(named.items()))
+        ctx.findings.error(
+            "FB4005",
+            f"{spelled(kind)} has no member '{step.name}'",
+            step.span,
+            nearest(step.name, (name for name, _, _ in parts)),
+        )
+        return base
+
+    def _set_element(
+        self,
+        ctx: Context,
+        path: Sequence[ast.Name | ast.Member | ast.Index],
+        kind: Type,
+        base: Initial | None,
+        value: ast.Expression,
+    ) -> Initial | None:
+        step = path[0]
+        assert isinstance(step, ast.Index)
+        if not isinstance(kind, ArrayType) or len(step.indices) != len(kind.bounds):
+            ctx.findings.error(
+                "FB4019",
+                f"{spelled(kind)} cannot be indexed like this",
+                step.span,
+                "give one index for each dimension of an array",
+            )
+            return base
+        flat = 0
+        for node, (first, last) in zip(step.indices, kind.bounds, strict=True):
+            index = whole_number(ctx, node, "the index of a start value")
+            if index is None:
+                return base
+            if not first <= index <= last:
+                ctx.findings.error(
+                    "FB4015",
+                    f"index {index} is outside of the array's {first}..{last}",
+                    node.span,
+                    f"use an index from {first} to {last}, or declare the array larger",
+                )
+                return base
+            flat = flat * (last - first + 1) + index - first
+        items: list[Initial | None] = [None] * kind.count
+        if isinstance(base, ArrayInitial):
+            items = list(base.items)
+        items[flat] = self._set(ctx, path[1:], kind.element, items[flat], value)
+        return ArrayInitial(tuple(items))
+
+
+def _bare(node: ast.Expression) -> ast.Expression:
+    """The value itself where parentheses stand around it."""
+    while isinstance(node, ast.Parenthesized):
+        node = node.inner
+    return node
+
+
+def _path(node: ast.Expression) -> list[ast.Name | ast.Member | ast.Index] | None:
+    """The steps from the data block to the part that a start value names."""
+    steps: list[ast.Name | ast.Member | ast.Index] = []
+    while isinstance(node, ast.Member | ast.Index):
+        steps.append(node)
+        node = node.base
+    if not isinstance(node, ast.Name):
+        return None
+    steps.append(node)
+    steps.reverse()
+    return steps

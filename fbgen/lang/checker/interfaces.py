@@ -1,0 +1,246 @@
+"""The variables of blocks: sections, constants, located and external variables, results.
+
+Sources: IEC 61131-3 third edition, tables 13 to 16 and 19; TIA Portal help, "Block interface".
+"""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from fbgen.catalog.nearest import nearest
+from fbgen.lang import ast
+from fbgen.lang.ast import BlockKind
+from fbgen.lang.checked import Address, Variable, VariableKind
+from fbgen.lang.checker.coercion import spelled
+from fbgen.lang.checker.constants import constant_of
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.places import address_of
+from fbgen.lang.checker.symbols import NamedConstant, PendingConstant
+from fbgen.lang.types import (
+    BlockType,
+    Elementary,
+    StringType,
+    Type,
+)
+
+if TYPE_CHECKING:
+    from fbgen.lang.checker.library import Library
+
+_KINDS = {
+    "VAR_INPUT": VariableKind.INPUT,
+    "VAR_OUTPUT": VariableKind.OUTPUT,
+    "VAR_IN_OUT": VariableKind.IN_OUT,
+    "VAR_TEMP": VariableKind.TEMP,
+    "VAR_GLOBAL": VariableKind.GLOBAL,
+}
+_WITHOUT_MEMORY = (BlockKind.FUNCTION, BlockKind.ORGANIZATION_BLOCK)
+
+
+class Interfaces:
+    """Declares the variables of sections in a scope."""
+
+    def __init__(self, library: "Library") -> None:
+        self._library = library
+
+    def declare(
+        self, ctx: Context, sections: Sequence[ast.VarSection], block: BlockKind | None
+    ) -> list[Variable]:
+        """All variables of the sections, in their order; `block` None for global sections.
+
+        Constants come first, as types anywhere in the block may use them.
+        """
+        for section in sections:
+            if _is_constant(section):
+                for declaration in section.declarations:
+                    self._constants(ctx, declaration, block)
+        variables: list[Variable] = []
+        for section in sections:
+            if _is_constant(section):
+                continue
+            for declaration in section.declarations:
+                if section.keyword == "VAR_EXTERNAL":
+                    self._externals(ctx, declaration)
+                else:
+                    variables += self._variables(ctx, section, declaration, block)
+        for entry in list(ctx.scope.entries):
+            symbol = (
+                ctx.local(entry) if isinstance(ctx.scope.entries[entry], PendingConstant) else None
+            )
+            if isinstance(symbol, Variable):
+                variables.append(symbol)
+        return variables
+
+    # --- constants ----------------------------------------------------------------------------
+
+    def _constants(
+        self, ctx: Context, declaration: ast.Declaration, block: BlockKind | None
+    ) -> None:
+        for declared in declaration.names:
+            if not self._is_new(ctx, declared):
+                continue
+
+            def evaluate(declared: ast.DeclaredName = declared) -> NamedConstant | Variable:
+                return self._constant(ctx, declaration, declared, block)
+
+            ctx.scope.entries[declared.name.casefold()] = PendingConstant(
+                declared.span, declared.name, evaluate
+            )
+
+    def _constant(
+        self,
+        ctx: Context,
+        declaration: ast.Declaration,
+        declared: ast.DeclaredName,
+        block: BlockKind | None,
+    ) -> NamedConstant | Variable:
+        resolved = self._library.types.resolve(ctx, declaration.type)
+        kind = resolved.type
+        if declaration.initial is None and kind != ERRONEOUS:
+            ctx.findings.error(
+                "FB4059",
+                f"constant '{declared.name}' has no value",
+                declared.span,
+                f"give it one: {declared.name} : {kind.name} := ...;",
+            )
+            kind = ERRONEOUS
+        if isinstance(kind, Elementary | StringType):
+            value = None
+            if kind != ERRONEOUS and declaration.initial is not None:
+                value = constant_of(
+                    ctx, declaration.initial, kind, f"the value of constant '{declared.name}'"
+                )
+            if value is None:
+                return NamedConstant(declared.span, declared.name, ERRONEOUS, 0)
+            return NamedConstant(declared.span, declared.name, kind, value)
+        assert declaration.initial is not None
+        initial = self._library.initial(ctx, declaration.initial, kind, resolved.initial)
+        where = VariableKind.GLOBAL
+        if block is not None:
+            where = VariableKind.TEMP if block in _WITHOUT_MEMORY else VariableKind.STATIC
+        return Variable(declared.span, declared.name, where, kind, initial)
+
+    # --- variables ----------------------------------------------------------------------------
+
+    def _variables(
+        self,
+        ctx: Context,
+        section: ast.VarSection,
+        declaration: ast.Declaration,
+        block: BlockKind | None,
+    ) -> list[Variable]:
+        kind = self._kind(ctx, section, block)
+        resolved = self._library.types.resolve(ctx, declaration.type)
+        initial = resolved.initial
+        if declaration.initial is not None and resolved.type != ERRONEOUS:
+            initial = self._library.initial(
+                ctx, declaration.initial, resolved.type, resolved.initial
+            )
+        address = self._address(ctx, declaration, resolved.type)
+        if isinstance(resolved.type, BlockType) and kind in (
+            VariableKind.TEMP,
+            VariableKind.RESULT,
+        ):
+            ctx.findings.error(
+                "FB4056",
+                f"an instance of {resolved.type.name} loses its memory here",
+                declaration.span,
+                "declare it in VAR of a FUNCTION_BLOCK or PROGRAM, or as a global one",
+            )
+        variables = []
+        for declared in declaration.names:
+            if not self._is_new(ctx, declared):
+                continue
+            remanent = "RETAIN" in section.qualifiers
+            variable = Variable(
+                declared.span, declared.name, kind, resolved.type, initial, remanent, address
+            )
+            ctx.scope.entries[declared.name.casefold()] = variable
+            variables.append(variable)
+        return variables
+
+    def _kind(self, ctx: Context, section: ast.VarSection, block: BlockKind | None) -> VariableKind:
+        if block is None:
+            return VariableKind.GLOBAL
+        parameter = section.keyword in ("VAR_INPUT", "VAR_OUTPUT", "VAR_IN_OUT")
+        if section.keyword == "VAR_GLOBAL" or (
+            parameter and block is BlockKind.ORGANIZATION_BLOCK and section.keyword != "VAR_INPUT"
+        ):
+            ctx.findings.error(
+                "FB4056",
+                f"{section.keyword} does not belong into a {block.value}",
+                section.span,
+                "use VAR or VAR_TEMP"
+                if parameter
+                else "declare global variables in a CONFIGURATION or outside of the blocks",
+            )
+        if section.keyword in _KINDS:
+            return _KINDS[section.keyword]
+        return VariableKind.TEMP if block in _WITHOUT_MEMORY else VariableKind.STATIC
+
+    def _address(self, ctx: Context, declaration: ast.Declaration, kind: Type) -> Address | None:
+        if declaration.at is None:
+            return None
+        if isinstance(declaration.at, ast.Name):
+            ctx.findings.error(
+                "FB4054",
+                "overlays by AT are not supported",
+                declaration.at.span,
+                "use slices or conversion functions",
+            )
+            return None
+        address = address_of(ctx, declaration.at)
+        if address is None or kind == ERRONEOUS:
+            return None
+        if not isinstance(kind, Elementary) or kind.bits != address.bits:
+            ctx.findings.error(
+                "FB4070",
+                f"{spelled(kind)} does not lie on an address of {address.bits} bits",
+                declaration.span,
+                "use %IX for BOOL, %IB for 8, %IW for 16 and %ID for 32 bits",
+            )
+            return None
+        if len(declaration.names) > 1:
+            ctx.findings.error(
+                "FB4070",
+                "several variables share one address",
+                declaration.span,
+                "declare each with its own address",
+            )
+        return address
+
+    def _externals(self, ctx: Context, declaration: ast.Declaration) -> None:
+        kind = self._library.types.resolve(ctx, declaration.type).type
+        for declared in declaration.names:
+            if not self._is_new(ctx, declared):
+                continue
+            symbol = ctx.of_program(declared.name.casefold())
+            if symbol is None:
+                ctx.findings.error(
+                    "FB4001",
+                    f"there is no global variable '{declared.name}'",
+                    declared.span,
+                    nearest(declared.name, self._library.globals.names()),
+                )
+                symbol = NamedConstant(declared.span, declared.name, ERRONEOUS, 0)
+            elif symbol.type != kind and ERRONEOUS not in (symbol.type, kind):
+                ctx.findings.error(
+                    "FB4010",
+                    f"'{declared.name}' is declared as {spelled(kind)} here and as"
+                    f" {spelled(symbol.type)} in VAR_GLOBAL",
+                    declared.span,
+                    "write the type of VAR_GLOBAL",
+                )
+            ctx.scope.entries[declared.name.casefold()] = symbol
+
+    def _is_new(self, ctx: Context, declared: ast.DeclaredName) -> bool:
+        earlier = ctx.scope.entries.get(declared.name.casefold())
+        if earlier is None:
+            return True
+        self._library.duplicate(declared.name, declared.span, earlier.span)
+        return False
+
+
+def _is_constant(section: ast.VarSection) -> bool:
+    return section.keyword == "CONST" or (
+        "CONSTANT" in section.qualifiers and section.keyword != "VAR_EXTERNAL"
+    )

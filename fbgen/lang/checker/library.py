@@ -1,0 +1,272 @@
+"""Everything that the files of one program declare, found by name and resolved when needed.
+
+All units share one set of names, as on the controller. Interfaces are resolved on demand, so the
+order of files and units does not matter; what needs itself is reported as recursion.
+"""
+
+from collections.abc import Mapping, Sequence
+
+from fbgen.diagnostics import Note
+from fbgen.lang import ast
+from fbgen.lang.ast import BlockKind
+from fbgen.lang.checked import AnyBlock, Block, Variable, VariableKind
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.findings import Findings
+from fbgen.lang.checker.initials import Initials
+from fbgen.lang.checker.interfaces import Interfaces
+from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.rules import Rules
+from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS, standard_block
+from fbgen.lang.checker.symbols import Scope
+from fbgen.lang.checker.type_names import TypeResolver
+from fbgen.lang.types import VOID, BlockType, Initial, StructType, Type
+from fbgen.source import Span
+
+_NESTING = 60
+_PARTS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.STATIC)
+
+
+class Library:
+    """The declarations of a program."""
+
+    def __init__(self, rules: Rules, findings: Findings) -> None:
+        self.rules = rules
+        self.findings = findings
+        self.globals = Scope()
+        self.types = TypeResolver(self)
+        self._interfaces = Interfaces(self)
+        self._initials = Initials(self)
+        self._units: dict[str, tuple[str, Span]] = {}
+        self._syntax: dict[str, ast.Block] = {}
+        self._data_blocks: dict[str, ast.DataBlock] = {}
+        self._configurations: list[ast.Configuration] = []
+        self._sections: list[ast.VarSection] = []
+        self._blocks: dict[str, Block] = {}
+        self._contexts: dict[Block, Context] = {}
+        self._busy: list[str] = []
+        self._block_types: dict[str, BlockType] = {}
+
+    # --- collecting ---------------------------------------------------------------------------
+
+    def collect(self, files: Sequence[ast.File]) -> None:
+        """Make all units of the files known by name."""
+        for file in files:
+            for unit in file.units:
+                self._collect_unit(unit)
+
+    def _collect_unit(self, unit: ast.Unit) -> None:
+        if isinstance(unit, ast.Globals):
+            self._sections.append(unit.section)
+        elif isinstance(unit, ast.Configuration):
+            self._configurations.append(unit)
+            self._sections += unit.sections
+            for resource in unit.resources:
+                self._sections += resource.sections
+        elif self._is_new(unit.name):
+            key = unit.name.name.casefold()
+            if isinstance(unit, ast.TypeDeclaration):
+                self.types.declare(unit)
+            elif isinstance(unit, ast.Block):
+                self._syntax[key] = unit
+            else:
+                self._data_blocks[key] = unit
+
+    def _is_new(self, name: ast.Name) -> bool:
+        key = name.name.casefold()
+        if key in self._units:
+            self.duplicate(name.name, name.span, self._units[key][1])
+            return False
+        self._units[key] = (name.name, name.span)
+        return True
+
+    def duplicate(self, name: str, span: Span, first: Span) -> None:
+        """Report a name that is declared twice, with both places."""
+        self.findings.error(
+            "FB4002",
+            f"'{name}' is declared twice",
+            span,
+            "give one of them another name (upper and lower case are the same)",
+            (Note("the first one is here", first),),
+        )
+
+    def declare_globals(self) -> None:
+        """Declare global variables and data blocks."""
+        ctx = self.global_context()
+        self._interfaces.declare(ctx, self._sections, None)
+        for key, node in self._data_blocks.items():
+            entry = self.globals.entries.get(key)
+            if entry is not None:
+                self.duplicate(node.name.name, node.name.span, entry.span)
+                continue
+            self.globals.entries[key] = self._data_block(ctx, node)
+        for key, (name, span) in self._units.items():
+            entry = self.globals.entries.get(key)
+            if entry is not None and key not in self._data_blocks:
+                self.duplicate(name, span, entry.span)
+
+    def _data_block(self, ctx: Context, node: ast.DataBlock) -> Variable:
+        initial: Initial | None = None
+        kind: Type
+        if node.type is not None:
+            resolved = self.types.named(ctx, node.type.name, node.type.span, node.type.quoted)
+            kind, initial = resolved.type, resolved.initial
+            if not isinstance(kind, StructType | BlockType) and kind != ERRONEOUS:
+                self.findings.error(
+                    "FB4010",
+                    f"a data block cannot be of type {kind.name}",
+                    node.type.span,
+                    "use a structure (UDT) or a function block",
+                )
+                kind = ERRONEOUS
+        else:
+            declarations = list(node.struct.fields) if node.struct is not None else []
+            for section in node.sections:
+                declarations += section.declarations
+            kind = self.types.structure(ctx, tuple(declarations), node.name.name)
+        if kind != ERRONEOUS:
+            for assignment in node.assignments:
+                initial = self._initials.assign(ctx, assignment, kind, initial)
+        remanent = any("RETAIN" in section.qualifiers for section in node.sections)
+        return Variable(
+            node.name.span, node.name.name, VariableKind.GLOBAL, kind, initial, remanent
+        )
+
+    # --- asking -------------------------------------------------------------------------------
+
+    def global_context(self) -> Context:
+        """A context that knows global names only."""
+        return Context(self, self.globals)
+
+    @property
+    def configurations(self) -> Sequence[ast.Configuration]:
+        """The configurations of all files."""
+        return self._configurations
+
+    def block_names(self) -> list[str]:
+        """The names of all blocks of the text."""
+        return [node.name.name for node in self._syntax.values()]
+
+    def is_block_name(self, key: str) -> bool:
+        """True for a casefolded name of a block of the text."""
+        return key in self._syntax
+
+    def type_names(self) -> list[str]:
+        """The names of all function blocks, as types of instances."""
+        kind = BlockKind.FUNCTION_BLOCK
+        own = [node.name.name for node in self._syntax.values() if node.kind is kind]
+        return own + [block.name for block in STANDARD_BLOCKS.values()]
+
+    def block_type(self, name: str) -> BlockType | None:
+        """The type of instances of a function block; None if there is no such block."""
+        key = name.casefold()
+        node = self._syntax.get(key)
+        if node is not None:
+            if node.kind is not BlockKind.FUNCTION_BLOCK:
+                return None
+            name = node.name.name
+            if self.user_block(name) is None:
+                return None
+        else:
+            standard = standard_block(name)
+            if standard is None:
+                return None
+            name = standard.name
+        return self._block_types.setdefault(name.casefold(), BlockType(name))
+
+    def block(self, name: str) -> AnyBlock | None:
+        """The block with that name, the user's before the standard one."""
+        return self.user_block(name) or standard_block(name)
+
+    def variables_of(self, kind: BlockType) -> tuple[Variable, ...]:
+        """Everything declared in the block of an instance."""
+        block = self.block(kind.name)
+        return block.variables if block is not None else ()
+
+    def parts_of(self, kind: Type) -> list[tuple[str, Type, Initial | None]]:
+        """Name, type and initial value of what a structure or instance holds."""
+        if isinstance(kind, StructType):
+            return [(part.name, part.type, part.initial) for part in kind.fields]
+        if isinstance(kind, BlockType):
+            return [
+                (part.name, part.type, part.initial)
+                for part in self.variables_of(kind)
+                if part.kind in _PARTS
+            ]
+        return []
+
+    def initial(
+        self, ctx: Context, node: ast.Expression, kind: Type, base: Initial | None
+    ) -> Initial | None:
+        """The value of an initializer; see `Initials.check`."""
+        return self._initials.check(ctx, node, kind, base)
+
+    # --- blocks -------------------------------------------------------------------------------
+
+    def user_block(self, name: str) -> Block | None:
+        """The block of the text with that name, its interface resolved; None if there is none."""
+        key = name.casefold()
+        if key in self._blocks:
+            return self._blocks[key]
+        node = self._syntax.get(key)
+        if node is None:
+            return None
+        if key in self._busy or len(self._busy) > _NESTING:
+            self._report_recursion(key, node)
+            return None
+        self._busy.append(key)
+        block = self._interface(node)
+        self._busy.pop()
+        self._blocks[key] = block
+        return block
+
+    def _report_recursion(self, key: str, node: ast.Block) -> None:
+        if key not in self._busy:
+            self.findings.error(
+                "FB4053",
+                f"instances are nested deeper than {_NESTING} levels",
+                node.name.span,
+                "put fewer function blocks into each other",
+            )
+            return
+        chain = [self._units[one][0] for one in self._busy[self._busy.index(key) :]]
+        self.findings.error(
+            "FB4050",
+            f"'{node.name.name}' contains an instance of itself: "
+            + " -> ".join([*chain, chain[0]]),
+            node.name.span,
+            "give the inner instance to the block as VAR_IN_OUT, or take it out",
+        )
+
+    def _interface(self, node: ast.Block) -> Block:
+        kind = node.kind
+        ctx = Context(self, Scope())
+        result = self._result(ctx, node) if kind is BlockKind.FUNCTION else None
+        if result is not None:
+            ctx.scope.entries[result.name.casefold()] = result
+        variables = self._interfaces.declare(ctx, node.sections, kind)
+        if result is not None:
+            variables.append(result)
+        block = Block(node.span, node.name.name, kind, tuple(variables), result, node)
+        ctx.block = block
+        self._contexts[block] = ctx
+        return block
+
+    def _result(self, ctx: Context, node: ast.Block) -> Variable | None:
+        if node.return_type is None:
+            return None
+        resolved = self.types.resolve(ctx, node.return_type)
+        if resolved.type == VOID:
+            return None
+        return Variable(
+            node.name.span, node.name.name, VariableKind.RESULT, resolved.type, resolved.initial
+        )
+
+    def all_blocks(self) -> Mapping[str, Block]:
+        """All blocks of the text by casefolded name, their interfaces resolved."""
+        for node in self._syntax.values():
+            self.user_block(node.name.name)
+        return self._blocks
+
+    def context_of(self, block: Block) -> Context:
+        """The context in which the block's statements are checked."""
+        return self._contexts[block]

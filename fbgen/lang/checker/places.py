@@ -1,0 +1,279 @@
+"""Names, members, indices, slices and absolute addresses: what can be read and written."""
+
+from fbgen.catalog.nearest import nearest
+from fbgen.lang import ast
+from fbgen.lang.ast import BlockKind
+from fbgen.lang.checked import (
+    Address,
+    AddressRef,
+    Constant,
+    Expression,
+    FieldRef,
+    IndexRef,
+    Place,
+    SliceRef,
+    StandardBlock,
+    Variable,
+    VariableKind,
+    VariableRef,
+)
+from fbgen.lang.checker.coercion import as_typed, spelled
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.evaluation import check_expression
+from fbgen.lang.checker.literals import ERRONEOUS, erroneous
+from fbgen.lang.checker.symbols import NamedConstant, Symbol
+from fbgen.lang.types import (
+    BOOL,
+    BYTE,
+    DWORD,
+    LWORD,
+    WORD,
+    ArrayType,
+    BlockType,
+    Elementary,
+    Family,
+    StructType,
+    Type,
+)
+
+_SIZES = {"X": BOOL, "B": BYTE, "W": WORD, "D": DWORD, "L": LWORD}
+_PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)
+
+
+def is_place(expression: Expression) -> bool:
+    """True for what can stand on the left of an assignment."""
+    return isinstance(expression, VariableRef | FieldRef | IndexRef | SliceRef | AddressRef)
+
+
+def root_variable(place: Expression) -> Variable | None:
+    """The variable that a place is a part of; None for absolute addresses."""
+    while isinstance(place, FieldRef | IndexRef | SliceRef):
+        place = place.base
+    return place.variable if isinstance(place, VariableRef) else None
+
+
+def find_symbol(ctx: Context, node: ast.Name) -> Symbol | None:
+    """What a name means as a value; None if nothing has that name."""
+    key = node.name.casefold()
+    if node.local:
+        return ctx.local(key)
+    if node.quoted:
+        return ctx.of_program(key) or ctx.local(key)
+    return ctx.local(key) or ctx.of_program(key)
+
+
+def check_name(ctx: Context, node: ast.Name, _expected: Type | None = None) -> Expression:
+    """A variable, or the value of a named constant."""
+    symbol = find_symbol(ctx, node)
+    if symbol is None:
+        if not _is_known_as_erroneous(ctx, node):
+            _unknown_name(ctx, node)
+        return erroneous(node.span)
+    ctx.used.add(symbol)
+    if isinstance(symbol, NamedConstant):
+        return Constant(node.span, symbol.value, symbol.type)
+    if (
+        symbol.kind is VariableKind.GLOBAL
+        and ctx.rules.externals_required
+        and ctx.block is not None
+        and node.name.casefold() not in ctx.scope.entries
+    ):
+        ctx.findings.warning(
+            "FB4104",
+            f"global variable '{symbol.name}' is used without VAR_EXTERNAL",
+            node.span,
+            f"declare it in the block: VAR_EXTERNAL {symbol.name} : {symbol.type.name}; END_VAR",
+        )
+    return VariableRef(node.span, symbol, symbol.type)
+
+
+def _is_known_as_erroneous(ctx: Context, node: ast.Name) -> bool:
+    return not node.quoted and node.name.casefold() in ctx.scope.entries
+
+
+def _unknown_name(ctx: Context, node: ast.Name) -> None:
+    block = ctx.library.block(node.name)
+    if block is not None:
+        if isinstance(block, StandardBlock) or block.kind is BlockKind.FUNCTION_BLOCK:
+            help_text = f"declare an instance of it: inst : {node.name}; and use the instance"
+        else:
+            help_text = f"call it: {node.name}(...)"
+        ctx.findings.error(
+            "FB4047", f"'{node.name}' is a block, not a variable", node.span, help_text
+        )
+        return
+    known = ctx.scope.names()
+    if not node.local:
+        known += ctx.library.globals.names()
+    ctx.findings.error(
+        "FB4001",
+        f"no variable or constant is called '{node.name}'",
+        node.span,
+        nearest(node.name, known),
+    )
+
+
+def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) -> Expression:
+    """A part of a structure, or a variable of an instance."""
+    base = check_expression(ctx, node.base)
+    kind = base.type
+    if kind == ERRONEOUS:
+        return base
+    if isinstance(kind, StructType):
+        field = kind.field(node.name)
+        if field is not None and is_place(base):
+            return FieldRef(node.span, _place(base), field.name, field.type)
+        known = [part.name for part in kind.fields]
+    elif isinstance(kind, BlockType):
+        found = _instance_variable(ctx, node, kind)
+        if found is not None:
+            return FieldRef(node.span, _place(base), found.name, found.type)
+        known = [part.name for part in ctx.library.variables_of(kind) if part.kind in _PARAMETERS]
+    else:
+        ctx.findings.error(
+            "FB4005",
+            f"{spelled(as_typed(base).type)} has no member '{node.name}'",
+            node.span,
+            "only structures and instances of function blocks have members",
+        )
+        return erroneous(node.span)
+    ctx.findings.error(
+        "FB4005",
+        f"{kind.name} has no member '{node.name}'",
+        node.span,
+        nearest(node.name, known),
+    )
+    return erroneous(node.span)
+
+
+def _instance_variable(ctx: Context, node: ast.Member, kind: BlockType) -> Variable | None:
+    key = node.name.casefold()
+    for variable in ctx.library.variables_of(kind):
+        if variable.name.casefold() != key:
+            continue
+        if variable.kind in _PARAMETERS:
+            return variable
+        if variable.kind is VariableKind.STATIC and ctx.rules.statics_visible:
+            return variable
+        if variable.kind in (VariableKind.STATIC, VariableKind.TEMP):
+            ctx.findings.error(
+                "FB4058",
+                f"'{variable.name}' is an inner variable of {kind.name}",
+                node.span,
+                "make it an output of the block, or ask the block's own outputs",
+            )
+            return variable
+    return None
+
+
+def _place(expression: Expression) -> Place:
+    assert isinstance(expression, VariableRef | FieldRef | IndexRef | SliceRef | AddressRef)
+    return expression
+
+
+def check_index(ctx: Context, node: ast.Index, _expected: Type | None = None) -> Expression:
+    """An element of an array; constant indices are compared with the bounds."""
+    base = check_expression(ctx, node.base)
+    indices = [as_typed(check_expression(ctx, index)) for index in node.indices]
+    kind = base.type
+    if kind == ERRONEOUS or any(index.type == ERRONEOUS for index in indices):
+        return erroneous(node.span)
+    if not isinstance(kind, ArrayType) or not is_place(base):
+        ctx.findings.error(
+            "FB4019",
+            f"{spelled(as_typed(base).type)} is not an array and takes no index",
+            node.span,
+            "remove the index, or declare the variable as ARRAY[...] OF ...",
+        )
+        return erroneous(node.span)
+    if len(indices) != len(kind.bounds):
+        ctx.findings.error(
+            "FB4019",
+            f"{kind.name} takes {len(kind.bounds)} indices, not {len(indices)}",
+            node.span,
+            "give one index for each dimension: a[i, j]",
+        )
+        return erroneous(node.span)
+    for index, (first, last) in zip(indices, kind.bounds, strict=True):
+        _check_one_index(ctx, index, first, last)
+    return IndexRef(node.span, _place(base), tuple(indices), kind.element)
+
+
+def _check_one_index(ctx: Context, index: Expression, first: int, last: int) -> None:
+    if not isinstance(index.type, Elementary) or not index.type.is_integer:
+        ctx.findings.error(
+            "FB4010",
+            f"an array index is a whole number, not {spelled(index.type)}",
+            index.span,
+            "use a variable of type INT or DINT, or convert it",
+        )
+    elif isinstance(index, Constant) and not first <= int(index.value) <= last:
+        ctx.findings.error(
+            "FB4015",
+            f"index {index.value} is outside of the array's {first}..{last}",
+            index.span,
+            f"use an index from {first} to {last}, or declare the array larger",
+        )
+
+
+def check_slice(ctx: Context, node: ast.Slice, _expected: Type | None = None) -> Expression:
+    """A part of a bit string or integer."""
+    base = check_expression(ctx, node.base)
+    kind = base.type
+    if kind == ERRONEOUS:
+        return base
+    part = _SIZES.get(node.size)
+    countable = isinstance(kind, Elementary) and kind.family in (
+        Family.BITS,
+        Family.SIGNED,
+        Family.UNSIGNED,
+    )
+    if part is None or not countable or not is_place(base) or isinstance(base, SliceRef):
+        ctx.findings.error(
+            "FB4018",
+            f"{spelled(as_typed(base).type)} cannot be sliced here",
+            node.span,
+            "slices work on variables that are bit strings or integers",
+        )
+        return erroneous(node.span)
+    assert isinstance(kind, Elementary)
+    if (node.index + 1) * part.bits > kind.bits or node.index < 0:
+        last = kind.bits // part.bits - 1
+        help_text = (
+            f"{kind.name} has %{node.size}0 to %{node.size}{last}"
+            if last >= 0
+            else f"{kind.name} is narrower than that"
+        )
+        ctx.findings.error(
+            "FB4018", f"{kind.name} has no part %{node.size}{node.index}", node.span, help_text
+        )
+        return erroneous(node.span)
+    return SliceRef(node.span, _place(base), node.index, part)
+
+
+def address_of(ctx: Context, node: ast.DirectAddress) -> Address | None:
+    """The absolute address that is written; reports addresses that cannot be reached."""
+    if node.area == "DB" or node.size not in _SIZES:
+        ctx.findings.error(
+            "FB4054",
+            "absolute access to data blocks is not supported",
+            node.span,
+            'name the data block and its member: "DB".member',
+        )
+        return None
+    if node.size == "X" and not 0 <= node.bit <= 7:
+        ctx.findings.error(
+            "FB4070", f"a byte has no bit {node.bit}", node.span, "bits count from 0 to 7"
+        )
+        return None
+    return Address(node.area, _SIZES[node.size].bits, node.byte, node.bit, node.db, node.peripheral)
+
+
+def check_address(
+    ctx: Context, node: ast.DirectAddress, _expected: Type | None = None
+) -> Expression:
+    """An absolute address, as a bit string of its width."""
+    address = address_of(ctx, node)
+    if address is None:
+        return erroneous(node.span)
+    return AddressRef(node.span, address, _SIZES[node.size])

@@ -1,0 +1,87 @@
+"""From the syntax trees of some files to one checked program."""
+
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+
+from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
+from fbgen.lang import ast
+from fbgen.lang.checked import Block, Program, Statement, Variable
+from fbgen.lang.checker import expressions  # noqa: F401  (enters the checks of expressions)
+from fbgen.lang.checker.configuration import tasks_of
+from fbgen.lang.checker.findings import Findings
+from fbgen.lang.checker.library import Library
+from fbgen.lang.checker.recursion import report_recursive_calls
+from fbgen.lang.checker.rules import Rules, rules_for
+from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS
+from fbgen.lang.checker.statements import check_body
+from fbgen.lang.checker.usage import report_unused
+
+_FRAMES = 12_000
+"""Python frames for the deepest nesting that `context.NESTING_LIMIT` lets through."""
+
+
+def check(
+    files: Sequence[ast.File], dialect: str = "tia", *, rules: Rules | None = None
+) -> Program:
+    """The program that the files make up together, in any order.
+
+    Raises one DiagnosticError with all errors over all files. `rules` replaces the dialect's own
+    rules, for a project with other compiler settings.
+    """
+    program, found = check_reporting(files, dialect, rules=rules)
+    if program is None:
+        raise DiagnosticError(one for one in found if one.severity is Severity.ERROR)
+    return program
+
+
+def check_reporting(
+    files: Sequence[ast.File], dialect: str = "tia", *, rules: Rules | None = None
+) -> tuple[Program | None, list[Diagnostic]]:
+    """The program, None if there are errors, and all errors and warnings by file and place.
+
+    Raises FB4000 for an unknown dialect, and nothing else.
+    """
+    rules = rules or rules_for(dialect)
+    findings = Findings()
+    with _room_for_nesting():
+        program = _check(files, rules, findings)
+    found = findings.in_order(tuple(file.source.name for file in files))
+    return (None if findings.has_errors else program), list(found)
+
+
+@contextmanager
+def _room_for_nesting() -> Iterator[None]:
+    before = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(before, _FRAMES))
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(before)
+
+
+def _check(files: Sequence[ast.File], rules: Rules, findings: Findings) -> Program:
+    library = Library(rules, findings)
+    library.collect(files)
+    library.types.all_user_types()
+    library.declare_globals()
+    blocks = library.all_blocks()
+    bodies: dict[Block, tuple[Statement, ...]] = {}
+    for block in blocks.values():
+        bodies[block] = check_body(library.context_of(block), block.syntax.body)
+    report_recursive_calls(library, blocks)
+    report_unused(library, blocks)
+    tasks = tasks_of(library)
+    return Program(
+        dialect=rules.dialect,
+        blocks=blocks,
+        bodies=bodies,
+        structures=library.types.structures,
+        globals={
+            key: entry
+            for key, entry in library.globals.entries.items()
+            if isinstance(entry, Variable)
+        },
+        standard_blocks=STANDARD_BLOCKS,
+        tasks=tasks,
+    )

@@ -1,0 +1,108 @@
+"""What the dialects allow: the differences between them, as data.
+
+Sources: TIA Portal help, "Overview of data type conversion" and "Expressions" (IEC check on for
+S7-1200/1500, off for S7-300/400); IEC 61131-3 third edition, figures 11 and 12 and section 6.6.
+"""
+
+from dataclasses import dataclass
+
+from fbgen.diagnostics import error
+
+
+@dataclass(frozen=True, slots=True)
+class Rules:
+    """One dialect's rules for the checker.
+
+    `iec_check`: bit strings and integers do not mix implicitly. `bit_string_arithmetic`: a bit
+    string counts as the unsigned integer of its width. `inputs_writable`: a block may change its
+    own inputs. `statics_visible`: the static variables of an instance can be read from outside.
+    `inputs_complete`: a call of a FUNCTION gives every input. `quoted_blocks`: an unquoted name in
+    a call means the controller's own function first. `externals_required`: a block names
+    the global variables it uses in VAR_EXTERNAL. `any_integer_to_real`: whole numbers of 32 bits
+    become REAL by themselves. `outputs_by_assignment`: outputs of a FUNCTION may be given by `:=`.
+    `shifts_integers`: SHL, SHR, ROL and ROR take integers too. `lowest_bit_is_bool`: X_TO_BOOL of
+    an integer looks at its lowest bit only, else at the whole number.
+    """
+
+    dialect: str
+    iec_check: bool
+    bit_string_arithmetic: bool
+    inputs_writable: bool
+    statics_visible: bool
+    inputs_complete: bool
+    quoted_blocks: bool
+    externals_required: bool
+    any_integer_to_real: bool
+    outputs_by_assignment: bool
+    shifts_integers: bool
+    lowest_bit_is_bool: bool
+
+
+_TIA = Rules(
+    dialect="tia",
+    iec_check=True,
+    bit_string_arithmetic=True,
+    inputs_writable=True,
+    statics_visible=True,
+    inputs_complete=True,
+    quoted_blocks=True,
+    externals_required=False,
+    any_integer_to_real=True,
+    outputs_by_assignment=False,
+    shifts_integers=True,
+    lowest_bit_is_bool=True,
+)
+_STEP7 = Rules(
+    dialect="step7",
+    iec_check=False,
+    bit_string_arithmetic=True,
+    inputs_writable=True,
+    statics_visible=True,
+    inputs_complete=True,
+    quoted_blocks=False,
+    externals_required=False,
+    any_integer_to_real=True,
+    outputs_by_assignment=True,
+    shifts_integers=True,
+    lowest_bit_is_bool=True,
+)
+_IEC = Rules(
+    dialect="iec",
+    iec_check=True,
+    bit_string_arithmetic=False,
+    inputs_writable=False,
+    statics_visible=False,
+    inputs_complete=False,
+    quoted_blocks=False,
+    externals_required=True,
+    any_integer_to_real=False,
+    outputs_by_assignment=False,
+    shifts_integers=False,
+    lowest_bit_is_bool=False,
+)
+_TWINCAT = Rules(
+    dialect="twincat",
+    iec_check=True,
+    bit_string_arithmetic=True,
+    inputs_writable=True,
+    statics_visible=True,
+    inputs_complete=False,
+    quoted_blocks=False,
+    externals_required=False,
+    any_integer_to_real=True,
+    outputs_by_assignment=False,
+    shifts_integers=True,
+    lowest_bit_is_bool=False,
+)
+
+RULES = {rules.dialect: rules for rules in (_TIA, _STEP7, _IEC, _TWINCAT)}
+"""By the name of the dialect."""
+
+
+def rules_for(dialect: str) -> Rules:
+    """The rules of a dialect; raises FB4000 for a name that is none."""
+    if dialect not in RULES:
+        raise error(
+            "FB4000", f"there is no dialect '{dialect}'", None, f"known: {', '.join(sorted(RULES))}"
+        )
+    return RULES[dialect]

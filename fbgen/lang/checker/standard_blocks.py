@@ -1,0 +1,107 @@
+"""The function blocks that come with the controller: their variables, in the order of a call.
+
+Sources: IEC 61131-3 third edition, tables 43 to 46; TIA Portal help, "IEC timers", "IEC counters".
+TIA's TONR has no counterpart in the standard. Names in `ALIASES` are the same block.
+"""
+
+from fbgen.lang.checked import StandardBlock, Variable, VariableKind
+from fbgen.lang.types import (
+    BOOL,
+    DINT,
+    INT,
+    LINT,
+    LTIME,
+    SINT,
+    TIME,
+    UDINT,
+    UINT,
+    ULINT,
+    USINT,
+    Elementary,
+)
+from fbgen.source import Source, Span
+
+_NOWHERE = Span(Source("standard blocks", ""), 0, 0)
+
+
+def _block(
+    name: str, inputs: dict[str, Elementary], outputs: dict[str, Elementary]
+) -> StandardBlock:
+    variables = [
+        Variable(_NOWHERE, variable, VariableKind.INPUT, kind) for variable, kind in inputs.items()
+    ]
+    variables += [
+        Variable(_NOWHERE, variable, VariableKind.OUTPUT, kind)
+        for variable, kind in outputs.items()
+    ]
+    return StandardBlock(name, tuple(variables))
+
+
+def _timers() -> list[StandardBlock]:
+    blocks = []
+    for suffix, kind in (("", TIME), ("_LTIME", LTIME)):
+        for name in ("TON", "TOF", "TP"):
+            blocks.append(_block(name + suffix, {"IN": BOOL, "PT": kind}, {"Q": BOOL, "ET": kind}))
+        blocks.append(
+            _block(f"TONR{suffix}", {"IN": BOOL, "R": BOOL, "PT": kind}, {"Q": BOOL, "ET": kind})
+        )
+    blocks.append(_block("IEC_TIMER", {"IN": BOOL, "PT": TIME}, {"Q": BOOL, "ET": TIME}))
+    return blocks
+
+
+def _counters() -> list[StandardBlock]:
+    blocks = []
+    kinds = (INT, SINT, DINT, LINT, USINT, UINT, UDINT, ULINT)
+    for kind in kinds:
+        suffix = "" if kind == INT else f"_{kind.name}"
+        count = {"Q": BOOL, "CV": kind}
+        blocks.append(_block(f"CTU{suffix}", {"CU": BOOL, "R": BOOL, "PV": kind}, count))
+        blocks.append(_block(f"CTD{suffix}", {"CD": BOOL, "LD": BOOL, "PV": kind}, count))
+        blocks.append(
+            _block(
+                f"CTUD{suffix}",
+                {"CU": BOOL, "CD": BOOL, "R": BOOL, "LD": BOOL, "PV": kind},
+                {"QU": BOOL, "QD": BOOL, "CV": kind},
+            )
+        )
+    return blocks
+
+
+STANDARD_BLOCKS: dict[str, StandardBlock] = {
+    block.name.casefold(): block
+    for block in (
+        *_timers(),
+        *_counters(),
+        _block("R_TRIG", {"CLK": BOOL}, {"Q": BOOL}),
+        _block("F_TRIG", {"CLK": BOOL}, {"Q": BOOL}),
+        _block("SR", {"S1": BOOL, "R": BOOL}, {"Q1": BOOL}),
+        _block("RS", {"S": BOOL, "R1": BOOL}, {"Q1": BOOL}),
+    )
+}
+"""By casefolded canonical name."""
+
+ALIASES: dict[str, str] = {
+    "ton_time": "TON",
+    "tof_time": "TOF",
+    "tp_time": "TP",
+    "tonr_time": "TONR",
+    "sfb0": "CTU",
+    "sfb1": "CTD",
+    "sfb2": "CTUD",
+    "sfb3": "TP",
+    "sfb4": "TON",
+    "sfb5": "TOF",
+    "ctu_int": "CTU",
+    "ctd_int": "CTD",
+    "ctud_int": "CTUD",
+}
+"""Other spellings, casefolded, of canonical names."""
+
+TIMER_METHODS = ("TON", "TOF", "TP", "TONR")
+"""`timer.TON(...)`: how TIA calls an instance of IEC_TIMER or of a timer type."""
+
+
+def standard_block(name: str) -> StandardBlock | None:
+    """The standard block with that name, whatever its case and spelling."""
+    key = name.casefold()
+    return STANDARD_BLOCKS.get(ALIASES.get(key, key).casefold())

@@ -1,0 +1,331 @@
+"""Statements: what they do to which variables, and whether their types go together.
+
+Sources: IEC 61131-3 third edition, table 72; TIA Portal help, "Program control (SCL)".
+"""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from fbgen.diagnostics import Note
+from fbgen.lang import ast, checked
+from fbgen.lang.checked import Constant, Expression, Statement, Variable, VariableKind
+from fbgen.lang.checker.calls import (
+    function_call,
+    instance_call,
+    is_built_in,
+    system_call,
+    unknown_callee,
+)
+from fbgen.lang.checker.coercion import as_typed, coerce, spelled
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.conversions import SIGNED_OF
+from fbgen.lang.checker.evaluation import check_expression
+from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.operators import combine
+from fbgen.lang.checker.places import find_symbol
+from fbgen.lang.checker.standard_calls import check_standard_call
+from fbgen.lang.checker.system_instructions import instruction_named
+from fbgen.lang.checker.targets import check_target
+from fbgen.lang.types import BOOL, BlockType, Elementary, Family
+from fbgen.source import Span
+
+_SELECTORS = (Family.SIGNED, Family.UNSIGNED, Family.BITS)
+
+
+def check_body(ctx: Context, nodes: Sequence[ast.Statement]) -> tuple[Statement, ...]:
+    """The statements of a list; those with errors are reported and left out."""
+    found: list[Statement] = []
+    ctx.depth += 1
+    for node in nodes:
+        if ctx.too_deep(node.span):
+            break
+        found.extend(_CHECKS[type(node)](ctx, node))
+    ctx.depth -= 1
+    return tuple(found)
+
+
+def _assignment(ctx: Context, node: ast.Assignment) -> Sequence[Statement]:
+    place = check_target(ctx, node.target, "this assignment")
+    expected = place.type if place is not None else None
+    value = check_expression(ctx, node.value, expected)
+    if place is None or value.type == ERRONEOUS:
+        return ()
+    if isinstance(place.type, BlockType):
+        ctx.findings.error(
+            "FB4010",
+            f"{spelled(place.type)} cannot be assigned",
+            node.span,
+            "assign the inputs that you want to change: inst.in := ...",
+        )
+        return ()
+    if node.operator != ":=":
+        value = combine(ctx, node.span, node.operator[:-1], place, value)
+    value = coerce(ctx, value, place.type, "this assignment")
+    return () if value.type == ERRONEOUS else (checked.Assignment(node.span, place, value),)
+
+
+def _call(ctx: Context, node: ast.CallStatement) -> Sequence[Statement]:
+    call = node.call
+    callee = call.callee
+    name = callee.name if isinstance(callee, ast.Name) and not callee.local else ""
+    symbol = find_symbol(ctx, callee) if name and isinstance(callee, ast.Name) else None
+    if not name or (isinstance(symbol, Variable) and symbol.kind is not VariableKind.RESULT):
+        instance = instance_call(ctx, call)
+        return () if instance is None else (instance,)
+    quoted = isinstance(callee, ast.Name) and callee.quoted
+    block = ctx.library.user_block(name)
+    if block is not None and not (ctx.rules.quoted_blocks and not quoted and is_built_in(name)):
+        if block.kind is ast.BlockKind.FUNCTION_BLOCK:
+            check_expression(ctx, call)
+            return ()
+        function = function_call(ctx, call, block)
+        return () if function is None else (checked.Evaluate(node.span, function),)
+    instruction = instruction_named(name)
+    if instruction is not None:
+        result, place = system_call(ctx, call, instruction)
+        return _system_statement(ctx, node.span, result, place)
+    if is_built_in(name):
+        if check_standard_call(ctx, call, name, None).type != ERRONEOUS:
+            ctx.findings.error(
+                "FB4049",
+                f"the result of {name.upper()} is not used",
+                node.span,
+                f"assign it: x := {name}(...);",
+            )
+        return ()
+    unknown_callee(ctx, call, name)
+    return ()
+
+
+def _system_statement(
+    ctx: Context, span: Span, call: Expression, place: ast.Expression | None
+) -> Sequence[Statement]:
+    if not isinstance(call, checked.SystemCall):
+        return ()
+    if place is None:
+        return (checked.Evaluate(span, call),)
+    target = check_target(ctx, place, "RET_VAL")
+    if target is None:
+        return ()
+    value = coerce(ctx, call, target.type, "RET_VAL")
+    return () if value.type == ERRONEOUS else (checked.Assignment(span, target, value),)
+
+
+def _condition(ctx: Context, node: ast.Expression, keyword: str) -> Expression:
+    condition = check_expression(ctx, node, BOOL)
+    if condition.type not in (BOOL, ERRONEOUS):
+        kind = as_typed(condition).type
+        ctx.findings.error(
+            "FB4013",
+            f"the condition of {keyword} is {spelled(kind)}, not BOOL",
+            node.span,
+            "compare it with something: x <> 0",
+        )
+    return condition
+
+
+def _if(ctx: Context, node: ast.If) -> Sequence[Statement]:
+    branches = tuple(
+        checked.Branch(
+            branch.span,
+            _condition(ctx, branch.condition, "IF"),
+            check_body(ctx, branch.body),
+        )
+        for branch in node.branches
+    )
+    otherwise = check_body(ctx, node.otherwise.body) if node.otherwise else ()
+    return (checked.If(node.span, branches, otherwise),)
+
+
+def _case(ctx: Context, node: ast.Case) -> Sequence[Statement]:
+    selector = as_typed(check_expression(ctx, node.selector))
+    kind: Elementary | None = None
+    if isinstance(selector.type, Elementary) and selector.type.family in _SELECTORS:
+        kind = selector.type
+    elif selector.type != ERRONEOUS:
+        ctx.findings.error(
+            "FB4031",
+            f"CASE selects by a whole number, not by {spelled(selector.type)}",
+            node.selector.span,
+            "use an integer variable, or IF and ELSIF",
+        )
+    taken: list[tuple[int, int, Span]] = []
+    arms = []
+    for arm in node.arms:
+        ranges = [_label_range(ctx, label, kind) for label in arm.labels]
+        known = [found for found in ranges if found is not None]
+        taken += known
+        bounds = tuple((first, last) for first, last, _ in known)
+        arms.append(checked.CaseArm(arm.span, bounds, check_body(ctx, arm.body)))
+    _report_overlaps(ctx, taken)
+    otherwise = check_body(ctx, node.otherwise.body) if node.otherwise else ()
+    return (checked.Case(node.span, selector, tuple(arms), otherwise),)
+
+
+def _label_range(
+    ctx: Context, label: ast.Expression | ast.LabelRange, kind: Elementary | None
+) -> tuple[int, int, Span] | None:
+    if isinstance(label, ast.LabelRange):
+        first, last = _label(ctx, label.first, kind), _label(ctx, label.last, kind)
+    else:
+        first = last = _label(ctx, label, kind)
+    if first is None or last is None:
+        return None
+    if first > last:
+        ctx.findings.error(
+            "FB4032",
+            f"the range {first}..{last} is empty",
+            label.span,
+            f"write {last}..{first}",
+        )
+        return None
+    return first, last, label.span
+
+
+def _label(ctx: Context, node: ast.Expression, kind: Elementary | None) -> int | None:
+    value = check_expression(ctx, node, kind)
+    if kind is not None and value.type != ERRONEOUS and isinstance(value, Constant):
+        value = coerce(ctx, value, kind, "this CASE label")
+    if value.type == ERRONEOUS:
+        return None
+    if not isinstance(value, Constant):
+        ctx.findings.error(
+            "FB4017",
+            "a CASE label has to be constant",
+            node.span,
+            "use literals and VAR CONSTANT names only, or IF and ELSIF",
+        )
+        return None
+    return int(value.value) if isinstance(value.value, int) else None
+
+
+def _report_overlaps(ctx: Context, taken: list[tuple[int, int, Span]]) -> None:
+    """Each label that an earlier one covers, with the place of that one."""
+    ordered = sorted(taken, key=lambda item: (item[0], item[2].start))
+    widest: tuple[int, int, Span] | None = None
+    for item in ordered:
+        if widest is not None and item[0] <= widest[1]:
+            early, late = sorted((widest, item), key=lambda one: one[2].start)
+            ctx.findings.error(
+                "FB4030",
+                f"CASE label {late[2].text} is taken already",
+                late[2],
+                "each value can select one arm only: change one of the labels",
+                (Note("the first one is here", early[2]),),
+            )
+        if widest is None or item[1] > widest[1]:
+            widest = item
+
+
+def _for(ctx: Context, node: ast.For) -> Sequence[Statement]:
+    variable = check_target(ctx, node.variable, "FOR")
+    kind = variable.type if variable is not None else None
+    if kind is not None and not (isinstance(kind, Elementary) and kind.is_integer):
+        ctx.findings.error(
+            "FB4033",
+            f"FOR counts in an integer variable, not in {spelled(kind)}",
+            node.variable.span,
+            "declare the variable as INT or DINT",
+        )
+        kind = None
+    counter = kind if isinstance(kind, Elementary) else None
+    first = _bound(ctx, node.first, counter, "the start of FOR")
+    last = _bound(ctx, node.last, counter, "the end of FOR")
+    step = _step(ctx, node, counter)
+    ctx.loops += 1
+    body = check_body(ctx, node.body)
+    ctx.loops -= 1
+    if variable is None or counter is None or step is None:
+        return ()
+    return (checked.For(node.span, variable, first, last, step, body),)
+
+
+def _bound(ctx: Context, node: ast.Expression, kind: Elementary | None, where: str) -> Expression:
+    value = check_expression(ctx, node, kind)
+    return value if kind is None else coerce(ctx, value, kind, where)
+
+
+def _step(ctx: Context, node: ast.For, kind: Elementary | None) -> Expression | None:
+    """The step in the variable's type; a negative constant of an unsigned one in its signed."""
+    if node.step is None:
+        return None if kind is None else Constant(node.span, 1, kind)
+    step = check_expression(ctx, node.step, kind)
+    if kind is None or step.type == ERRONEOUS:
+        return None
+    if isinstance(step, Constant):
+        if step.value == 0:
+            ctx.findings.error(
+                "FB4035",
+                "FOR with a step of 0 never ends",
+                node.step.span,
+                "leave BY out to count up by 1",
+            )
+            return None
+        if isinstance(step.value, int) and step.value < 0 and kind in SIGNED_OF:
+            kind = SIGNED_OF[kind]
+    return coerce(ctx, step, kind, "the step of FOR")
+
+
+def _loop_body(ctx: Context, nodes: Sequence[ast.Statement]) -> tuple[Statement, ...]:
+    ctx.loops += 1
+    body = check_body(ctx, nodes)
+    ctx.loops -= 1
+    return body
+
+
+def _while(ctx: Context, node: ast.While) -> Sequence[Statement]:
+    condition = _condition(ctx, node.condition, "WHILE")
+    return (checked.While(node.span, condition, _loop_body(ctx, node.body)),)
+
+
+def _repeat(ctx: Context, node: ast.Repeat) -> Sequence[Statement]:
+    body = _loop_body(ctx, node.body)
+    return (checked.Repeat(node.span, body, _condition(ctx, node.condition, "UNTIL")),)
+
+
+def _region(ctx: Context, node: ast.Region) -> Sequence[Statement]:
+    return check_body(ctx, node.body)
+
+
+def _jump(ctx: Context, node: ast.Jump) -> Sequence[Statement]:
+    if node.keyword == "RETURN":
+        return (checked.Return(node.span),)
+    if ctx.loops == 0:
+        ctx.findings.error(
+            "FB4034",
+            f"{node.keyword} stands outside of a loop",
+            node.span,
+            "use RETURN to leave the block",
+        )
+        return ()
+    return (checked.Exit(node.span) if node.keyword == "EXIT" else checked.Continue(node.span),)
+
+
+def _goto(ctx: Context, node: ast.Goto | ast.Label) -> Sequence[Statement]:
+    ctx.findings.error(
+        "FB4054",
+        "jumps to labels are not supported",
+        node.span,
+        "use IF, CASE or a loop with EXIT",
+    )
+    return ()
+
+
+def _empty(_ctx: Context, _node: ast.Empty) -> Sequence[Statement]:
+    return ()
+
+
+_CHECKS: dict[type, Callable[[Context, Any], Sequence[Statement]]] = {
+    ast.Assignment: _assignment,
+    ast.CallStatement: _call,
+    ast.If: _if,
+    ast.Case: _case,
+    ast.For: _for,
+    ast.While: _while,
+    ast.Repeat: _repeat,
+    ast.Region: _region,
+    ast.Jump: _jump,
+    ast.Goto: _goto,
+    ast.Label: _goto,
+    ast.Empty: _empty,
+}

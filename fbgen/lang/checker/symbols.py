@@ -1,0 +1,48 @@
+"""What the names of a block mean: its variables and named constants."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from fbgen.lang.checked import Variable
+from fbgen.lang.types import Scalar, Type
+from fbgen.source import Span
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class NamedConstant:
+    """A name for a value; the value takes its place wherever the name stands."""
+
+    span: Span
+    name: str
+    type: Type
+    value: Scalar
+
+
+@dataclass(slots=True, eq=False)
+class PendingConstant:
+    """A named constant that nobody has asked for yet; constants may name each other."""
+
+    span: Span
+    name: str
+    evaluate: Callable[[], "NamedConstant | Variable"]
+    busy: bool = False
+
+
+Symbol: TypeAlias = Variable | NamedConstant
+Entry: TypeAlias = Variable | NamedConstant | PendingConstant
+
+
+class Scope:
+    """The names declared in one block, or the global ones, by casefolded name."""
+
+    __slots__ = ("entries", "read_only")
+
+    def __init__(self) -> None:
+        self.entries: dict[str, Entry] = {}
+        self.read_only: set[Variable] = set()
+        """Constants that are arrays or structures: variables that nobody may write."""
+
+    def names(self) -> list[str]:
+        """All names as declared, for a help text."""
+        return [entry.name for entry in self.entries.values()]

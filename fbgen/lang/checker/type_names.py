@@ -1,0 +1,252 @@
+"""From a written type to the type it means."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from fbgen.catalog.nearest import nearest
+from fbgen.diagnostics import Note
+from fbgen.lang import ast
+from fbgen.lang.checker.constants import whole_number
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.types import (
+    ALIASES,
+    ELEMENTARY,
+    UINT,
+    ArrayType,
+    Elementary,
+    Field,
+    Initial,
+    StringType,
+    StructType,
+    Type,
+)
+from fbgen.source import Span
+
+if TYPE_CHECKING:
+    from fbgen.lang.checker.library import Library
+
+CELL_LIMIT = 1 << 22
+"""How many elementary values one variable may have: more than any CPU has memory for."""
+_LONGEST_STRING = 16382
+_TYPE_NESTING = 60
+
+HARDWARE_TYPES = ("HW_ANY", "HW_IO", "HW_SUBMODULE", "HW_DEVICE", "HW_DPSLAVE", "HW_INTERFACE")
+"""TIA's names for hardware identifiers; all are UINT (TIA Portal help, "Hardware data types")."""
+
+
+@dataclass(frozen=True, slots=True)
+class Resolved:
+    """A type, and the initial value that belongs to it (`TYPE t : INT := 5`)."""
+
+    type: Type
+    initial: Initial | None = None
+
+
+def elementary_type(name: str) -> Elementary | None:
+    """The elementary type with that name, whatever its case and spelling."""
+    key = name.upper()
+    if key in HARDWARE_TYPES:
+        return UINT
+    return ELEMENTARY.get(ALIASES.get(key, key))
+
+
+class TypeResolver:
+    """Resolves written types; finds recursion among them."""
+
+    def __init__(self, library: "Library") -> None:
+        self._library = library
+        self._declared: dict[str, ast.TypeDeclaration] = {}
+        self._known: dict[str, Resolved] = {}
+        self._busy: list[str] = []
+        self._cells: dict[int, int] = {}
+        self.structures: dict[str, StructType] = {}
+
+    def declare(self, node: ast.TypeDeclaration) -> None:
+        """Make a TYPE of the text known."""
+        self._declared[node.name.name.casefold()] = node
+
+    def names(self) -> list[str]:
+        """The names of all types of the text."""
+        return [node.name.name for node in self._declared.values()]
+
+    def declared(self) -> list[str]:
+        """The casefolded names of all types of the text."""
+        return list(self._declared)
+
+    def resolve(self, ctx: Context, node: ast.TypeSpec) -> Resolved:
+        """What a written type means; the erroneous type after reporting errors."""
+        if isinstance(node, ast.NamedType):
+            return self.named(ctx, node.name, node.span, node.quoted)
+        if isinstance(node, ast.StringSpec):
+            return Resolved(self._string(ctx, node))
+        if isinstance(node, ast.ArraySpec):
+            return Resolved(self._array(ctx, node))
+        return Resolved(self.structure(ctx, node.fields, "STRUCT"))
+
+    def named(self, ctx: Context, name: str, span: Span, quoted: bool = False) -> Resolved:
+        """What a type's name means."""
+        elementary = None if quoted else elementary_type(name)
+        if elementary is not None:
+            return Resolved(elementary)
+        key = name.casefold()
+        if key in self._declared:
+            return self._user_type(key, span)
+        block = self._library.block_type(name)
+        if block is not None:
+            return Resolved(block)
+        findings = self._library.findings
+        if key in ("variant", "any", "pointer"):
+            findings.error(
+                "FB4054",
+                f"variables of type {name.upper()} are not supported",
+                span,
+                "give instructions such as DPRD_DAT the variable itself",
+            )
+            return Resolved(ERRONEOUS)
+        user = self._library.user_block(name)
+        if user is not None or self._library.is_block_name(key):
+            findings.error(
+                "FB4046",
+                f"'{name}' is a block that has no instances",
+                span,
+                "only a FUNCTION_BLOCK is a type; call a FUNCTION by its name",
+            )
+            return Resolved(ERRONEOUS)
+        known = [*self.names(), *self._library.type_names(), *ELEMENTARY, "STRING"]
+        findings.error("FB4003", f"there is no type '{name}'", span, nearest(name, known))
+        return Resolved(ERRONEOUS)
+
+    def all_user_types(self) -> None:
+        """Resolve every TYPE, so that errors in unused ones are found too."""
+        for key, node in self._declared.items():
+            self._user_type(key, node.name.span)
+
+    def _user_type(self, key: str, span: Span) -> Resolved:
+        if key in self._known:
+            return self._known[key]
+        node = self._declared[key]
+        if key in self._busy or len(self._busy) > _TYPE_NESTING:
+            self._report_recursion(key, node, span)
+            return Resolved(ERRONEOUS)
+        self._busy.append(key)
+        ctx = self._library.global_context()
+        if isinstance(node.type, ast.StructSpec):
+            struct = self.structure(ctx, node.type.fields, node.name.name)
+            if isinstance(struct, StructType):
+                self.structures[key] = struct
+            resolved = Resolved(struct)
+        else:
+            resolved = self.resolve(ctx, node.type)
+        if node.initial is not None and resolved.type != ERRONEOUS:
+            initial = self._library.initial(ctx, node.initial, resolved.type, resolved.initial)
+            resolved = Resolved(resolved.type, initial)
+        self._busy.pop()
+        self._known[key] = resolved
+        return resolved
+
+    def _report_recursion(self, key: str, node: ast.TypeDeclaration, span: Span) -> None:
+        if key not in self._busy:
+            self._library.findings.error(
+                "FB4053",
+                f"types are nested deeper than {_TYPE_NESTING} levels",
+                span,
+                "put fewer structures into each other",
+            )
+            return
+        chain = [self._declared[one].name.name for one in self._busy[self._busy.index(key) :]]
+        self._library.findings.error(
+            "FB4050",
+            f"type '{node.name.name}' contains itself: {' -> '.join([*chain, chain[0]])}",
+            span,
+            "a structure cannot hold one of its own kind: take the inner one out",
+            (Note("the type is declared here", node.name.span),),
+        )
+
+    def structure(self, ctx: Context, declarations: tuple[ast.Declaration, ...], name: str) -> Type:
+        """A new structure type with these parts."""
+        fields: list[Field] = []
+        seen: dict[str, ast.DeclaredName] = {}
+        for declaration in declarations:
+            resolved = self.resolve(ctx, declaration.type)
+            initial = resolved.initial
+            if declaration.initial is not None and resolved.type != ERRONEOUS:
+                initial = self._library.initial(
+                    ctx, declaration.initial, resolved.type, resolved.initial
+                )
+            for declared in declaration.names:
+                key = declared.name.casefold()
+                if key in seen:
+                    self._library.duplicate(declared.name, declared.span, seen[key].span)
+                    continue
+                seen[key] = declared
+                fields.append(Field(declared.name, resolved.type, initial))
+        return StructType(name, tuple(fields))
+
+    def _string(self, ctx: Context, node: ast.StringSpec) -> Type:
+        if node.length is None:
+            return StringType(wide=node.wide)
+        length = whole_number(ctx, node.length, "the length of a STRING")
+        limit = _LONGEST_STRING if node.wide or not self._library.rules.iec_check else 254
+        if self._library.rules.dialect in ("iec", "twincat"):
+            limit = _LONGEST_STRING
+        if length is None:
+            return ERRONEOUS
+        if not 1 <= length <= limit:
+            self._library.findings.error(
+                "FB4055",
+                f"a STRING cannot have {length} characters",
+                node.length.span,
+                f"use a length from 1 to {limit}",
+            )
+            return ERRONEOUS
+        return StringType(length, node.wide)
+
+    def _array(self, ctx: Context, node: ast.ArraySpec) -> Type:
+        element = self.resolve(ctx, node.element).type
+        bounds = []
+        for dimension in node.bounds:
+            if dimension.first is None or dimension.last is None:
+                self._library.findings.error(
+                    "FB4054",
+                    "arrays of variable length, ARRAY[*], are not supported",
+                    dimension.span,
+                    "declare the bounds",
+                )
+                return ERRONEOUS
+            first = whole_number(ctx, dimension.first, "an array bound")
+            last = whole_number(ctx, dimension.last, "an array bound")
+            if first is None or last is None:
+                return ERRONEOUS
+            if first > last:
+                self._library.findings.error(
+                    "FB4055",
+                    f"the array bounds {first}..{last} are the wrong way round",
+                    dimension.span,
+                    f"write {last}..{first}",
+                )
+                return ERRONEOUS
+            bounds.append((first, last))
+        if element == ERRONEOUS:
+            return ERRONEOUS
+        kind = ArrayType(tuple(bounds), element)
+        if self.cells(kind) > CELL_LIMIT:
+            self._library.findings.error(
+                "FB4052",
+                f"an array of {self.cells(kind)} values is too large",
+                node.span,
+                f"{CELL_LIMIT} values are the limit",
+            )
+            return ERRONEOUS
+        return kind
+
+    def cells(self, kind: Type) -> int:
+        """How many elementary values a type has; instances count as one."""
+        if isinstance(kind, ArrayType):
+            return kind.count * self.cells(kind.element)
+        if isinstance(kind, StructType):
+            key = id(kind)
+            if key not in self._cells:
+                self._cells[key] = sum(self.cells(field.type) for field in kind.fields)
+            return self._cells[key]
+        return 1
