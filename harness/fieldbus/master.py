@@ -13,7 +13,7 @@ from typing import NamedTuple
 from fbgen.diagnostics import error
 from harness.fieldbus.cycle import CycleGrid, CycleTimes
 from harness.fieldbus.slave import ControlCommand, DpSlave
-from harness.fieldbus.station import Station, StationSettings, StationState
+from harness.fieldbus.station import Station, StationSettings
 from harness.kernel import Event, Kernel
 
 _BEFORE_ALL_ELSE = -1
@@ -38,8 +38,9 @@ class Transfer(NamedTuple):
 
 
 class DpMaster:
-    """A master with its slaves. It begins in STOP.
+    """A master with its slaves. It begins in STOP; once started it is in CLEAR until `operate`.
 
+    `clearing` is True if every slave gets zeros.
     Functions in `taps` get every simulated transfer. Functions in `observers` are called when a
     station has failed, was refused, or exchanges data again.
     """
@@ -51,8 +52,9 @@ class DpMaster:
         "_grid",
         "_kernel",
         "_queue",
+        "_running",
         "address",
-        "mode",
+        "clearing",
         "observers",
         "stations",
         "taps",
@@ -63,10 +65,11 @@ class DpMaster:
         self._grid = CycleGrid(times or CycleTimes(), kernel.random)
         self._queue: list[Station] = []
         self._event: Event | None = None
-        self._clear_due = False
         self._connected = True
+        self._running = False
+        self._clear_due = True
+        self.clearing = True
         self.address = address
-        self.mode = MasterMode.STOP
         self.stations: list[Station] = []
         self.taps: list[Callable[[Transfer], None]] = []
         self.observers: list[Callable[[Station], None]] = []
@@ -94,39 +97,38 @@ class DpMaster:
 
     # --- modes ------------------------------------------------------------------------------
 
+    @property
+    def mode(self) -> MasterMode:
+        """What the master sends now."""
+        if not self._running:
+            return MasterMode.STOP
+        return MasterMode.CLEAR if self.clearing else MasterMode.OPERATE
+
     def start(self) -> None:
-        """Begin to poll, with zeros; `operate` follows when the CPU runs."""
-        if self.mode is MasterMode.STOP:
+        """Begin to poll: parameters and configuration first, then zeros or the outputs."""
+        if not self._running:
+            self._running = True
             for station in self.stations:
                 station.restart()
-            self.clear()
+            self._request_all()
 
     def operate(self) -> None:
-        """Send the outputs of the CPU."""
-        self.mode = MasterMode.OPERATE
-        self._clear_due = False
+        """Send the outputs of the CPU, from the next cycle on; while stopped, once started."""
+        self.clearing = self._clear_due = False
         self._request_all()
 
     def clear(self) -> None:
         """Send zeros instead of the outputs and Clear_Data, from the next cycle on."""
-        self.mode = MasterMode.CLEAR
-        self._clear_due = True
+        self.clearing = self._clear_due = True
         self._request_all()
 
     def stop(self) -> None:
         """Send nothing any more; the slaves are left to their watchdogs."""
-        if self.mode is MasterMode.STOP:
-            return
-        last_ns = self.last_cycle_ns()
-        self.mode = MasterMode.STOP
-        self._clear_due = False
-        for station in self.stations:
-            station.slave.polling_ended(last_ns)
-
-    @property
-    def clearing(self) -> bool:
-        """True in CLEAR: every slave gets zeros."""
-        return self.mode is MasterMode.CLEAR
+        if self._running:
+            self._running = False
+            last_ns = self.last_cycle_ns()
+            for station in self.stations:
+                station.slave.polling_ended(last_ns)
 
     # --- the bus ----------------------------------------------------------------------------
 
@@ -158,7 +160,7 @@ class DpMaster:
 
     def global_control(self, command: ControlCommand, groups: int = 0) -> None:
         """Send Global_Control now; `groups` 00 means all slaves."""
-        if self.mode is MasterMode.STOP:
+        if not self._running:
             return
         for station in self.stations:
             if self.reaches(station):
@@ -168,7 +170,7 @@ class DpMaster:
 
     def request(self, station: Station) -> None:
         """Poll this station in the next cycle: something is new."""
-        if station.queued or self.mode is MasterMode.STOP:
+        if station.queued or not self._running:
             return
         station.queued = True
         self._queue.append(station)
@@ -191,24 +193,23 @@ class DpMaster:
         for observer in self.observers:
             observer(station)
 
+    def transferred(self, station: Station, outputs: bytes, inputs: bytes) -> None:
+        """A Data_Exchange was carried out."""
+        for tap in self.taps:
+            tap(Transfer(self._kernel.now_ns, station, outputs, inputs))
+
     def _on_grid(self) -> None:
         self._event = None
         polled, self._queue = self._queue, []
         for station in polled:
             station.queued = False
-        if self.mode is MasterMode.STOP:
+        if not self._running:
             return
         if self._clear_due:
             self._clear_due = False
             self.global_control(ControlCommand.CLEAR_DATA)
         for station in polled:
             station.poll()
-            if self.taps and station.state is StationState.EXCHANGE:
-                transfer = Transfer(
-                    self._kernel.now_ns, station, station.slave.outputs, bytes(station.inputs)
-                )
-                for tap in self.taps:
-                    tap(transfer)
 
     def _request_all(self) -> None:
         for station in self.stations:

@@ -78,6 +78,10 @@ class StationMaster(Protocol):
         """The station has failed, was refused, or exchanges data again."""
         ...
 
+    def transferred(self, station: "Station", outputs: bytes, inputs: bytes) -> None:
+        """A Data_Exchange was carried out."""
+        ...
+
 
 class Station:
     """One slave of a master. `outputs` and `inputs` are what the CPU writes and reads.
@@ -134,6 +138,11 @@ class Station:
     def exchanging(self) -> bool:
         """True while data go to and fro."""
         return self.state is StationState.EXCHANGE
+
+    @property
+    def inputs_pending(self) -> bool:
+        """True if the next cycle will bring other inputs than the master has now."""
+        return self.exchanging and self.slave.inputs != self.inputs
 
     @property
     def plugged(self) -> bool:
@@ -193,16 +202,15 @@ class Station:
         self._master.request(self)
 
     def _exchange(self) -> None:
-        zeros = self._master.clearing
-        answer = self.slave.data_exchange(
-            bytes(len(self.outputs)) if zeros else bytes(self.outputs)
-        )
+        outputs = bytes(len(self.outputs)) if self._master.clearing else bytes(self.outputs)
+        answer = self.slave.data_exchange(outputs)
         if answer is None:
             self._drop(StationState.DIAGNOSIS)
             self._master.request(self)
             return
         self.inputs[:] = answer
         self.transfers += 1
+        self._master.transferred(self, outputs, answer)
         if self.transfers == 1:
             self._master.report(self)
 

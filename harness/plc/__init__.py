@@ -1,0 +1,25 @@
+"""The simulated PLC: CPU, process image, access to the DP master, operating modes."""
+
+from harness.plc.consistent_data import ConsistentData, RetVal
+from harness.plc.cpu import Cpu, CpuMode, Restart
+from harness.plc.link import MasterLink
+from harness.plc.modules import ModuleTable, Mounting
+from harness.plc.settings import CpuFamily, CpuSettings, DpInterface
+from harness.plc.tasks import CyclicTask, cyclic_tasks, startup_blocks
+
+__all__ = [
+    "ConsistentData",
+    "Cpu",
+    "CpuFamily",
+    "CpuMode",
+    "CpuSettings",
+    "CyclicTask",
+    "DpInterface",
+    "MasterLink",
+    "ModuleTable",
+    "Mounting",
+    "Restart",
+    "RetVal",
+    "cyclic_tasks",
+    "startup_blocks",
+]

@@ -1,0 +1,364 @@
+"""The simulated CPU: scan by scan, with process image, direct access and operating modes.
+
+A scan takes time. At its start the inputs are copied into the process image; then the program runs
+on values that do not change; the outputs are copied to the DP master when the execution time is
+over. An access to hardware in the middle of the program takes time of its own, and everything that
+happens up to that instant happens first, so that PROFIBUS cycles fall between two accesses of one
+scan. A program that does more than one execution time allows ends its scan later.
+
+STOP is CLEAR for the DP master. What an S7 does at a restart: initial values in the data blocks,
+but for remanent ones after a warm restart; an empty process image; then OB100, then OB1.
+"""
+
+from collections.abc import Callable, Mapping
+from enum import Enum
+
+from fbgen.diagnostics import Diagnostic, DiagnosticError, error
+from fbgen.lang.checked import Program
+from fbgen.lang.types import Scalar
+from fbgen.source import Span
+from harness.engine.environment import Area
+from harness.engine.interface import Engine, EngineFactory, Limits
+from harness.fieldbus import DpMaster, Station
+from harness.kernel import NS_PER_MS, Event, Kernel
+from harness.plc.consistent_data import ConsistentData
+from harness.plc.link import MasterLink
+from harness.plc.modules import ModuleTable, Mounting
+from harness.plc.settings import CpuSettings
+from harness.plc.tasks import CyclicTask, cyclic_tasks, startup_blocks
+
+Instruction = Callable[[Mapping[str, "Scalar | Area"], Span], Scalar]
+"""What carries out a system instruction: arguments by name, where it is called, RET_VAL."""
+
+
+class CpuMode(Enum):
+    """The operating mode."""
+
+    STOP = "stop"
+    STARTUP = "startup"
+    RUN = "run"
+
+
+class Restart(Enum):
+    """WARM keeps what is remanent, COLD forgets everything."""
+
+    WARM = "warm"
+    COLD = "cold"
+
+
+class Cpu:
+    """One CPU with its DP master; the environment of the engine that runs the program.
+
+    `diagnostics` says why it went to STOP. `scans` counts the scans since the last start. The
+    functions in `after_scan` are called when the program of a scan is through, those in `on_mode`
+    when the mode has changed. `instructions` are the system instructions by name.
+    """
+
+    __slots__ = (
+        "_engine",
+        "_instant_ns",
+        "_kernel",
+        "_life",
+        "_modules",
+        "_peripheral_ns",
+        "_scan_event",
+        "_tasks",
+        "access_errors",
+        "after_scan",
+        "consistent_data",
+        "diagnostics",
+        "inputs",
+        "instructions",
+        "link",
+        "markers",
+        "master",
+        "mode",
+        "now_ns",
+        "on_mode",
+        "outputs",
+        "scans",
+        "settings",
+    )
+
+    def __init__(self, kernel: Kernel, settings: CpuSettings, master: DpMaster) -> None:
+        self._kernel = kernel
+        self._engine: Engine | None = None
+        self._modules = ModuleTable()
+        self._tasks: list[CyclicTask] = []
+        self._scan_event: Event | None = None
+        self._life = 0
+        self._instant_ns = 0
+        self._peripheral_ns = settings.peripheral_ns
+        self.settings = settings
+        self.master = master
+        self.mode = CpuMode.STOP
+        self.now_ns = 0
+        self.inputs = bytearray(settings.memory_bytes)
+        self.outputs = bytearray(settings.memory_bytes)
+        self.markers = bytearray(settings.memory_bytes)
+        self.scans = self.access_errors = 0
+        self.diagnostics: list[Diagnostic] = []
+        self.after_scan: list[Callable[[], None]] = []
+        self.on_mode: list[Callable[[CpuMode], None]] = []
+        self.link = MasterLink(master, kernel.random, settings.tear_probability)
+        self.consistent_data = ConsistentData(settings, self._modules, self.link, self.outputs)
+        self.instructions: dict[str, Instruction] = {}
+        if settings.family.consistent_instructions:
+            for name in ("DPRD_DAT", "SFC14"):
+                self.instructions[name] = self._dprd_dat
+            for name in ("DPWR_DAT", "SFC15"):
+                self.instructions[name] = self._dpwr_dat
+        master.observers.append(self._station_changed)
+
+    # --- building ---------------------------------------------------------------------------
+
+    def mount(self, mounting: Mounting) -> None:
+        """Tie a station of the master into the address space.
+
+        Raises DiagnosticError FB7302 for addresses that are taken or lie outside of the memory.
+        """
+        self._modules.mount(mounting, self.settings)
+
+    def load(self, program: Program, factory: EngineFactory, limits: Limits | None = None) -> None:
+        """Load a program; the CPU goes to STOP. Raises DiagnosticError FB7304 as `cyclic_tasks`."""
+        self.stop()
+        self._tasks = cyclic_tasks(program)
+        self._engine = factory(program, self, limits or Limits())
+
+    @property
+    def engine(self) -> Engine:
+        """The loaded program. Raises DiagnosticError FB7305 if there is none."""
+        if self._engine is None:
+            raise error("FB7305", "the CPU has no program", None, "load a program first")
+        return self._engine
+
+    # --- operating modes --------------------------------------------------------------------
+
+    def start(self, restart: Restart = Restart.WARM) -> None:
+        """To RUN, through a restart, as soon as every station exchanges data or has failed.
+
+        Raises DiagnosticError FB7305 without a program.
+        """
+        engine = self.engine
+        self.stop()
+        self.diagnostics.clear()
+        self.scans = 0
+        self.inputs[:] = bytes(len(self.inputs))
+        keep = self.settings.remanent_marker_bytes if restart is Restart.WARM else 0
+        self.markers[keep:] = bytes(len(self.markers) - keep)
+        self.now_ns = self._instant_ns = self._kernel.now_ns
+        engine.reset(warm=restart is Restart.WARM)
+        self.master.start()
+        self._set_mode(CpuMode.STARTUP)
+        self._kernel.after(0, self._go_on)
+
+    def stop(self) -> None:
+        """To STOP: the program rests, the outputs are off, the master sends CLEAR."""
+        if self.mode is CpuMode.STOP:
+            return
+        self._life += 1
+        if self._scan_event is not None:
+            self._scan_event.cancel()
+            self._scan_event = None
+        self.outputs[:] = bytes(len(self.outputs))
+        for station in self.master.stations:
+            station.write(0, bytes(len(station.outputs)))
+        self.master.clear()
+        self._set_mode(CpuMode.STOP)
+
+    def power_off(self) -> None:
+        """No supply: the master falls silent, too."""
+        self.stop()
+        self.master.stop()
+
+    def _set_mode(self, mode: CpuMode) -> None:
+        self.mode = mode
+        for observer in self.on_mode:
+            observer(mode)
+
+    def _go_on(self) -> None:
+        """From STARTUP to RUN once all stations are where they will be."""
+        if self.mode is not CpuMode.STARTUP or not all(
+            station.failed or station.transfers for station in self.master.stations
+        ):
+            return
+        self.master.operate()
+        self._set_mode(CpuMode.RUN)
+        self.now_ns = self._instant_ns = self._kernel.now_ns
+        for name in startup_blocks(self.engine.program):
+            if not self._runs(name):
+                return
+        for task in self._tasks:
+            task.due_ns = self._instant_ns
+        self._schedule()
+
+    def _runs(self, block: str) -> bool:
+        """Run a block; False if that took the CPU to STOP."""
+        life = self._life
+        try:
+            self.engine.run_block(block)
+        except DiagnosticError as failure:
+            self._crash(failure)
+        return life == self._life
+
+    def _crash(self, failure: DiagnosticError) -> None:
+        self.diagnostics += failure.diagnostics
+        self.stop()
+
+    def _station_changed(self, station: Station) -> None:
+        if self.mode is CpuMode.STARTUP:
+            self._kernel.after(0, self._go_on)
+        elif self.mode is CpuMode.RUN and station.failed and self.settings.family.classic:
+            missing = {86, 85} if station in self._modules.image else {86}
+            if missing - self.settings.error_obs:
+                number = max(missing - self.settings.error_obs)
+                self._crash(_missing_ob(number, f"station '{station.settings.name}' has failed"))
+
+    # --- the scan ---------------------------------------------------------------------------
+
+    def _schedule(self) -> None:
+        """Arrange for the next scan: the task that is due first, of those the most urgent."""
+        due_ns = min(task.due_ns for task in self._tasks)
+        self._scan_event = self._kernel.at(due_ns, self._scan)
+
+    def _scan(self) -> None:
+        start_ns = self.now_ns = self._instant_ns = self._kernel.now_ns
+        settings, life = self.settings, self._life
+        task = next(task for task in self._tasks if task.due_ns <= start_ns)
+        for station in self._modules.image:
+            at = station.settings.input_address
+            length = len(station.inputs)
+            self.inputs[at : at + length] = self.link.read(station, 0, length)
+        for block in task.blocks:
+            if not self._runs(block):
+                return
+        execution_ns = settings.execution_ns
+        if settings.execution_jitter_ns:
+            execution_ns += self._kernel.random.randrange(settings.execution_jitter_ns + 1)
+        end_ns = max(start_ns + execution_ns, self._instant_ns)
+        if end_ns - start_ns > settings.watchdog_ns:
+            self._crash(_too_slow(task.name, end_ns - start_ns, settings.watchdog_ns))
+            return
+        self.scans += 1
+        for observer in self.after_scan:
+            observer()
+        if any(self._image_changed(station) for station in self._modules.image):
+            self._kernel.at(end_ns, lambda: self._write_outputs(life))
+        if task.interval_ns is None:
+            task.due_ns = max(start_ns + settings.cycle_ns, end_ns)
+        else:
+            missed = max(0, end_ns - task.due_ns - 1) // task.interval_ns
+            task.due_ns += (missed + 1) * task.interval_ns
+        for other in self._tasks:
+            other.due_ns = max(other.due_ns, end_ns)
+        self._schedule()
+
+    def _image_changed(self, station: Station) -> bool:
+        at = station.settings.output_address
+        return self.outputs[at : at + len(station.outputs)] != station.outputs
+
+    def _write_outputs(self, life: int) -> None:
+        if life != self._life:
+            return
+        for station in self._modules.image:
+            at = station.settings.output_address
+            self.link.write(station, 0, bytes(self.outputs[at : at + len(station.outputs)]))
+
+    # --- what the program sees (harness.engine.environment.Environment) -----------------------
+
+    def read_peripheral(self, byte: int, count: int) -> int:
+        """`count` bytes (1, 2, 4) straight from the master's image, big endian."""
+        instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
+        self._kernel.run_until(instant_ns)
+        place = self._modules.inputs.get(byte)
+        if place is None or place[0].failed:
+            return self._access_error(f"input byte {byte}")
+        station, offset = place
+        if self.link.armed:
+            return int.from_bytes(self.link.read(station, offset, count), "big")
+        if count == 1:
+            return station.inputs[offset]
+        return int.from_bytes(station.inputs[offset : offset + count], "big")
+
+    def write_peripheral(self, byte: int, count: int, value: int) -> None:
+        """`count` bytes (1, 2, 4) straight to the master's image, big endian."""
+        instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
+        self._kernel.run_until(instant_ns)
+        place = self._modules.outputs.get(byte)
+        if place is None or place[0].failed:
+            self._access_error(f"output byte {byte}")
+            return
+        station, offset = place
+        data = value.to_bytes(count, "big")
+        self.link.write(station, offset, data)
+        if station in self._modules.image:
+            self.outputs[byte : byte + count] = data
+
+    def instruction(self, name: str, arguments: Mapping[str, Scalar | Area], span: Span) -> Scalar:
+        """Carry out a system instruction and give its result.
+
+        Raises DiagnosticError FB7306 for one that this CPU does not have.
+        """
+        carry_out = self.instructions.get(name)
+        if carry_out is None:
+            raise error(
+                "FB7306",
+                f"a CPU of the family {self.settings.family.value} has no instruction {name}",
+                span,
+                f"it has {', '.join(sorted(self.instructions)) or 'none'}",
+            )
+        return carry_out(arguments, span)
+
+    def _dprd_dat(self, arguments: Mapping[str, Scalar | Area], span: Span) -> int:
+        laddr, record = self._consistent_access(arguments, span)
+        return _as_int(self.consistent_data.read(laddr, record))
+
+    def _dpwr_dat(self, arguments: Mapping[str, Scalar | Area], span: Span) -> int:
+        laddr, record = self._consistent_access(arguments, span)
+        return _as_int(self.consistent_data.write(laddr, record))
+
+    def _consistent_access(
+        self, arguments: Mapping[str, Scalar | Area], span: Span
+    ) -> tuple[int, Area]:
+        self._instant_ns += self.settings.instruction_ns
+        self._kernel.run_until(self._instant_ns)
+        laddr, record = arguments["LADDR"], arguments["RECORD"]
+        if not isinstance(laddr, int) or isinstance(record, bool | int | float | str):
+            raise error(
+                "FB7307",
+                "LADDR must be a number and RECORD a variable",
+                span,
+                "give LADDR the module's address and RECORD an array of bytes",
+            )
+        return laddr, record
+
+    def _access_error(self, what: str) -> int:
+        """Nobody is there: OB122, or STOP on an S7-300/400 without it; otherwise 0 is read."""
+        self.access_errors += 1
+        if self.settings.family.classic and 122 not in self.settings.error_obs:
+            raise _missing_ob(122, f"{what} cannot be reached")
+        return 0
+
+
+def _as_int(ret_val: int) -> int:
+    """RET_VAL as INT: 80xx is negative."""
+    return ret_val - 0x10000 if ret_val & 0x8000 else ret_val
+
+
+def _missing_ob(number: int, why: str) -> DiagnosticError:
+    return error(
+        "FB7308",
+        f"{why}, and the CPU stops because OB{number} is missing",
+        None,
+        f"add OB{number} to the project; it may be empty",
+    )
+
+
+def _too_slow(task: str, took_ns: int, allowed_ns: int) -> DiagnosticError:
+    return error(
+        "FB7309",
+        f"a scan of {task} took {took_ns / NS_PER_MS:g} ms, "
+        f"the cycle watchdog allows {allowed_ns / NS_PER_MS:g} ms",
+        None,
+        "let the program do less in one scan, or allow a longer cycle monitoring time",
+    )
