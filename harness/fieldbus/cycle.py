@@ -25,7 +25,7 @@ class CycleTimes:
     def __post_init__(self) -> None:
         if self.period_ns <= 0 or not 0 <= self.jitter_ns < self.period_ns:
             raise error(
-                "FB7101",
+                "FB7201",
                 f"a PROFIBUS cycle of {self.period_ns / NS_PER_MS:g} ms "
                 f"with a jitter of {self.jitter_ns / NS_PER_MS:g} ms is not possible",
                 None,

@@ -79,12 +79,12 @@ class DpMaster:
     def add(self, settings: StationSettings, slave: DpSlave) -> Station:
         """Enter a slave into the configuration.
 
-        Raises DiagnosticError FB7104 for an address that another station has.
+        Raises DiagnosticError FB7204 for an address that another station has.
         """
         for other in self.stations:
             if other.settings.address == settings.address:
                 raise error(
-                    "FB7104",
+                    "FB7204",
                     f"the stations '{other.settings.name}' and '{settings.name}' both have "
                     f"PROFIBUS address {settings.address}",
                     None,

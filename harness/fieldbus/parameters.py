@@ -48,12 +48,12 @@ class SlaveType:
 def watchdog_factors(watchdog_ns: int) -> tuple[int, int]:
     """WD_Fact_1 and WD_Fact_2 for the shortest watchdog time that is not below `watchdog_ns`.
 
-    Raises DiagnosticError FB7102 for a time that no factors can say: 0, or more than 650.25 s.
+    Raises DiagnosticError FB7202 for a time that no factors can say: 0, or more than 650.25 s.
     """
     units = -(-watchdog_ns // WATCHDOG_UNIT_NS)
     if not 1 <= units <= _LARGEST_FACTOR * _LARGEST_FACTOR:
         raise error(
-            "FB7102",
+            "FB7202",
             f"a watchdog time of {watchdog_ns / NS_PER_MS:g} ms cannot be set",
             None,
             "choose 10 ms to 650,250 ms, or switch the watchdog off",

@@ -109,7 +109,7 @@ class Station:
             identifiers = decode_identifiers(settings.configuration)
         except IdentifierError as wrong:
             raise error(
-                "FB7103",
+                "FB7203",
                 f"the configuration {settings.configuration.hex(' ').upper()} of station "
                 f"'{settings.name}' cannot be read: {wrong}",
                 None,

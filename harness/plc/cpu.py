@@ -115,21 +115,21 @@ class Cpu:
     def mount(self, mounting: Mounting) -> None:
         """Tie a station of the master into the address space.
 
-        Raises DiagnosticError FB7302 for addresses that are taken or lie outside of the memory.
+        Raises DiagnosticError FB7402 for addresses that are taken or lie outside of the memory.
         """
         self._modules.mount(mounting, self.settings)
 
     def load(self, program: Program, factory: EngineFactory, limits: Limits | None = None) -> None:
-        """Load a program; the CPU goes to STOP. Raises DiagnosticError FB7304 as `cyclic_tasks`."""
+        """Load a program; the CPU goes to STOP. Raises DiagnosticError FB7404 as `cyclic_tasks`."""
         self.stop()
         self._tasks = cyclic_tasks(program)
         self._engine = factory(program, self, limits or Limits())
 
     @property
     def engine(self) -> Engine:
-        """The loaded program. Raises DiagnosticError FB7305 if there is none."""
+        """The loaded program. Raises DiagnosticError FB7405 if there is none."""
         if self._engine is None:
-            raise error("FB7305", "the CPU has no program", None, "load a program first")
+            raise error("FB7405", "the CPU has no program", None, "load a program first")
         return self._engine
 
     # --- operating modes --------------------------------------------------------------------
@@ -137,7 +137,7 @@ class Cpu:
     def start(self, restart: Restart = Restart.WARM) -> None:
         """To RUN, through a restart, as soon as every station exchanges data or has failed.
 
-        Raises DiagnosticError FB7305 without a program.
+        Raises DiagnosticError FB7405 without a program.
         """
         engine = self.engine
         self.stop()
@@ -297,12 +297,12 @@ class Cpu:
     def instruction(self, name: str, arguments: Mapping[str, Scalar | Area], span: Span) -> Scalar:
         """Carry out a system instruction and give its result.
 
-        Raises DiagnosticError FB7306 for one that this CPU does not have.
+        Raises DiagnosticError FB7406 for one that this CPU does not have.
         """
         carry_out = self.instructions.get(name)
         if carry_out is None:
             raise error(
-                "FB7306",
+                "FB7406",
                 f"a CPU of the family {self.settings.family.value} has no instruction {name}",
                 span,
                 f"it has {', '.join(sorted(self.instructions)) or 'none'}",
@@ -325,7 +325,7 @@ class Cpu:
         laddr, record = arguments["LADDR"], arguments["RECORD"]
         if not isinstance(laddr, int) or isinstance(record, bool | int | float | str):
             raise error(
-                "FB7307",
+                "FB7407",
                 "LADDR must be a number and RECORD a variable",
                 span,
                 "give LADDR the module's address and RECORD an array of bytes",
@@ -347,7 +347,7 @@ def _as_int(ret_val: int) -> int:
 
 def _missing_ob(number: int, why: str) -> DiagnosticError:
     return error(
-        "FB7308",
+        "FB7408",
         f"{why}, and the CPU stops because OB{number} is missing",
         None,
         f"add OB{number} to the project; it may be empty",
@@ -356,7 +356,7 @@ def _missing_ob(number: int, why: str) -> DiagnosticError:
 
 def _too_slow(task: str, took_ns: int, allowed_ns: int) -> DiagnosticError:
     return error(
-        "FB7309",
+        "FB7409",
         f"a scan of {task} took {took_ns / NS_PER_MS:g} ms, "
         f"the cycle watchdog allows {allowed_ns / NS_PER_MS:g} ms",
         None,

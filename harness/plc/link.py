@@ -30,7 +30,7 @@ class MasterLink:
     def tear_next_write(self, station: Station, behind: int) -> None:
         """Let the master's cycle fall behind slot `behind` in the next change of outputs there.
 
-        Slots count from 1. Raises DiagnosticError FB7303 where no outputs follow.
+        Slots count from 1. Raises DiagnosticError FB7403 where no outputs follow.
         """
         self._writes[station] = _first_behind(station, behind, _output_pieces(station), "outputs")
         self.armed = True
@@ -114,7 +114,7 @@ def _first_behind(station: Station, behind: int, pieces: list[int], what: str) -
         if first is not None and first + length in pieces:
             return first + length
     raise error(
-        "FB7303",
+        "FB7403",
         f"the {what} of station '{station.settings.name}' cannot be torn behind slot {behind}",
         None,
         f"the station has {len(station.slots)} slots; {what} must lie in this one and behind it",

@@ -41,7 +41,7 @@ class ModuleTable:
     def mount(self, mounting: Mounting, cpu: CpuSettings) -> None:
         """Enter a station.
 
-        Raises DiagnosticError FB7302 for an address that is taken or lies outside of the memory.
+        Raises DiagnosticError FB7402 for an address that is taken or lies outside of the memory.
         """
         station = mounting.station
         settings = station.settings
@@ -52,7 +52,7 @@ class ModuleTable:
         for table, address, length, what in ranges:
             if mounting.process_image and not 0 <= address <= cpu.memory_bytes - length:
                 raise error(
-                    "FB7302",
+                    "FB7402",
                     f"the {what} bytes {address}..{address + length - 1} of "
                     f"'{settings.name}' lie outside of the process image",
                     None,
@@ -83,7 +83,7 @@ class ModuleTable:
             taken = table.get(address + offset)
             if taken is not None:
                 raise error(
-                    "FB7302",
+                    "FB7402",
                     f"the {what} byte {address + offset} belongs to both "
                     f"'{taken[0].settings.name}' and '{station.settings.name}'",
                     None,

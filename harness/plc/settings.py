@@ -67,7 +67,7 @@ class CpuSettings:
         if self.cycle_ns <= 0 or self.execution_ns < 0 or self.execution_jitter_ns < 0:
             longest_ns = self.execution_ns + self.execution_jitter_ns
             raise error(
-                "FB7301",
+                "FB7401",
                 f"a CPU with a cycle of {self.cycle_ns / NS_PER_MS:g} ms and a program of "
                 f"{self.execution_ns / NS_PER_MS:g} to {longest_ns / NS_PER_MS:g} ms "
                 "is not possible",

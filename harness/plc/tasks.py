@@ -32,7 +32,7 @@ class CyclicTask:
 def cyclic_tasks(program: Program) -> list[CyclicTask]:
     """The tasks of a program, in the order of their priorities.
 
-    Raises DiagnosticError FB7304 for a program in which nothing would ever run.
+    Raises DiagnosticError FB7404 for a program in which nothing would ever run.
     """
     if program.tasks:
         tasks = [
@@ -57,7 +57,7 @@ def cyclic_tasks(program: Program) -> list[CyclicTask]:
     )
     if not programs:
         raise error(
-            "FB7304",
+            "FB7404",
             "nothing in these files would run on a controller",
             None,
             f'add an ORGANIZATION_BLOCK "Main", a FUNCTION {MAIN_FUNCTION} or a PROGRAM',

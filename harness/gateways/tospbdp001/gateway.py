@@ -127,11 +127,11 @@ class Tospbdp001:
     def set_switches(self, address: int) -> None:
         """Turn the address switches; the device looks at them at its next power-on.
 
-        Raises DiagnosticError FB7201 for an address that the two switches cannot show.
+        Raises DiagnosticError FB7301 for an address that the two switches cannot show.
         """
         if not 0 <= address <= _HIGHEST_ADDRESS:
             raise error(
-                "FB7201",
+                "FB7301",
                 f"the address switches of '{self.name}' cannot be set to {address}",
                 None,
                 f"two rotary switches show 0 to {_HIGHEST_ADDRESS}",
