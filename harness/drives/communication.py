@@ -28,6 +28,15 @@ from harness.drives.settings import InverterSettings
 from harness.kernel import NS_PER_S, Event, Kernel
 from harness.line import Line, Parity, Port, Reception, Role, SerialFormat
 
+PARAMETERS = (
+    "baud_rate",
+    "parity",
+    "inverter_number",
+    "communication_timeout",
+    "send_waiting_time",
+)
+"""Names of the ComNos that say how the inverter communicates."""
+
 _BAUD_RATES = (1200, 2400, 4800, 9600, 19200)
 _PARITIES = (Parity.NONE, Parity.EVEN, Parity.ODD)
 _SENT_STOP_BITS = 2

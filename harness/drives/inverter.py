@@ -12,6 +12,7 @@ from typing import Literal
 from fbgen.catalog import ComNo, Drive
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.wire.toshiba import ErrorCode
+from harness.drives import communication, operation
 from harness.drives.communication import Communication
 from harness.drives.load import Load
 from harness.drives.monitors import Monitors
@@ -26,6 +27,7 @@ from harness.line import Line
 EMERGENCY_STOP = "E"
 COMMUNICATION_ERROR = "Err5"
 _WHOLE_PERCENT = 100
+_SCALING = ("point_1_percent", "point_1_frequency", "point_2_percent", "point_2_frequency")
 _REFUSALS = {
     ErrorCode.CANNOT_EXECUTE: "it cannot be written, or not while the inverter runs",
     ErrorCode.DATA: "the value lies outside the range",
@@ -38,7 +40,8 @@ class Inverter:
 
     __slots__ = (
         "_bits",
-        "_kernel",
+        "_emergency_code",
+        "_timeout_code",
         "communication",
         "monitors",
         "name",
@@ -56,8 +59,11 @@ class Inverter:
         series: Drive,
         settings: InverterSettings = InverterSettings(),  # noqa: B008 - frozen
     ) -> None:
-        """Raises DiagnosticError FB7101 for parameters that the series would not take."""
-        self._kernel = kernel
+        """Raises DiagnosticError FB7101 for parameters that the series would not take.
+
+        FB7102 and FB7103 if the series lacks trips or ComNos that the simulation stands on.
+        """
+        _complete(series)
         self.series = series
         self.name = settings.name
         self.powered = True
@@ -66,6 +72,8 @@ class Inverter:
         self.trips = TripLog(series)
         self.operation = Operation(kernel, series, self.registers, settings.motor, settings.load)
         self.monitors = Monitors(series, self.registers, self.operation, self.trips)
+        self._timeout_code = self.trips.code_of(COMMUNICATION_ERROR)
+        self._emergency_code = self.trips.code_of(EMERGENCY_STOP)
         self.communication = Communication(kernel, line, self.registers, self, settings)
 
     # What a scenario reads
@@ -232,8 +240,7 @@ class Inverter:
             self.write_ram(number, word)
             return
         value = self.registers.value
-        low, high = value("point_1_percent"), value("point_2_percent")
-        low_hz, high_hz = value("point_1_frequency"), value("point_2_frequency")
+        low, low_hz, high, high_hz = (value(name) for name in _SCALING)
         if isclose(low, high):
             hz = high_hz
         else:
@@ -244,7 +251,7 @@ class Inverter:
 
     def time_out(self) -> None:
         """No telegram came within the time of F803."""
-        self._trip(self.trips.code_of(COMMUNICATION_ERROR))
+        self._trip(self._timeout_code)
 
     # Inside
 
@@ -265,7 +272,7 @@ class Inverter:
             return
         self.operation.command = command
         if command & self._bits.emergency_stop:
-            self._trip(self.trips.code_of(EMERGENCY_STOP))
+            self._trip(self._emergency_code)
         self._follow()
 
     def _follow(self) -> None:
@@ -282,6 +289,19 @@ class Inverter:
         self.registers.restart()
         self.operation.restart()
         self.communication.restart(silence_ns)
+
+
+def _complete(series: Drive) -> None:
+    """FB7103 unless the series has every ComNo that the simulation stands on, by its name."""
+    names = {comno.name for comno in series.comnos}
+    wanted = (*operation.PARAMETERS, *communication.PARAMETERS, *_SCALING)
+    if missing := [name for name in wanted if name not in names]:
+        raise error(
+            "FB7103",
+            f"the series '{series.id}' cannot be simulated: it has no {', '.join(missing)}",
+            series.span,
+            "give these ComNos under these names, as vf-s11.yaml does",
+        )
 
 
 def _delivered(series: Drive, settings: InverterSettings) -> dict[int, int]:

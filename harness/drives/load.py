@@ -61,7 +61,6 @@ class Motor:
 
     no_load_current_percent: float = 30.0
     base_frequency_hz: float = 50.0
-    dc_braking_current_percent: float = 50.0
     dc_braking_rate: float = 50.0
     """How fast direct current brings the shaft to rest, in Hz/s."""
 

@@ -53,7 +53,7 @@ class Monitors:
             comno.number: present[comno.name] for comno in series.comnos if comno.name in present
         }
         self._frozen_copies: dict[int, Callable[[], int]] = {
-            comno.number: self._readers[registers.number(comno.frozen_copy_of)]
+            comno.number: self._reader(registers.number(comno.frozen_copy_of))
             for comno in series.comnos
             if comno.frozen_copy_of is not None
         }
@@ -65,6 +65,9 @@ class Monitors:
             return self._trips.frozen[number]
         reader = self._readers.get(number)
         return self._registers.ram.get(number) if reader is None else reader()
+
+    def _reader(self, number: int) -> Callable[[], int]:
+        return self._readers.get(number, lambda: self._registers.ram[number])
 
     def freeze(self) -> Mapping[int, int]:
         """The values now of all monitors that a trip freezes."""
@@ -111,6 +114,8 @@ class Monitors:
             "output_voltage": lambda: _hundredths(motor.voltage_percent(operation.output_hz)),
             "dc_voltage": lambda: _hundredths(self.dc_voltage_percent),
             "torque": lambda: _hundredths(operation.torque_percent),
+            "torque_current": lambda: _hundredths(operation.torque_current_percent),
+            "exciting_current": lambda: _hundredths(operation.exciting_current_percent),
             "input_terminals": lambda: self.input_terminals,
             "output_terminals": lambda: self.output_terminals,
             "operation_time": lambda: hours(operation.operated_ns) & 0xFFFF,

@@ -22,6 +22,20 @@ from harness.drives.word_bits import CommandBits
 from harness.kernel import NS_PER_S, Kernel
 
 SERIAL = "serial communication"
+PARAMETERS = (
+    "command_mode",
+    "acceleration_time",
+    "acceleration_time_2",
+    "deceleration_time",
+    "deceleration_time_2",
+    "maximum_frequency",
+    "upper_limit_frequency",
+    "lower_limit_frequency",
+    "jog_frequency",
+    "dc_braking_current",
+    *(f"preset_speed_{number}" for number in range(1, 16)),
+)
+"""Names of the ComNos that say how the inverter runs."""
 
 
 class Mode(Enum):
@@ -152,10 +166,20 @@ class Operation:
     def current_percent(self) -> float:
         """Output current in percent of the rated current."""
         if self.mode is Mode.DC_BRAKE:
-            return self.motor.dc_braking_current_percent
+            return self._registers.value("dc_braking_current")
         if not self.running:
             return 0.0
         return self.motor.current_percent(self.torque_percent, self.output_hz)
+
+    @property
+    def torque_current_percent(self) -> float:
+        """The part of the output current that makes the torque."""
+        return self.motor.torque_current_percent(self.torque_percent, self.output_hz)
+
+    @property
+    def exciting_current_percent(self) -> float:
+        """The part of the output current that magnetises the motor."""
+        return self.motor.exciting_current_percent(self.output_hz) if self.running else 0.0
 
     @property
     def operated_ns(self) -> int:
