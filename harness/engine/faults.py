@@ -4,6 +4,7 @@ Both engines raise these and nothing else. A real CPU sets a status bit, goes on
 differs from family to family, or stops; here the scan ends, so that a test sees what happened.
 """
 
+from collections.abc import Sequence
 from difflib import get_close_matches
 
 from fbgen.diagnostics import DiagnosticError, error
@@ -145,7 +146,7 @@ def not_decimal(span: Span, value: int) -> DiagnosticError:
 # --- what is asked from outside ---------------------------------------------------------------
 
 
-def unknown_name(what: str, name: str, known: "list[str]") -> DiagnosticError:
+def unknown_name(what: str, name: str, known: Sequence[str]) -> DiagnosticError:
     """FB6020: nothing has this name; `what` is "block", "variable", "input" and the like."""
     by_key = {entry.casefold(): entry for entry in known}
     near = get_close_matches(name.casefold(), list(by_key), n=1, cutoff=0.6)
@@ -180,9 +181,9 @@ def wrong_path(path: str, reason: str) -> DiagnosticError:
     return error("FB6024", f"'{path}' does not name a variable: {reason}")
 
 
-def not_writable(path: str, reason: str) -> DiagnosticError:
-    """FB6025: a variable that cannot be written from outside."""
-    return error("FB6025", f"'{path}' cannot be written: {reason}")
+def unknown_engine(name: str, known: Sequence[str]) -> DiagnosticError:
+    """FB6025: an engine that does not exist is asked for."""
+    return error("FB6025", f"there is no engine '{name}'", None, f"known: {', '.join(known)}")
 
 
 def _shortened(value: object) -> str:

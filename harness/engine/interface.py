@@ -13,7 +13,7 @@ from fbgen.lang.checked import AnyBlock, Program
 from fbgen.lang.types import Scalar
 from harness.engine.environment import Environment
 
-Value: TypeAlias = "Scalar | Mapping[str, Value] | Sequence[Value]"
+Value: TypeAlias = Scalar | Mapping[str, "Value"] | Sequence["Value"]
 """A value as Python sees it.
 
 Scalars are as `fbgen.lang.types` says. A structure or an instance is a mapping from the declared

@@ -1,0 +1,143 @@
+"""From PLC text to a program that can be called: what a user of the harness works with.
+
+    program = load_program(["conveyor.scl"])
+    fb = program.instance("TOS_Telegram")
+    fb(execute=True, invNo=11)
+    program.clock.advance(ms=10)
+    assert fb.busy
+
+Errors in the text are raised together as `DiagnosticError`.
+"""
+
+from collections.abc import Iterable
+from datetime import timedelta
+from importlib import import_module
+from pathlib import Path
+
+from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.lang import ast
+from fbgen.lang.checked import Program
+from fbgen.lang.checker import check
+from fbgen.lang.encoding import read_source
+from fbgen.lang.parser import parse
+from fbgen.source import Source
+from harness.engine.environment import StandaloneEnvironment
+from harness.engine.faults import unknown_engine
+from harness.engine.interface import Engine, EngineFactory, FunctionResult, Limits, Value
+from harness.engine.variables import BlockInstance, Globals
+from harness.kernel import NS_PER_MS, NS_PER_S, NS_PER_US, Kernel
+
+ENGINES = {
+    "compiled": ("harness.engine.compiled", "CompiledEngine"),
+    "reference": ("harness.engine.reference", "ReferenceEngine"),
+}
+"""What `load_program` takes as `engine`: module and name of the factory."""
+
+
+def load_program(
+    sources: Iterable[str | Path | Source],
+    dialect: str = "tia",
+    engine: str = "compiled",
+    limits: Limits | None = None,
+) -> "LoadedProgram":
+    """Read, check and load PLC text on a controller without hardware.
+
+    `sources` are files by their paths, or texts as `Source`. Raises one `DiagnosticError` with
+    everything that is wrong in them.
+    """
+    factory = engine_named(engine)
+    program = read_program(sources, dialect)
+    kernel = Kernel()
+    loaded = factory(program, StandaloneEnvironment(kernel), limits or Limits())
+    return LoadedProgram(loaded, Clock(kernel))
+
+
+def read_program(sources: Iterable[str | Path | Source], dialect: str = "tia") -> Program:
+    """The checked program that the files or texts make up; raises all errors together."""
+    files: list[ast.File] = []
+    found: list[Diagnostic] = []
+    if isinstance(sources, str | Path | Source):
+        sources = (sources,)
+    for source in sources:
+        try:
+            text = source if isinstance(source, Source) else read_source(Path(source))
+            files.append(parse(text, dialect))
+        except DiagnosticError as failure:
+            found.extend(failure.diagnostics)
+    if found:
+        raise DiagnosticError(found)
+    return check(files, dialect)
+
+
+def engine_named(name: str) -> EngineFactory:
+    """The engine of that name; raises FB6025. An engine is only imported when it is used."""
+    if name not in ENGINES:
+        raise unknown_engine(name, tuple(ENGINES))
+    module, factory_name = ENGINES[name]
+    factory: EngineFactory = getattr(import_module(module), factory_name)
+    return factory
+
+
+class Clock:
+    """The virtual clock of a loaded program."""
+
+    __slots__ = ("_kernel",)
+
+    def __init__(self, kernel: Kernel) -> None:
+        self._kernel = kernel
+
+    @property
+    def now_ns(self) -> int:
+        """The time since the start in nanoseconds."""
+        return self._kernel.now_ns
+
+    @property
+    def now(self) -> timedelta:
+        """The time since the start, to the microsecond."""
+        return timedelta(microseconds=self._kernel.now_ns // NS_PER_US)
+
+    def advance(self, *, s: float = 0, ms: float = 0, us: float = 0, ns: int = 0) -> None:
+        """Let time pass; a negative duration lets none pass."""
+        duration = s * NS_PER_S + ms * NS_PER_MS + us * NS_PER_US
+        self._kernel.run_for(max(round(duration) + ns, 0))
+
+
+class LoadedProgram:
+    """A program on a controller of its own, with a clock that tests move by hand."""
+
+    __slots__ = ("_engine", "clock", "globals")
+
+    def __init__(self, engine: Engine, clock: Clock) -> None:
+        self._engine = engine
+        self.clock = clock
+        self.globals = Globals(engine)
+
+    @property
+    def engine(self) -> Engine:
+        """What runs it."""
+        return self._engine
+
+    @property
+    def now(self) -> timedelta:
+        """The time since the start, to the microsecond."""
+        return self.clock.now
+
+    def instance(self, block_name: str) -> BlockInstance:
+        """A function block with its own state; raises FB6020 for an unknown name, FB6022."""
+        return BlockInstance(self._engine.instance(block_name), self._engine.program)
+
+    def call(self, function_name: str, /, **arguments: Value) -> Value | None:
+        """The value of a FUNCTION; None if it has none."""
+        return self._engine.call_function(function_name, arguments).value
+
+    def call_with_outputs(self, function_name: str, /, **arguments: Value) -> FunctionResult:
+        """The value of a FUNCTION together with its outputs and in-outs."""
+        return self._engine.call_function(function_name, arguments)
+
+    def run(self, block_name: str) -> None:
+        """One run of an organization block, a PROGRAM, or a FUNCTION without parameters."""
+        self._engine.run_block(block_name)
+
+    def reset(self, *, warm: bool = False) -> None:
+        """Initial values for everything global; after a warm start remanent variables stay."""
+        self._engine.reset(warm)

@@ -1,0 +1,197 @@
+"""Variables of a running program as Python attributes and items.
+
+`fb.status`, `fb.telegram.data[3]`, `fb.table[1, 2]`, `fb["telegram.data[3]"]`: whatever the case of
+the names, and with the indices of the PLC text. A scalar reads as its value; a structure, array or
+instance as a view that follows the program. A name that is no Python name, or that starts with
+`_`, is reached by an item.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import Protocol, TypeAlias
+
+from fbgen.diagnostics import DiagnosticError
+from fbgen.lang.checked import Program, Variable, VariableKind
+from fbgen.lang.types import ArrayType, BlockType, Scalar, StructType, Type
+from harness.engine.interface import Engine, Instance, Value
+from harness.engine.paths import Step, parse_path
+
+
+class UnknownVariableError(DiagnosticError, AttributeError):
+    """An attribute that the program does not have; the message names the nearest one."""
+
+
+class Access(Protocol):
+    """Reads and writes by paths."""
+
+    def get(self, path: str) -> Value:
+        """The value at a path."""
+        ...
+
+    def set(self, path: str, value: Value) -> None:
+        """Write the value at a path."""
+        ...
+
+
+class View:
+    """A structure, array or instance inside the program."""
+
+    __slots__ = ("_access", "_kind", "_path", "_program")
+
+    _access: Access
+    _kind: Type
+    _path: str
+    _program: Program
+
+    def __init__(self, access: Access, path: str, kind: Type, program: Program) -> None:
+        object.__setattr__(self, "_access", access)
+        object.__setattr__(self, "_path", path)
+        object.__setattr__(self, "_kind", kind)
+        object.__setattr__(self, "_program", program)
+
+    def __getattr__(self, name: str) -> "Item":
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self[name]
+        except DiagnosticError as failure:
+            raise UnknownVariableError(failure.diagnostics) from None
+
+    def __setattr__(self, name: str, value: "Value | View") -> None:
+        self[name] = value
+
+    def __getitem__(self, item: "str | int | tuple[int, ...]") -> "Item":
+        """A part by its name or path, or an element by its index or indices."""
+        kind: Type | None = self._kind
+        for step in parse_path(item) if isinstance(item, str) else (_indices(item),):
+            kind = None if kind is None else self._part_kind(kind, step)
+        path = self._path_to(item)
+        if isinstance(kind, StructType | ArrayType | BlockType):
+            return View(self._access, path, kind, self._program)
+        value = self._access.get(path)
+        assert isinstance(value, bool | int | float | str)
+        return value
+
+    def __setitem__(self, item: "str | int | tuple[int, ...]", value: "Value | View") -> None:
+        self._access.set(self._path_to(item), plain(value))
+
+    def __len__(self) -> int:
+        """How many parts or elements there are."""
+        return len(self._value())
+
+    def __iter__(self) -> Iterator[Value]:
+        """The elements of an array in flat order; of anything else the names of the parts."""
+        return iter(self._value())
+
+    def __eq__(self, other: object) -> bool:
+        """Compares the values."""
+        return self._value() == (other._value() if isinstance(other, View) else other)
+
+    __hash__ = None  # type: ignore[assignment]  # the way Python marks what cannot be hashed
+
+    def __repr__(self) -> str:
+        """The type and the values."""
+        return f"{self._kind} {self._value()!r}"
+
+    def _value(self) -> dict[str, Value] | list[Value]:
+        value = self._access.get(self._path)
+        assert isinstance(value, dict | list)
+        return value
+
+    def _path_to(self, item: "str | int | tuple[int, ...]") -> str:
+        if isinstance(item, str):
+            return f"{self._path}.{item}" if self._path else item
+        return f"{self._path}[{', '.join(str(index) for index in _indices(item))}]"
+
+    def _part_kind(self, kind: Type, step: Step) -> Type | None:
+        """The type of a part; None if there is no such part, which reading it will report."""
+        if isinstance(step, tuple):
+            return kind.element if isinstance(kind, ArrayType) else None
+        if isinstance(kind, StructType):
+            field = kind.field(step)
+            return None if field is None else field.type
+        if isinstance(kind, BlockType):
+            variables = self._program.block_of(kind.name).variables
+            return _type_of(variables, step)
+        return None
+
+
+Item: TypeAlias = Scalar | View
+
+
+class BlockInstance(View):
+    """A function block with its own state: a call `fb(execute=True)`, and its variables."""
+
+    __slots__ = ("_instance",)
+
+    _instance: Instance
+
+    def __init__(self, instance: Instance, program: Program) -> None:
+        super().__init__(instance, "", BlockType(instance.block.name), program)
+        object.__setattr__(self, "_instance", instance)
+
+    def __call__(self, **inputs: Value | View) -> None:
+        """One call of the block; inputs that are not given keep their value."""
+        self._instance.call({name: plain(value) for name, value in inputs.items()})
+
+    def _value(self) -> dict[str, Value]:
+        return {
+            variable.name: self._instance.get(f'"{variable.name}"')
+            for variable in self._instance.block.variables
+            if variable.kind not in (VariableKind.TEMP, VariableKind.RESULT)
+        }
+
+
+class Globals(View):
+    """The data blocks and global variables of a program, and its PROGRAMs by name."""
+
+    __slots__ = ()
+
+    def __init__(self, engine: Engine) -> None:
+        super().__init__(_GlobalAccess(engine), "", _NAMESPACE, engine.program)
+
+    def _value(self) -> dict[str, Value]:
+        return {
+            variable.name: self._access.get(f'"{variable.name}"')
+            for variable in self._program.globals.values()
+        }
+
+    def _part_kind(self, kind: Type, step: Step) -> Type | None:
+        if kind is not _NAMESPACE or isinstance(step, tuple):
+            return super()._part_kind(kind, step)
+        key = step.casefold()
+        if key in self._program.globals:
+            return self._program.globals[key].type
+        return BlockType(self._program.blocks[key].name) if key in self._program.blocks else None
+
+
+class _GlobalAccess:
+    """The global variables of an engine as `Access`."""
+
+    __slots__ = ("_engine",)
+
+    def __init__(self, engine: Engine) -> None:
+        self._engine = engine
+
+    def get(self, path: str) -> Value:
+        return self._engine.global_value(path)
+
+    def set(self, path: str, value: Value) -> None:
+        self._engine.set_global(path, value)
+
+
+_NAMESPACE = StructType("global variables", ())
+
+
+def plain(value: Value | View) -> Value:
+    """A copy of what a view shows: `dict` and `list`; any other value as it is."""
+    return value._value() if isinstance(value, View) else value
+
+
+def _indices(item: int | tuple[int, ...]) -> tuple[int, ...]:
+    return item if isinstance(item, tuple) else (item,)
+
+
+def _type_of(variables: Sequence[Variable], name: str) -> Type | None:
+    key = name.casefold()
+    found = (variable.type for variable in variables if variable.name.casefold() == key)
+    return next(found, None)
