@@ -233,7 +233,9 @@ class BlockParser(ConfigurationParser):
             raise self.failed("STRUCT, VAR, or the name of a type or function block")
         self._more_header(header)
         assignments: tuple[Assignment, ...] = ()
-        if self.accept("BEGIN"):
+        if self.kinds[self.at] == "BEGIN":
+            comments += self.take_before(self.at)
+            self.at += 1
             assignments = self._start_values()
         closing = self.take_leading()
         self._end_unit("END_DATA_BLOCK", first)

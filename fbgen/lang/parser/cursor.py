@@ -205,6 +205,15 @@ class Cursor:
                 return extra.trivia
         return None
 
+    def take_inline(self) -> Trivia | None:
+        """The comment in front of the next token, wherever its line ends."""
+        if self.extra_at == self.at:
+            trivia = self._extras[self._next_extra].trivia
+            if trivia.kind in (TriviaKind.LINE_COMMENT, TriviaKind.BLOCK_COMMENT):
+                self._step()
+                return trivia
+        return None
+
     def settle(self, leading: TriviaList) -> tuple[TriviaList, Trivia | None]:
         """The trivia of something that has just ended: what stood inside goes to the front."""
         while self.extra_at < self.at:

@@ -267,6 +267,8 @@ class ExpressionParser(Cursor):
             more = self.accept(",")
             if self.extra_at <= self.at:
                 leading, trailing = self.settle(argument.leading)
+                if not more and trailing is None:
+                    trailing = self.take_inline()
                 argument = Argument(
                     argument.span, argument.kind, argument.name, argument.value, leading, trailing
                 )

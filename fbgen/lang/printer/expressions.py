@@ -1,0 +1,163 @@
+"""Expressions as text. Parentheses come back as they were written; where a tree needs them and has
+none (it was built, not read) they are added."""
+
+from collections.abc import Callable
+from typing import Any
+
+from fbgen.lang.ast import (
+    Argument,
+    ArgumentKind,
+    ArrayLiteral,
+    Binary,
+    Call,
+    DirectAddress,
+    Expression,
+    Index,
+    LabelRange,
+    Literal,
+    Member,
+    Name,
+    Parenthesized,
+    Repeated,
+    Slice,
+    StructLiteral,
+    Unary,
+)
+from fbgen.lang.dialects.dialect import Dialect, Feature
+from fbgen.lang.parser.expressions import PRECEDENCE
+from fbgen.lang.printer.lines import inline_comment
+
+_SIGN = 9
+_HIGHEST = 10
+
+
+class ExpressionPrinter:
+    """Writes expressions of one dialect, each on one line."""
+
+    def __init__(self, dialect: Dialect) -> None:
+        self.dialect = dialect
+        self._slices = dialect.has(Feature.SLICES)
+        self._power_first = dialect.has(Feature.POWER_FIRST)
+
+    def expression(self, expression: Expression) -> str:
+        """The text of one expression."""
+        return _WRITERS[type(expression)](self, expression)
+
+    def chain(self, expression: Expression) -> tuple[str, list[tuple[str, str]]]:
+        """The first operand and all (operator, operand) of the loosest level, left to right."""
+        steps: list[tuple[str, str]] = []
+        level = _precedence(expression)
+        while isinstance(expression, Binary) and PRECEDENCE[expression.operator] == level:
+            right = self._wrapped(expression.right, level + 1)
+            steps.append((expression.operator, right))
+            expression = expression.left
+        steps.reverse()
+        return self._wrapped(expression, level), steps
+
+    def _wrapped(self, operand: Expression, lowest: int) -> str:
+        text = self.expression(operand)
+        return f"({text})" if _precedence(operand) < lowest else text
+
+    def name(self, name: Name) -> str:
+        """A name with its marks."""
+        text = f'"{name.name}"' if name.quoted else name.name
+        return f"#{text}" if name.local else text
+
+    def argument(self, argument: Argument) -> str:
+        """One argument, without its comments."""
+        value = "" if argument.value is None else self.expression(argument.value)
+        if argument.kind is ArgumentKind.POSITIONAL:
+            return value
+        return f"{argument.name} {argument.kind.value} {value}".rstrip()
+
+    def label(self, label: Expression | LabelRange) -> str:
+        """One value or range of a CASE."""
+        if isinstance(label, LabelRange):
+            return f"{self.expression(label.first)}..{self.expression(label.last)}"
+        return self.expression(label)
+
+    def arguments(self, arguments: tuple[Argument, ...]) -> str:
+        """All arguments on one line, with comments as `(* *)` between them."""
+        pieces: list[str] = []
+        last = len(arguments) - 1
+        for number, argument in enumerate(arguments):
+            pieces += [inline_comment(item) for item in argument.leading if item.text]
+            pieces.append(self.argument(argument) + ("," if number < last else ""))
+            if argument.trailing:
+                pieces.append(inline_comment(argument.trailing))
+        return " ".join(pieces)
+
+    # --- one method a kind of node ------------------------------------------------------------
+
+    def _literal(self, literal: Literal) -> str:
+        return literal.text
+
+    def _member(self, member: Member) -> str:
+        name = f'"{member.name}"' if member.quoted else member.name
+        return f"{self.expression(member.base)}.{name}"
+
+    def _index(self, index: Index) -> str:
+        indices = ", ".join(self.expression(item) for item in index.indices)
+        return f"{self.expression(index.base)}[{indices}]"
+
+    def _slice(self, part: Slice) -> str:
+        mark = f"%{part.size}" if self._slices else ""
+        return f"{self.expression(part.base)}.{mark}{part.index}"
+
+    def _address(self, address: DirectAddress) -> str:
+        bit = f".{address.bit}" if address.size == "X" else ""
+        if address.area == "DB":
+            return f"%DB{address.db}.DB{address.size}{address.byte}{bit}"
+        size = "" if address.size == "X" and self._slices else address.size
+        peripheral = ":P" if address.peripheral else ""
+        return f"%{address.area}{size}{address.byte}{bit}{peripheral}"
+
+    def _call(self, call: Call) -> str:
+        return f"{self.expression(call.callee)}({self.arguments(call.arguments)})"
+
+    def _unary(self, unary: Unary) -> str:
+        gap = " " if unary.operator.isalpha() else ""
+        lowest = PRECEDENCE["**"] if self._power_first else _SIGN
+        return f"{unary.operator}{gap}{self._wrapped(unary.operand, lowest)}"
+
+    def _binary(self, binary: Binary) -> str:
+        first, steps = self.chain(binary)
+        if self._power_first and binary.operator == "**" and first.startswith(("-", "+", "NOT ")):
+            first = f"({first})"
+        return first + "".join(f" {operator} {operand}" for operator, operand in steps)
+
+    def _parenthesized(self, inner: Parenthesized) -> str:
+        return f"({self.expression(inner.inner)})"
+
+    def _array(self, array: ArrayLiteral) -> str:
+        return f"[{', '.join(self.expression(item) for item in array.items)}]"
+
+    def _repeated(self, repeated: Repeated) -> str:
+        value = "" if repeated.value is None else self.expression(repeated.value)
+        return f"{self.expression(repeated.count)}({value})"
+
+    def _struct(self, struct: StructLiteral) -> str:
+        return f"({self.arguments(struct.fields)})"
+
+
+def _precedence(expression: Expression) -> int:
+    if isinstance(expression, Binary):
+        return PRECEDENCE[expression.operator]
+    return _SIGN if isinstance(expression, Unary) else _HIGHEST
+
+
+_WRITERS: dict[type, Callable[[ExpressionPrinter, Any], str]] = {
+    Literal: ExpressionPrinter._literal,
+    Name: ExpressionPrinter.name,
+    Member: ExpressionPrinter._member,
+    Index: ExpressionPrinter._index,
+    Slice: ExpressionPrinter._slice,
+    DirectAddress: ExpressionPrinter._address,
+    Call: ExpressionPrinter._call,
+    Unary: ExpressionPrinter._unary,
+    Binary: ExpressionPrinter._binary,
+    Parenthesized: ExpressionPrinter._parenthesized,
+    ArrayLiteral: ExpressionPrinter._array,
+    Repeated: ExpressionPrinter._repeated,
+    StructLiteral: ExpressionPrinter._struct,
+}

@@ -1,0 +1,100 @@
+"""Lines as they are printed: indentation, comments, the origin of each line."""
+
+from bisect import bisect_right
+
+from fbgen.lang.ast import Trivia, TriviaKind, TriviaList
+from fbgen.lang.dialects.dialect import Dialect, Feature
+from fbgen.source import Origin, Span
+
+WIDTH = 100
+"""Columns that a line may have before it is broken where it can be."""
+
+_COMMENT_GAP = "   "
+
+
+class Lines:
+    """Collects lines. `level` is the depth of indentation of the next one."""
+
+    def __init__(self, dialect: Dialect) -> None:
+        self.level = 0
+        self._indent = dialect.indent
+        self._line_comments = dialect.has(Feature.LINE_COMMENTS)
+        self._lines: list[str] = []
+        self._origins: list[Origin | None] = []
+
+    def text(self) -> str:
+        """All lines, each with its LF."""
+        return "".join(f"{line}\n" for line in self._lines)
+
+    def origins(self) -> tuple[Origin | None, ...]:
+        """Where each line came from."""
+        return tuple(self._origins)
+
+    def indentation(self) -> str:
+        """What stands in front of a line at this level."""
+        return self._indent * self.level
+
+    def add(self, text: str, place: Span | None = None, trailing: Trivia | None = None) -> None:
+        """One line, or several if `text` has line ends, with the comment that ends the last."""
+        if trailing is not None:
+            text += _COMMENT_GAP + self.comment(trailing)
+        origin = _origin(place)
+        first, *rest = text.split("\n")
+        self._append(self.indentation() + first, origin)
+        for line in rest:
+            self._append(line, origin)
+
+    def blank(self) -> None:
+        """One empty line, unless there is one or the text begins."""
+        if self._lines and self._lines[-1]:
+            self._append("", None)
+
+    def trivia(self, trivia: TriviaList) -> None:
+        """Comments, pragmas and blank lines, each on lines of its own."""
+        for item in trivia:
+            if item.kind is TriviaKind.BLANK_LINE:
+                self.blank()
+            else:
+                self.add(self.comment(item), item.span)
+
+    def comment(self, trivia: Trivia) -> str:
+        """A comment as this dialect writes it."""
+        if trivia.kind is TriviaKind.LINE_COMMENT and not self._line_comments:
+            return block_comment(trivia.text[2:])
+        return trivia.text
+
+    def _append(self, line: str, origin: Origin | None) -> None:
+        self._lines.append(line.rstrip())
+        self._origins.append(origin)
+
+
+def block_comment(text: str) -> str:
+    """A text as a `(* *)` comment; marks of comments inside it are taken apart."""
+    inner = text.strip().replace("(*", "( *").replace("*)", "* )")
+    return f"(* {inner} *)" if inner else "(* *)"
+
+
+def inline_comment(trivia: Trivia) -> str:
+    """A comment that can stand inside a line."""
+    if trivia.kind is TriviaKind.LINE_COMMENT:
+        return block_comment(trivia.text[2:])
+    return trivia.text
+
+
+def _origin(place: Span | None) -> Origin | None:
+    """Where a piece came from: the first origin inside it that is another file's, else its own.
+
+    So a line that shows a value of the catalogue leads to the catalogue, any other one to its line
+    in the template.
+    """
+    if place is None or not place.source.origins:
+        return None
+    origins = place.source.origins
+    own = place.origin
+    at = bisect_right(origins, place.start, key=lambda item: item[0])
+    while at < len(origins) and origins[at][0] < place.end:
+        origin = origins[at][1]
+        if origin is not None and (own is None or origin.file != own.file):
+            return origin
+        at += 1
+    return own

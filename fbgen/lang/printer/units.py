@@ -1,0 +1,202 @@
+"""Whole units and files as lines.
+
+Source: the order of header lines and the place of comments in published TIA Portal exports: no
+comment may stand between a block's first line and its first section, so those go above the block.
+"""
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from fbgen.lang.ast import (
+    Block,
+    Configuration,
+    DataBlock,
+    File,
+    Globals,
+    HeaderItem,
+    ProgramInstance,
+    Resource,
+    StructSpec,
+    Task,
+    TriviaKind,
+    TriviaList,
+    TypeDeclaration,
+    VarSection,
+)
+from fbgen.lang.dialects.dialect import Feature
+from fbgen.lang.printer.declarations import DeclarationPrinter
+from fbgen.source import Span
+
+_HEADER_ORDER = ("TITLE", "{}", "AUTHOR", "FAMILY", "NAME", "VERSION")
+
+
+class UnitPrinter(DeclarationPrinter):
+    """Writes a whole file."""
+
+    def file(self, file: File) -> None:
+        """All units, one blank line between them."""
+        for number, unit in enumerate(file.units):
+            if number:
+                self.lines.blank()
+            _WRITERS[type(unit)](self, unit)
+        self.lines.trivia(_without_last_blanks(file.closing))
+
+    # --- blocks with code ---------------------------------------------------------------------
+
+    def _block(self, block: Block) -> None:
+        sections = block.sections
+        above: TriviaList = ()
+        if sections and self.dialect.has(Feature.HEADERS):
+            above, sections = _first_comments_apart(sections)
+        self.lines.trivia((*block.leading, *block.header_comments, *above))
+        result = f" : {self.type_text(block.return_type)}" if block.return_type else ""
+        self.lines.add(f"{block.kind.value} {self.name(block.name)}{result}", _line(block.span))
+        self._header_items(block.header)
+        self._sections(sections)
+        self.lines.trivia(_without_last_blanks(block.body_comments))
+        if self.dialect.has(Feature.HEADERS):
+            self.lines.blank()
+            self.lines.add("BEGIN")
+        self.statements(block.body, _without_last_blanks(block.closing))
+        self.lines.add(f"END_{block.kind.value}", _end(block.span))
+
+    def _header_items(self, header: tuple[HeaderItem, ...]) -> None:
+        order = {keyword: number for number, keyword in enumerate(_HEADER_ORDER)}
+        for item in sorted(header, key=lambda item: order.get(item.keyword, len(order))):
+            if item.keyword == "{}":
+                text = item.text
+            elif item.keyword == "TITLE":
+                text = f"TITLE = {item.text}"
+            elif item.keyword in order:
+                text = f"{item.keyword} : {item.text}"
+            else:
+                text = item.keyword
+            self.lines.add(text, item.span)
+
+    def _sections(self, sections: Iterable[VarSection]) -> None:
+        self.lines.level += 1
+        for section in sections:
+            self.section(section)
+        self.lines.level -= 1
+
+    # --- data blocks and types ----------------------------------------------------------------
+
+    def _data_block(self, block: DataBlock) -> None:
+        self.lines.trivia((*block.leading, *block.header_comments))
+        self.lines.add(f"DATA_BLOCK {self.name(block.name)}", _line(block.span))
+        self._header_items(block.header)
+        if block.type:
+            self.lines.add(self.type_text(block.type), block.type.span)
+        if block.struct:
+            self._own_structure(block.struct)
+        self._sections(block.sections)
+        self.lines.blank()
+        self.lines.add("BEGIN")
+        self.statements(block.assignments, _without_last_blanks(block.closing))
+        self.lines.add("END_DATA_BLOCK", _end(block.span))
+
+    def _own_structure(self, struct: StructSpec) -> None:
+        self.lines.level += 1
+        self.typed("", struct, ";", struct.span, None)
+        self.lines.level -= 1
+
+    def _type(self, declaration: TypeDeclaration) -> None:
+        self.lines.trivia((*declaration.leading, *declaration.header_comments))
+        name = self.name(declaration.name)
+        initial = declaration.initial
+        value = f" := {self.expression(initial)};" if initial is not None else ";"
+        if isinstance(declaration.type, StructSpec) and self.dialect.has(Feature.HEADERS):
+            self.lines.add(f"TYPE {name}", _line(declaration.span))
+            self._header_items(declaration.header)
+            self.lines.level += 1
+            self.typed("", declaration.type, value, declaration.type.span, None)
+        else:
+            self.lines.add("TYPE", _line(declaration.span))
+            self.lines.level += 1
+            self.typed(f"{name} : ", declaration.type, value, declaration.span, None)
+        self.lines.trivia(_without_last_blanks(declaration.closing))
+        self.lines.level -= 1
+        self.lines.add("END_TYPE", _end(declaration.span))
+
+    # --- configurations -----------------------------------------------------------------------
+
+    def _configuration(self, node: Configuration) -> None:
+        self.lines.trivia(node.leading)
+        self.lines.add(f"CONFIGURATION {node.name}", _line(node.span))
+        self._sections(node.sections)
+        self.lines.level += 1
+        for resource in node.resources:
+            self._resource(resource)
+        self.lines.trivia(_without_last_blanks(node.closing))
+        self.lines.level -= 1
+        self.lines.add("END_CONFIGURATION", _end(node.span))
+
+    def _resource(self, node: Resource) -> None:
+        self.lines.trivia(node.leading)
+        self.lines.add(f"RESOURCE {node.name} ON {node.on}", _line(node.span))
+        self._sections(node.sections)
+        self.lines.level += 1
+        for task in node.tasks:
+            self._task(task)
+        for program in node.programs:
+            self._program(program)
+        self.lines.trivia(_without_last_blanks(node.closing))
+        self.lines.level -= 1
+        self.lines.add("END_RESOURCE", _end(node.span))
+
+    def _task(self, node: Task) -> None:
+        self.lines.trivia(node.leading)
+        text = f"TASK {node.name}({self.arguments(node.properties)});"
+        self.lines.add(text, node.span, node.trailing)
+
+    def _program(self, node: ProgramInstance) -> None:
+        self.lines.trivia(node.leading)
+        task = f" WITH {node.task}" if node.task else ""
+        text = f"PROGRAM {node.name}{task} : {self.type_text(node.type)};"
+        self.lines.add(text, node.span, node.trailing)
+
+    def _globals(self, node: Globals) -> None:
+        self.section(node.section)
+
+
+def _first_comments_apart(
+    sections: tuple[VarSection, ...],
+) -> tuple[TriviaList, tuple[VarSection, ...]]:
+    """The comments in front of the first section, and the sections without them."""
+    first = sections[0]
+    bare = VarSection(
+        first.span,
+        first.keyword,
+        first.qualifiers,
+        first.declarations,
+        (),
+        first.trailing,
+        first.closing,
+        first.opening,
+    )
+    comments = tuple(item for item in first.leading if item.kind is not TriviaKind.BLANK_LINE)
+    return comments, (bare, *sections[1:])
+
+
+def _without_last_blanks(trivia: TriviaList) -> TriviaList:
+    """Blank lines in front of an end are dropped."""
+    while trivia and trivia[-1].kind is TriviaKind.BLANK_LINE:
+        trivia = trivia[:-1]
+    return trivia
+
+
+def _line(place: Span) -> Span:
+    return place._replace(end=place.start)
+
+
+def _end(place: Span) -> Span:
+    return place._replace(start=max(place.start, place.end - 1))
+
+
+_WRITERS: dict[type, Callable[[UnitPrinter, Any], None]] = {
+    Block: UnitPrinter._block,
+    DataBlock: UnitPrinter._data_block,
+    TypeDeclaration: UnitPrinter._type,
+    Configuration: UnitPrinter._configuration,
+    Globals: UnitPrinter._globals,
+}
