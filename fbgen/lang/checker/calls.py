@@ -33,6 +33,7 @@ from fbgen.lang.checker.places import find_symbol, is_place
 from fbgen.lang.checker.standard_blocks import TIMER_METHODS, standard_block
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.standard_functions import OPERATORS_BY_NAME, STANDARD_FUNCTIONS
+from fbgen.lang.checker.symbols import Symbol
 from fbgen.lang.checker.system_instructions import (
     INSTRUCTIONS,
     RETURN_VALUE,
@@ -81,11 +82,14 @@ def _called_name(ctx: Context, node: ast.Call) -> str | None:
     if not isinstance(callee, ast.Name) or callee.local:
         return None
     symbol = find_symbol(ctx, callee)
-    if symbol is None or (
-        symbol.kind is VariableKind.RESULT if isinstance(symbol, Variable) else 0
-    ):
+    if symbol is None or is_result(symbol):
         return callee.name
     return None
+
+
+def is_result(symbol: Symbol) -> bool:
+    """True for the result variable of a FUNCTION, which has the function's name."""
+    return isinstance(symbol, Variable) and symbol.kind is VariableKind.RESULT
 
 
 def _user_block(ctx: Context, callee: ast.Expression, name: str) -> Block | None:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from fbgen.lang.checked import Block, Variable
 from fbgen.lang.checker.findings import Findings
 from fbgen.lang.checker.rules import Rules
-from fbgen.lang.checker.symbols import PendingConstant, Scope, Symbol
+from fbgen.lang.checker.symbols import PendingSymbol, Scope, Symbol
 from fbgen.source import Span
 
 if TYPE_CHECKING:
@@ -55,6 +55,11 @@ class Context:
         """The global variable, data block or constant under a casefolded name."""
         return self._resolved(self.library.globals, key)
 
+    def resolve_all(self) -> None:
+        """Look up every name that is still pending, so that errors in unused ones are found."""
+        for key in list(self.scope.entries):
+            self.local(key)
+
     def is_read_only(self, variable: Variable) -> bool:
         """True for constants that are kept as variables."""
         return variable in self.scope.read_only or variable in self.library.globals.read_only
@@ -73,7 +78,7 @@ class Context:
 
     def _resolved(self, scope: Scope, key: str) -> Symbol | None:
         entry = scope.entries.get(key)
-        if not isinstance(entry, PendingConstant):
+        if not isinstance(entry, PendingSymbol):
             return entry
         if entry.busy:
             self.findings.error(
@@ -86,6 +91,6 @@ class Context:
         entry.busy = True
         symbol = entry.evaluate()
         scope.entries[key] = symbol
-        if isinstance(symbol, Variable):
+        if isinstance(symbol, Variable) and entry.is_constant:
             scope.read_only.add(symbol)
         return symbol

@@ -47,7 +47,7 @@ class Initials:
         node = _bare(node)
         if isinstance(kind, ArrayType):
             if isinstance(node, ast.ArrayLiteral):
-                return self._array(ctx, node, kind)
+                return self._array(ctx, node, kind, base)
             return self._shape(ctx, node.span, kind, base, "[value, value, ...]")
         if isinstance(kind, StructType | BlockType):
             if isinstance(node, ast.StructLiteral):
@@ -71,7 +71,9 @@ class Initials:
         )
         return base
 
-    def _array(self, ctx: Context, node: ast.ArrayLiteral, kind: ArrayType) -> Initial | None:
+    def _array(
+        self, ctx: Context, node: ast.ArrayLiteral, kind: ArrayType, base: Initial | None
+    ) -> Initial | None:
         items: list[Initial | None] = []
         self._items(ctx, node.items, kind, items)
         if len(items) > kind.count:
@@ -82,7 +84,10 @@ class Initials:
                 "remove some values, or declare the array larger",
             )
             return None
-        items += [None] * (kind.count - len(items))
+        if isinstance(base, ArrayInitial):
+            items += base.items[len(items) :]
+        else:
+            items += [None] * (kind.count - len(items))
         return ArrayInitial(tuple(items))
 
     def _items(

@@ -15,7 +15,7 @@ from fbgen.lang.checker.constants import constant_of
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.places import address_of
-from fbgen.lang.checker.symbols import NamedConstant, PendingConstant
+from fbgen.lang.checker.symbols import NamedConstant, PendingSymbol
 from fbgen.lang.types import (
     BlockType,
     Elementary,
@@ -33,6 +33,7 @@ _KINDS = {
     "VAR_TEMP": VariableKind.TEMP,
     "VAR_GLOBAL": VariableKind.GLOBAL,
 }
+_KEEPING = (VariableKind.STATIC, VariableKind.GLOBAL, VariableKind.IN_OUT)
 _WITHOUT_MEMORY = (BlockKind.FUNCTION, BlockKind.ORGANIZATION_BLOCK)
 
 
@@ -62,12 +63,11 @@ class Interfaces:
                     self._externals(ctx, declaration)
                 else:
                     variables += self._variables(ctx, section, declaration, block)
-        for entry in list(ctx.scope.entries):
-            symbol = (
-                ctx.local(entry) if isinstance(ctx.scope.entries[entry], PendingConstant) else None
-            )
-            if isinstance(symbol, Variable):
-                variables.append(symbol)
+        for key, entry in list(ctx.scope.entries.items()):
+            if isinstance(entry, PendingSymbol) and entry.is_constant:
+                symbol = ctx.local(key)
+                if isinstance(symbol, Variable):
+                    variables.append(symbol)
         return variables
 
     # --- constants ----------------------------------------------------------------------------
@@ -82,8 +82,8 @@ class Interfaces:
             def evaluate(declared: ast.DeclaredName = declared) -> NamedConstant | Variable:
                 return self._constant(ctx, declaration, declared, block)
 
-            ctx.scope.entries[declared.name.casefold()] = PendingConstant(
-                declared.span, declared.name, evaluate
+            ctx.scope.entries[declared.name.casefold()] = PendingSymbol(
+                declared.span, declared.name, evaluate, is_constant=True
             )
 
     def _constant(
@@ -136,15 +136,12 @@ class Interfaces:
                 ctx, declaration.initial, resolved.type, resolved.initial
             )
         address = self._address(ctx, declaration, resolved.type)
-        if isinstance(resolved.type, BlockType) and kind in (
-            VariableKind.TEMP,
-            VariableKind.RESULT,
-        ):
+        if isinstance(resolved.type, BlockType) and kind not in _KEEPING:
             ctx.findings.error(
                 "FB4056",
-                f"an instance of {resolved.type.name} loses its memory here",
+                f"an instance of {resolved.type.name} cannot live in {section.keyword} here",
                 declaration.span,
-                "declare it in VAR of a FUNCTION_BLOCK or PROGRAM, or as a global one",
+                "declare it in VAR of a FUNCTION_BLOCK or PROGRAM, hand it over by VAR_IN_OUT",
             )
         variables = []
         for declared in declaration.names:
@@ -209,28 +206,40 @@ class Interfaces:
         return address
 
     def _externals(self, ctx: Context, declaration: ast.Declaration) -> None:
-        kind = self._library.types.resolve(ctx, declaration.type).type
+        """Global variables are looked up later, when all of them are declared."""
         for declared in declaration.names:
             if not self._is_new(ctx, declared):
                 continue
-            symbol = ctx.of_program(declared.name.casefold())
-            if symbol is None:
-                ctx.findings.error(
-                    "FB4001",
-                    f"there is no global variable '{declared.name}'",
-                    declared.span,
-                    nearest(declared.name, self._library.globals.names()),
-                )
-                symbol = NamedConstant(declared.span, declared.name, ERRONEOUS, 0)
-            elif symbol.type != kind and ERRONEOUS not in (symbol.type, kind):
-                ctx.findings.error(
-                    "FB4010",
-                    f"'{declared.name}' is declared as {spelled(kind)} here and as"
-                    f" {spelled(symbol.type)} in VAR_GLOBAL",
-                    declared.span,
-                    "write the type of VAR_GLOBAL",
-                )
-            ctx.scope.entries[declared.name.casefold()] = symbol
+
+            def find(declared: ast.DeclaredName = declared) -> NamedConstant | Variable:
+                return self._external(ctx, declaration, declared)
+
+            ctx.scope.entries[declared.name.casefold()] = PendingSymbol(
+                declared.span, declared.name, find, is_constant=False
+            )
+
+    def _external(
+        self, ctx: Context, declaration: ast.Declaration, declared: ast.DeclaredName
+    ) -> NamedConstant | Variable:
+        kind = self._library.types.resolve(ctx, declaration.type).type
+        symbol = ctx.of_program(declared.name.casefold())
+        if symbol is None:
+            ctx.findings.error(
+                "FB4001",
+                f"there is no global variable '{declared.name}'",
+                declared.span,
+                nearest(declared.name, self._library.globals.names()),
+            )
+            return NamedConstant(declared.span, declared.name, ERRONEOUS, 0)
+        if symbol.type != kind and ERRONEOUS not in (symbol.type, kind):
+            ctx.findings.error(
+                "FB4010",
+                f"'{declared.name}' is declared as {spelled(kind)} here and as"
+                f" {spelled(symbol.type)} in VAR_GLOBAL",
+                declared.span,
+                "write the type of VAR_GLOBAL",
+            )
+        return symbol
 
     def _is_new(self, ctx: Context, declared: ast.DeclaredName) -> bool:
         earlier = ctx.scope.entries.get(declared.name.casefold())

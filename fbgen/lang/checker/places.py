@@ -66,7 +66,7 @@ def check_name(ctx: Context, node: ast.Name, _expected: Type | None = None) -> E
     """A variable, or the value of a named constant."""
     symbol = find_symbol(ctx, node)
     if symbol is None:
-        if not _is_known_as_erroneous(ctx, node):
+        if node.name and not _is_known_as_erroneous(ctx, node):
             _unknown_name(ctx, node)
         return erroneous(node.span)
     ctx.used.add(symbol)

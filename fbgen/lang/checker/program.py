@@ -68,6 +68,8 @@ def _check(files: Sequence[ast.File], rules: Rules, findings: Findings) -> Progr
     blocks = library.all_blocks()
     bodies: dict[Block, tuple[Statement, ...]] = {}
     for block in blocks.values():
+        library.context_of(block).resolve_all()
+    for block in blocks.values():
         bodies[block] = check_body(library.context_of(block), block.syntax.body)
     report_recursive_calls(library, blocks)
     report_unused(library, blocks)

@@ -8,11 +8,12 @@ from typing import Any
 
 from fbgen.diagnostics import Note
 from fbgen.lang import ast, checked
-from fbgen.lang.checked import Constant, Expression, Statement, Variable, VariableKind
+from fbgen.lang.checked import Constant, Expression, Statement
 from fbgen.lang.checker.calls import (
     function_call,
     instance_call,
     is_built_in,
+    is_result,
     system_call,
     unknown_callee,
 )
@@ -69,7 +70,7 @@ def _call(ctx: Context, node: ast.CallStatement) -> Sequence[Statement]:
     callee = call.callee
     name = callee.name if isinstance(callee, ast.Name) and not callee.local else ""
     symbol = find_symbol(ctx, callee) if name and isinstance(callee, ast.Name) else None
-    if not name or (isinstance(symbol, Variable) and symbol.kind is not VariableKind.RESULT):
+    if not name or (symbol is not None and not is_result(symbol)):
         instance = instance_call(ctx, call)
         return () if instance is None else (instance,)
     quoted = isinstance(callee, ast.Name) and callee.quoted

@@ -20,17 +20,21 @@ class NamedConstant:
 
 
 @dataclass(slots=True, eq=False)
-class PendingConstant:
-    """A named constant that nobody has asked for yet; constants may name each other."""
+class PendingSymbol:
+    """A name that nobody has asked for yet: a constant (they may name each other), or an external.
+
+    `is_constant`: a variable that comes out of it may not be written.
+    """
 
     span: Span
     name: str
     evaluate: Callable[[], "NamedConstant | Variable"]
+    is_constant: bool
     busy: bool = False
 
 
 Symbol: TypeAlias = Variable | NamedConstant
-Entry: TypeAlias = Variable | NamedConstant | PendingConstant
+Entry: TypeAlias = Variable | NamedConstant | PendingSymbol
 
 
 class Scope:

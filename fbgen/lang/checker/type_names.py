@@ -13,6 +13,7 @@ from fbgen.lang.types import (
     ALIASES,
     ELEMENTARY,
     UINT,
+    ArrayInitial,
     ArrayType,
     Elementary,
     Field,
@@ -81,7 +82,7 @@ class TypeResolver:
         if isinstance(node, ast.StringSpec):
             return Resolved(self._string(ctx, node))
         if isinstance(node, ast.ArraySpec):
-            return Resolved(self._array(ctx, node))
+            return self._array(ctx, node)
         return Resolved(self.structure(ctx, node.fields, "STRUCT"))
 
     def named(self, ctx: Context, name: str, span: Span, quoted: bool = False) -> Resolved:
@@ -202,8 +203,9 @@ class TypeResolver:
             return ERRONEOUS
         return StringType(length, node.wide)
 
-    def _array(self, ctx: Context, node: ast.ArraySpec) -> Type:
-        element = self.resolve(ctx, node.element).type
+    def _array(self, ctx: Context, node: ast.ArraySpec) -> Resolved:
+        inner = self.resolve(ctx, node.element)
+        element = inner.type
         bounds = []
         for dimension in node.bounds:
             if dimension.first is None or dimension.last is None:
@@ -213,11 +215,11 @@ class TypeResolver:
                     dimension.span,
                     "declare the bounds",
                 )
-                return ERRONEOUS
+                return Resolved(ERRONEOUS)
             first = whole_number(ctx, dimension.first, "an array bound")
             last = whole_number(ctx, dimension.last, "an array bound")
             if first is None or last is None:
-                return ERRONEOUS
+                return Resolved(ERRONEOUS)
             if first > last:
                 self._library.findings.error(
                     "FB4055",
@@ -225,10 +227,10 @@ class TypeResolver:
                     dimension.span,
                     f"write {last}..{first}",
                 )
-                return ERRONEOUS
+                return Resolved(ERRONEOUS)
             bounds.append((first, last))
         if element == ERRONEOUS:
-            return ERRONEOUS
+            return Resolved(ERRONEOUS)
         kind = ArrayType(tuple(bounds), element)
         if self.cells(kind) > CELL_LIMIT:
             self._library.findings.error(
@@ -237,8 +239,10 @@ class TypeResolver:
                 node.span,
                 f"{CELL_LIMIT} values are the limit",
             )
-            return ERRONEOUS
-        return kind
+            return Resolved(ERRONEOUS)
+        if inner.initial is None:
+            return Resolved(kind)
+        return Resolved(kind, ArrayInitial((inner.initial,) * kind.count))
 
     def cells(self, kind: Type) -> int:
         """How many elementary values a type has; instances count as one."""
