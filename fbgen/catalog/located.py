@@ -7,7 +7,7 @@ one DiagnosticError with everything that is wrong in the document: a finding ins
 none in its neighbours or in the whole.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from typing import Self, TypeVar
 
@@ -22,7 +22,7 @@ from pydantic import (
 )
 from pydantic_core import ErrorDetails, PydanticCustomError
 
-from fbgen.catalog.nearest import nearest
+from fbgen.catalog.nearest import near_names, nearest
 from fbgen.catalog.yaml_nodes import Document, YamlFloat, YamlInt, YamlMapping, YamlSequence, locate
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.source import Origin, Span
@@ -35,15 +35,28 @@ class _Place:
     span: Span | None = field(default=None, compare=False)
     fields: dict[str, Span] = field(default_factory=dict, compare=False)
     keys: dict[str, Span] = field(default_factory=dict, compare=False)
-    items: dict[str, list[Span]] = field(default_factory=dict, compare=False)
+    items: dict[str, dict[int | str, Span]] = field(default_factory=dict, compare=False)
 
 
 @dataclass(slots=True)
 class _Reading:
-    """What accompanies the validation of one document."""
+    """What accompanies the validation of one document.
+
+    `misspelt` holds keys that are missing in the mapping at a place only because they are spelled
+    wrongly there: the unknown key is reported, the missing one need not be.
+    """
 
     known: object
     findings: list[Diagnostic] = field(default_factory=list)
+    misspelt: set[tuple[Span, str]] = field(default_factory=set)
+
+    def unknown_keys(self, data: YamlMapping, fields: Iterable[str]) -> None:
+        """FB1005 for every key that is no field."""
+        for key, span in data.key_spans.items():
+            if key not in fields:
+                message = f"the key '{key}' is not known here"
+                self.findings.append(Diagnostic("FB1005", message, span, nearest(key, fields)))
+                self.misspelt |= {(data.span, name) for name in near_names(key, fields)[:1]}
 
 
 class Located(BaseModel):
@@ -59,16 +72,12 @@ class Located(BaseModel):
     ) -> Self:
         reading = info.context if isinstance(info.context, _Reading) else None
         if isinstance(data, YamlMapping) and reading is not None:
-            reading.findings += _unknown_keys(data, cls.model_fields)
+            reading.unknown_keys(data, cls.model_fields)
             model = handler({key: data[key] for key in data if key in cls.model_fields})
         else:
             model = handler(data)
         if isinstance(data, YamlMapping):
-            items = {
-                key: value.item_spans
-                for key, value in data.items()
-                if isinstance(value, YamlSequence)
-            }
+            items = {key: _item_spans(value) for key, value in data.items()}
             model._place = _Place(data.span, data.value_spans, data.key_spans, items)
         found = tuple(model.problems())
         if reading is not None:
@@ -96,14 +105,20 @@ class Located(BaseModel):
         """Where the value of a field stands, or the model itself where the field is not written."""
         return self._place.fields.get(name, self._place.span)
 
-    def item_span_of(self, name: str, index: int) -> Span | None:
-        """Where an item of a list stands, or the list where items have no place."""
-        items = self._place.items.get(name, ())
-        return items[index] if index < len(items) else self.span_of(name)
+    def item_span_of(self, name: str, item: int | str) -> Span | None:
+        """Where an item of a list (by index) or of a mapping (its value, by key) stands, or the
+        whole list or mapping where items have no place."""
+        return self._place.items.get(name, {}).get(item, self.span_of(name))
 
     def key_span_of(self, name: str) -> Span | None:
         """Where the name of a field stands, or the model itself where the field is not written."""
         return self._place.keys.get(name, self._place.span)
+
+
+def _item_spans(value: object) -> dict[int | str, Span]:
+    if isinstance(value, YamlSequence):
+        return dict(enumerate(value.item_spans))
+    return {**value.value_spans} if isinstance(value, YamlMapping) else {}
 
 
 def origin(what: str, model: Located, source: str = "") -> Origin | None:
@@ -126,7 +141,12 @@ def validate(document: Document, model: type[Model], known: object = None) -> Mo
         result = model.model_validate(document.data, context=reading)
     except ValidationError as failure:
         details = _first_hand(failure.errors(include_url=False))
-        raise _all([*(_translate(document, item) for item in details), *reading.findings]) from None
+        reading.findings += [
+            found
+            for item in details
+            if (found := _translate(document, item, reading.misspelt)) is not None
+        ]
+        raise _all(reading.findings) from None
     if reading.findings:
         raise _all(reading.findings)
     return result
@@ -134,15 +154,9 @@ def validate(document: Document, model: type[Model], known: object = None) -> Mo
 
 def _first_hand(details: list[ErrorDetails]) -> list[ErrorDetails]:
     """Without "too short" of lists that are short only because an item of theirs is wrong."""
+    wrong_inside = {item["loc"][:length] for item in details for length in range(len(item["loc"]))}
     return [
-        item
-        for item in details
-        if item["type"] != "too_short"
-        or not any(
-            other["loc"][: len(item["loc"])] == item["loc"]
-            for other in details
-            if other is not item
-        )
+        item for item in details if item["type"] != "too_short" or item["loc"] not in wrong_inside
     ]
 
 
@@ -152,25 +166,18 @@ def _all(found: list[Diagnostic]) -> DiagnosticError:
     return DiagnosticError(sorted(once, key=lambda item: item.span.start if item.span else 0))
 
 
-def _translate(document: Document, details: ErrorDetails) -> Diagnostic:
+def _translate(
+    document: Document, details: ErrorDetails, misspelt: Collection[tuple[Span, str]]
+) -> Diagnostic | None:
     kind, path = details["type"], details["loc"]
     span, value = locate(document, path)
-    if kind == "missing":
-        wanted = str(path[-1])
-        first = span if not isinstance(value, YamlMapping) else _first_key(value)
-        return Diagnostic("FB1006", f"the key '{wanted}' is missing here", first, f"add {wanted}:")
-    return Diagnostic("FB1007", *_wrong_value(details, value, span))
-
-
-def _first_key(mapping: YamlMapping) -> Span:
-    return next(iter(mapping.key_spans.values()), mapping.span)
-
-
-def _unknown_keys(data: YamlMapping, known: Iterable[str]) -> Iterator[Diagnostic]:
-    for key, span in data.key_spans.items():
-        if key not in known:
-            message = f"the key '{key}' is not known here"
-            yield Diagnostic("FB1005", message, span, nearest(key, known))
+    if kind != "missing":
+        return Diagnostic("FB1007", *_wrong_value(details, value, span))
+    wanted = str(path[-1])
+    if (span, wanted) in misspelt:
+        return None
+    first = next(iter(value.key_spans.values()), span) if isinstance(value, YamlMapping) else span
+    return Diagnostic("FB1006", f"the key '{wanted}' is missing here", first, f"add {wanted}:")
 
 
 _EXPECTED = {

@@ -6,17 +6,21 @@ from difflib import get_close_matches
 _LISTED = 12
 
 
-def nearest(name: str, known: Iterable[str]) -> str:
-    """A help text: the nearest known names, or all of them if none is near.
+def near_names(name: str, known: Iterable[str]) -> list[str]:
+    """Up to three known names that are spelled nearly so, the nearest first.
 
     Upper and lower case and the difference between `-` and `_` do not count as distance.
     """
+    plain = {_plain(candidate): candidate for candidate in sorted(set(known))}
+    return [plain[match] for match in get_close_matches(_plain(name), plain, n=3, cutoff=0.6)]
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """A help text: the nearest known names, or all of them if none is near."""
     names = sorted(set(known))
     if not names:
         return "there is none yet"
-    plain = {_plain(candidate): candidate for candidate in names}
-    near = [plain[match] for match in get_close_matches(_plain(name), plain, n=3, cutoff=0.6)]
-    if near:
+    if near := near_names(name, names):
         return "did you mean " + " or ".join(f"'{match}'" for match in near) + "?"
     listed = ", ".join(names[:_LISTED])
     return f"known: {listed}" + (", ..." if len(names) > _LISTED else "")

@@ -89,10 +89,11 @@ def _bits(step: WriteStep, drive: Drive) -> Iterator[Diagnostic]:
             "FB1105", f"{comno.hex} of '{drive.id}' is no bit word", step.span_of("write")
         )
         return
+    places = {name: step.item_span_of("bits", at) for at, name in enumerate(step.bits or ())}
+    places |= {name: step.item_span_of("bits_from", name) for name in step.bits_from}
     for name in names:
         try:
             drive.word(comno.word or "").field(name)
         except DiagnosticError as unknown:
             for found in unknown.diagnostics:
-                place = step.span_of("bits_from" if name in step.bits_from else "bits")
-                yield Diagnostic("FB1105", found.message, place, found.help)
+                yield Diagnostic("FB1105", found.message, places[name], found.help)

@@ -4,6 +4,7 @@ A step is a mapping with one of the keys `write`, `read` or `delay`. ComNos and 
 in the drive series for which the sequence is made; `catalog/references.py` checks the names.
 """
 
+import re
 from collections.abc import Iterable
 from typing import Annotated, Any, Literal
 
@@ -17,6 +18,20 @@ from fbgen.catalog.sourced import Sourced
 from fbgen.diagnostics import Diagnostic
 
 ValueType = Literal["BOOL", "INT", "WORD", "REAL", "TIME"]
+_DEFAULTS: dict[ValueType, str] = {
+    "BOOL": r"true|false",
+    "INT": r"-?[0-9]{1,5}",
+    "WORD": r"16#[0-9A-F]{4}",
+    "REAL": r"-?[0-9]{1,9}\.[0-9]{1,9}",
+    "TIME": r"T#[0-9]{1,9}(ms|s)",
+}
+_DEFAULT_EXAMPLES: dict[ValueType, str] = {
+    "BOOL": "false",
+    "INT": "0",
+    "WORD": "16#0000",
+    "REAL": "0.0",
+    "TIME": "T#500ms",
+}
 DriveTime = Literal["reply_max", "boot", "reset_silence"]
 
 
@@ -34,8 +49,15 @@ class Parameter(Located):
     default: Text | None = None
 
     def problems(self) -> Iterable[Diagnostic]:
-        """FB1107: a scale without a number to scale."""
-        return _scale(self, self.name, self.type, self.scaled_by)
+        """FB1107: a scale without a number to scale, a default that is none of the type."""
+        yield from _scale(self, self.name, self.type, self.scaled_by)
+        if self.default is not None and not re.fullmatch(_DEFAULTS[self.type], self.default):
+            yield Diagnostic(
+                "FB1107",
+                f"'{self.default}' is no {self.type}",
+                self.span_of("default"),
+                f"write it as {_DEFAULT_EXAMPLES[self.type]}",
+            )
 
 
 class Result(Located):

@@ -112,13 +112,14 @@ def _options(
         if name not in known:
             message = f"{device} has no option '{name}'"
             help_text = nearest(name, known)
-            yield Diagnostic("FB2003", message, owner.span_of("options"), help_text)
+            yield Diagnostic("FB2003", message, owner.item_span_of("options", name), help_text)
             continue
         try:
             known[name].check(value)
         except DiagnosticError as wrong:
             for found in wrong.diagnostics:
-                yield Diagnostic("FB2003", found.message, owner.span_of("options"), found.help)
+                place = owner.item_span_of("options", name)
+                yield Diagnostic("FB2003", found.message, place, found.help)
 
 
 def inverter_numbers(item: "PlantGateway") -> Iterator[Diagnostic]:
@@ -195,7 +196,8 @@ def addresses(item: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
     """FB2016 overlapping data, FB2017 missing address, FB2018 beyond the area, FB2005 access."""
     layouts = [(part, found) for part in item.gateways if (found := _found(part, catalog))]
     for part, layout in layouts:
-        yield from _reachable(part, layout, item.family)
+        if part.access in layout.access_ways:
+            yield from _reachable(part, layout, item.family)
     for field, length in (
         ("input_address", lambda layout: layout.input_length),
         ("output_address", lambda layout: layout.output_length),
