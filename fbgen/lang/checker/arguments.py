@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 from typing import TypeVar
 
-from fbgen.catalog.nearest import nearest
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.spelling import nearest
 
 _P = TypeVar("_P")
 

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from fbgen.catalog.nearest import nearest
 from fbgen.lang import ast, checked
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import (
@@ -30,6 +29,7 @@ from fbgen.lang.checker.conversions import keeps_representation
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, default_value, erroneous
 from fbgen.lang.checker.places import find_symbol, is_place
+from fbgen.lang.checker.spelling import nearest
 from fbgen.lang.checker.standard_blocks import TIMER_METHODS, standard_block
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.standard_functions import OPERATORS_BY_NAME, STANDARD_FUNCTIONS

@@ -3,12 +3,12 @@
 Sources: IEC 61131-3 third edition, section 6.8 and table 62 and 63.
 """
 
-from fbgen.catalog.nearest import nearest
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Block, Task
 from fbgen.lang.checker.constants import constant_of
 from fbgen.lang.checker.library import Library
+from fbgen.lang.checker.spelling import nearest
 from fbgen.lang.types import LTIME, UINT
 from fbgen.source import Span
 

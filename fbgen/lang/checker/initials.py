@@ -8,13 +8,13 @@ Sources: IEC 61131-3 third edition, tables 11, 13 and 14; TIA Portal help, "Defa
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from fbgen.catalog.nearest import nearest
 from fbgen.lang import ast
 from fbgen.lang.checked import VariableKind
 from fbgen.lang.checker.coercion import spelled
 from fbgen.lang.checker.constants import constant_of, whole_number
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.spelling import nearest
 from fbgen.lang.types import (
     ArrayInitial,
     ArrayType,
@@ -45,6 +45,8 @@ class Initials:
     ) -> Initial | None:
         """The value of an initializer over `base`; `base` itself after reporting errors."""
         node = _bare(node)
+        if kind == ERRONEOUS:
+            return base
         if isinstance(kind, ArrayType):
             if isinstance(node, ast.ArrayLiteral):
                 return self._array(ctx, node, kind, base)
@@ -55,7 +57,7 @@ class Initials:
             return self._shape(ctx, node.span, kind, base, "(name := value, ...)")
         if isinstance(node, ast.ArrayLiteral | ast.StructLiteral):
             return self._shape(ctx, node.span, kind, base, "one value")
-        if not isinstance(kind, Elementary | StringType) or kind == ERRONEOUS:
+        if not isinstance(kind, Elementary | StringType):
             return base
         value = constant_of(ctx, node, kind, "this initial value")
         return base if value is None else value

@@ -6,7 +6,6 @@ Sources: IEC 61131-3 third edition, tables 13 to 16 and 19; TIA Portal help, "Bl
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from fbgen.catalog.nearest import nearest
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Address, Variable, VariableKind
@@ -15,6 +14,7 @@ from fbgen.lang.checker.constants import constant_of
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.places import address_of
+from fbgen.lang.checker.spelling import nearest
 from fbgen.lang.checker.symbols import NamedConstant, PendingSymbol
 from fbgen.lang.types import (
     BlockType,
@@ -43,17 +43,19 @@ class Interfaces:
     def __init__(self, library: "Library") -> None:
         self._library = library
 
-    def declare(
+    def declare_constants(
         self, ctx: Context, sections: Sequence[ast.VarSection], block: BlockKind | None
-    ) -> list[Variable]:
-        """All variables of the sections, in their order; `block` None for global sections.
-
-        Constants come first, as types anywhere in the block may use them.
-        """
+    ) -> None:
+        """Make the constants known, before any type that may use them; `block` None: global."""
         for section in sections:
             if _is_constant(section):
                 for declaration in section.declarations:
                     self._constants(ctx, declaration, block)
+
+    def declare(
+        self, ctx: Context, sections: Sequence[ast.VarSection], block: BlockKind | None
+    ) -> list[Variable]:
+        """All variables of the sections, in their order, then the constants that are variables."""
         variables: list[Variable] = []
         for section in sections:
             if _is_constant(section):

@@ -89,6 +89,10 @@ class Library:
             (Note("the first one is here", first),),
         )
 
+    def declare_constants(self) -> None:
+        """Declare the global constants."""
+        self._interfaces.declare_constants(self.global_context(), self._sections, None)
+
     def declare_globals(self) -> None:
         """Declare global variables and data blocks."""
         ctx = self.global_context()
@@ -243,6 +247,7 @@ class Library:
         result = self._result(ctx, node) if kind is BlockKind.FUNCTION else None
         if result is not None:
             ctx.scope.entries[result.name.casefold()] = result
+        self._interfaces.declare_constants(ctx, node.sections, kind)
         variables = self._interfaces.declare(ctx, node.sections, kind)
         if result is not None:
             variables.append(result)

@@ -1,6 +1,5 @@
 """Names, members, indices, slices and absolute addresses: what can be read and written."""
 
-from fbgen.catalog.nearest import nearest
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import (
@@ -21,6 +20,7 @@ from fbgen.lang.checker.coercion import as_typed, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, erroneous
+from fbgen.lang.checker.spelling import nearest
 from fbgen.lang.checker.symbols import NamedConstant, Symbol
 from fbgen.lang.types import (
     BOOL,

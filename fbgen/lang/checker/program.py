@@ -63,6 +63,7 @@ def _room_for_nesting() -> Iterator[None]:
 def _check(files: Sequence[ast.File], rules: Rules, findings: Findings) -> Program:
     library = Library(rules, findings)
     library.collect(files)
+    library.declare_constants()
     library.types.all_user_types()
     library.declare_globals()
     blocks = library.all_blocks()

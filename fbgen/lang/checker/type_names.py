@@ -3,12 +3,12 @@
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from fbgen.catalog.nearest import nearest
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.checker.constants import whole_number
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.spelling import nearest
 from fbgen.lang.types import (
     ALIASES,
     ELEMENTARY,
