@@ -41,6 +41,7 @@ class Inverter:
     __slots__ = (
         "_bits",
         "_emergency_code",
+        "_followed",
         "_timeout_code",
         "communication",
         "monitors",
@@ -69,6 +70,8 @@ class Inverter:
         self.powered = True
         self.registers = Registers(series, _delivered(series, settings))
         self._bits = CommandBits.of(series.command_word)
+        followed = (*operation.PARAMETERS, series.link.setpoint)
+        self._followed = frozenset(self.registers.number(name) for name in followed)
         self.trips = TripLog(series)
         self.operation = Operation(kernel, series, self.registers, settings.motor, settings.load)
         self.monitors = Monitors(series, self.registers, self.operation, self.trips)
@@ -191,8 +194,8 @@ class Inverter:
         self._trip(self.trips.code_of(display))
 
     def reset(self) -> None:
-        """Reset a fault at the panel: the inverter restarts, network control is lost."""
-        if self.powered:
+        """Reset a trip at the panel: the inverter restarts, network control is lost."""
+        if self.powered and self.tripped:
             self._restart(self.series.times.reset_silence.ns)
 
     def power_off(self) -> None:
@@ -264,7 +267,8 @@ class Inverter:
             self.communication.number_changed()
         elif number == registers.number(link.timeout):
             self.communication.timeout_changed()
-        self._follow()
+        elif number in self._followed:
+            self._follow()
 
     def _command(self, command: int) -> None:
         if command & self._bits.fault_reset:

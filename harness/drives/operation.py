@@ -9,7 +9,7 @@ run; jog needs the run bit; with a preset speed its frequency counts whatever bi
 for jogging; after coasting the inverter starts at 0 Hz and does not search the speed.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from math import inf
 from typing import NamedTuple
@@ -47,7 +47,7 @@ class Mode(Enum):
     DC_BRAKE = "direct current"
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Panel:
     """The hands at the inverter: panel or terminals, for when the network has no priority."""
 
@@ -208,7 +208,7 @@ class Operation:
         """As after power-on: no command from the network, nobody has pressed RUN again."""
         self.stop_output()
         self.command = 0
-        self.panel.run = False
+        self.panel = replace(self.panel, run=False)
         self.evaluate()
 
     def _drive(self, mode: Mode, target: float) -> None:

@@ -212,3 +212,10 @@ def test_unknown_trip_is_told_with_the_known_ones() -> None:
     with pytest.raises(DiagnosticError, match="Err5") as caught:
         drive.trip("ERR5")
     assert [finding.code for finding in caught.value.diagnostics] == ["FB7102"]
+
+
+def test_reset_key_does_nothing_without_a_trip() -> None:
+    bench, drive = running()
+    drive.reset()
+    assert drive.running
+    assert bench.ask("0B 47 FC 90 00 00") == "0B 47 FC 90 00 00"
