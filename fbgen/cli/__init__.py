@@ -1,0 +1,58 @@
+"""The command line `fbgen`: one module per command.
+
+How a process ends: status 0 when done, 1 for findings (every error a user can mend is a diagnostic
+on standard error), 2 for wrong usage, 70 for a defect of fbgen itself, 130 after Ctrl-C, 141 when
+the reader of standard output goes away early (`fbgen ... | head`), which is no error and quiet.
+The result of a command goes to standard output, everything else to standard error.
+
+Only this package imports the harness, and only inside the commands that need it. Nothing here is
+imported before `main` runs, so that `fbgen --help` is fast and Ctrl-C never shows a traceback.
+"""
+
+import errno
+import io
+import os
+import sys
+from collections.abc import Sequence
+
+FINDINGS, DEFECT, INTERRUPTED, READER_GONE = 1, 70, 130, 141
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command with these arguments (those of the process if None); the exit status."""
+    try:
+        for stream in (sys.stdout, sys.stderr):
+            if isinstance(stream, io.TextIOWrapper):
+                stream.reconfigure(errors="backslashreplace")
+        status = _run(arguments)
+        sys.stdout.flush()
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except OSError as problem:
+        if problem.errno != errno.EPIPE:
+            raise
+        # What is still in the buffer must not fail once more when the interpreter ends.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return READER_GONE
+    return status
+
+
+def _run(arguments: Sequence[str] | None) -> int:
+    from fbgen.cli.output import report, report_defect, report_inaccessible
+    from fbgen.cli.program import program
+    from fbgen.diagnostics import DiagnosticError
+
+    try:
+        program(args=arguments, prog_name="fbgen")
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else 0
+    except DiagnosticError as failure:
+        report(failure.diagnostics)
+        return FINDINGS
+    except OSError as problem:
+        report_inaccessible(problem)
+        return FINDINGS
+    except Exception as defect:
+        report_defect(defect)
+        return DEFECT
+    return 0

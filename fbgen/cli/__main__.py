@@ -1,0 +1,7 @@
+"""`python -m fbgen.cli`, for where the script `fbgen` is not on the path."""
+
+import sys
+
+from fbgen.cli import main
+
+sys.exit(main())

@@ -1,0 +1,106 @@
+"""`fbgen catalog list` and `fbgen catalog show`: what the catalogue holds."""
+
+from enum import Enum
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from fbgen.cli.examples import examples
+from fbgen.cli.layers import CatalogOption, JsonOption
+from fbgen.cli.output import result, result_json
+
+if TYPE_CHECKING:
+    from fbgen.catalog import Catalog
+
+
+class Kind(Enum):
+    """The folders of a catalogue, and the words of all devices."""
+
+    DRIVES = "drives"
+    GATEWAYS = "gateways"
+    PROTOCOLS = "protocols"
+    SEQUENCES = "sequences"
+    WORDS = "words"
+
+
+commands = typer.Typer(help="Show what the catalogue holds.", no_args_is_help=True)
+
+
+def register(program: typer.Typer) -> None:
+    """Add the commands to the program."""
+    program.add_typer(commands, name="catalog")
+
+
+@commands.command(
+    "list",
+    epilog=examples(
+        "fbgen catalog list",
+        "fbgen catalog list sequences",
+        "fbgen catalog list words --json",
+    ),
+)
+def list_entries(
+    kind: Annotated[Kind | None, typer.Argument(help="Only entries of this kind.")] = None,
+    catalog: CatalogOption = None,
+    as_json: JsonOption = False,
+) -> None:
+    """List the entries: kind, id and title."""
+    from fbgen.catalog import load_catalog
+    from fbgen.cli.table import table
+
+    rows = [row for row in _rows(load_catalog(catalog or ())) if kind in (None, Kind(row[0]))]
+    if as_json:
+        result_json([{"kind": row[0], "id": row[1], "title": row[2]} for row in rows])
+    else:
+        result(table(["kind", "id", "title"], rows))
+
+
+@commands.command(
+    epilog=examples(
+        "fbgen catalog show tospbdp001",
+        "fbgen catalog show vf-s11.command      a word with its bits",
+        "fbgen catalog show vf-s11.FA01         one ComNo",
+        "fbgen catalog show stop --json",
+    ),
+)
+def show(
+    entry: Annotated[
+        str, typer.Argument(metavar="ID", help="An entry, or device.word or drive.ComNo.")
+    ],
+    catalog: CatalogOption = None,
+    as_json: JsonOption = False,
+) -> None:
+    """Show one entry with its sources."""
+    from fbgen.catalog import load_catalog
+    from fbgen.cli.catalog_parts import as_json as plain
+    from fbgen.cli.catalog_parts import find_entry, find_part
+    from fbgen.cli.catalog_text import entry_text, part_text
+
+    known = load_catalog(catalog or ())
+    if "." in entry:
+        part = find_part(known, entry)
+        if as_json:
+            result_json(plain(part))
+        else:
+            result(part_text(entry, part))
+        return
+    found = find_entry(known, entry)
+    if as_json:
+        result_json(plain(found))
+    else:
+        result(entry_text(found))
+
+
+def _rows(known: "Catalog") -> list[list[str]]:
+    rows = [
+        [kind.value, entry.id, entry.title]
+        for kind, entries in (
+            (Kind.DRIVES, known.drives),
+            (Kind.GATEWAYS, known.gateways),
+            (Kind.PROTOCOLS, known.protocols),
+            (Kind.SEQUENCES, known.sequences),
+        )
+        for entry in entries.values()
+    ]
+    words = dict(known.word_names())
+    return rows + [[Kind.WORDS.value, path, word.title] for path, word in words.items()]

@@ -1,0 +1,66 @@
+"""Finding what a path names in the catalogue, and entries as plain data."""
+
+from collections.abc import Mapping
+
+from pydantic import BaseModel
+
+from fbgen.catalog import Catalog, ComNo, Word
+from fbgen.catalog.catalog import Entry
+from fbgen.catalog.nearest import nearest
+from fbgen.catalog.scalars import BitRange
+from fbgen.diagnostics import error
+
+
+def find_entry(catalog: Catalog, name: str) -> Entry:
+    """The entry of an id, whatever its kind. Raises DiagnosticError FB9005."""
+    entries: dict[str, Entry] = {
+        **catalog.sequences,
+        **catalog.protocols,
+        **catalog.gateways,
+        **catalog.drives,
+    }
+    if name.lower() in entries:
+        return entries[name.lower()]
+    raise error("FB9005", f"the catalogue has no entry '{name}'", None, nearest(name, entries))
+
+
+def find_part(catalog: Catalog, path: str) -> Word | ComNo:
+    """The word of `device.word`, or the ComNo of `drive.ComNo` that is no bit word.
+
+    Raises DiagnosticError FB9005 with the nearest names.
+    """
+    words = dict(catalog.word_names())
+    comnos = {
+        f"{drive.id}.{name.lower()}": comno
+        for drive in catalog.drives.values()
+        for comno in drive.comnos
+        for name in (comno.hex, comno.name)
+    }
+    parts: dict[str, Word | ComNo] = {**comnos, **words}
+    if path.lower() in parts:
+        return parts[path.lower()]
+    device = path.lower().partition(".")[0]
+    known = [name for name in parts if name.startswith(f"{device}.")] or list(parts)
+    raise error(
+        "FB9005", f"the catalogue has no word or ComNo '{path}'", None, nearest(path, known)
+    )
+
+
+def as_json(item: BaseModel) -> object:
+    """An entry or a part of one as it could stand in JSON.
+
+    Numbers are numbers, bytes are hexadecimal text, bit ranges are written as in YAML.
+    """
+    return _plain(item.model_dump(exclude_none=True))
+
+
+def _plain(value: object) -> object:
+    if isinstance(value, BitRange):
+        return str(value)
+    if isinstance(value, bytes):
+        return value.hex(" ").upper()
+    if isinstance(value, Mapping):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    return value

@@ -1,0 +1,213 @@
+"""Entries of the catalogue as text for a person, for `fbgen catalog show`."""
+
+from collections.abc import Sequence
+
+from fbgen.catalog import ComNo, Drive, Gateway, Protocol, ReadStep, Step, Word, WriteStep
+from fbgen.catalog import Sequence as CommandSequence
+from fbgen.catalog.catalog import Entry
+from fbgen.catalog.options import Option
+from fbgen.catalog.sourced import Sourced
+from fbgen.cli.table import paragraph, table
+from fbgen.cli.word_tables import bits_text, source_list, source_number
+
+
+class _Sources:
+    """The sources of one text, numbered as they appear."""
+
+    def __init__(self) -> None:
+        self.found: list[str] = []
+
+    def of(self, item: Sourced) -> str:
+        """How a table refers to the source of an entry."""
+        return source_number(item.source or "", item.status, self.found)
+
+
+def entry_text(entry: Entry) -> str:
+    """Everything a person may want to know of an entry, with its sources at the end."""
+    sources = _Sources()
+    head = f"{entry.id}: {entry.title} {sources.of(entry)}"
+    parts = [head]
+    if entry.description:
+        parts.append(paragraph(entry.description))
+    match entry:
+        case Drive():
+            parts += _drive(entry, sources)
+        case Gateway():
+            parts += _gateway(entry, sources)
+        case Protocol():
+            parts += _protocol(entry, sources)
+        case CommandSequence():
+            parts += _sequence(entry, sources)
+    return "\n\n".join([*parts, source_list(sources.found)])
+
+
+def part_text(path: str, part: Word | ComNo) -> str:
+    """A word or a ComNo under the path by which it was asked for."""
+    if isinstance(part, Word):
+        return bits_text(path, part)
+    sources = _Sources()
+    rows = [
+        ["ComNo", f"{part.hex} {part.name}" + (f" ({part.display})" if part.display else "")],
+        ["unit", f"{part.resolution:g} {part.unit} a count".replace("  ", " ")],
+        ["range", _range(part)],
+        ["default", "" if part.default is None else f"{part.default:g} {part.unit}".rstrip()],
+        ["access", f"{_ACCESS[part.access]}, {part.storage.upper()}, {_EFFECT[part.effect]}"],
+        ["remark", part.remark or ""],
+        ["source", sources.of(part)],
+        ["unverified", ", ".join(part.unverified)],
+        *([f"value {value}", text] for value, text in part.values.items()),
+    ]
+    body = table(["field", part.title], [row for row in rows if row[1]])
+    return f"{body}\n\n{source_list(sources.found)}"
+
+
+_ACCESS = {"r": "read only", "w": "write only", "rw": "read and write"}
+_EFFECT = {"at_once": "takes effect at once", "after_restart": "takes effect after a restart"}
+
+
+def _drive(drive: Drive, sources: _Sources) -> list[str]:
+    times = [
+        [name, f"{time.ms:g} ms", sources.of(time)]
+        for name, time in (
+            ("reply_max", drive.times.reply_max),
+            ("boot", drive.times.boot),
+            ("reset_silence", drive.times.reset_silence),
+        )
+    ]
+    words = [[f"{drive.id}.{word.name}", sources.of(word), word.title] for word in drive.words]
+    comnos = [
+        [
+            item.hex,
+            item.name,
+            item.display or "",
+            item.access,
+            item.storage,
+            f"{item.resolution:g} {item.unit}".rstrip(),
+            _range(item),
+            sources.of(item),
+            item.title,
+        ]
+        for item in drive.comnos
+    ]
+    trips = [
+        [f"{trip.code:04X}", trip.display, sources.of(trip), trip.meaning] for trip in drive.trips
+    ]
+    headings = ["ComNo", "name", "panel", "access", "in", "count", "range", "source", "title"]
+    return [
+        table(["time", "value", "source"], times),
+        table(["word", "source", "title"], words),
+        table(headings, comnos),
+        table(["trip", "panel", "source", "meaning"], trips),
+        *_options(drive.options, sources),
+    ]
+
+
+def _gateway(gateway: Gateway, sources: _Sources) -> list[str]:
+    layouts = [
+        [
+            item.name + (" (default)" if item.name == gateway.default_layout else ""),
+            item.identifiers.hex(" ").upper(),
+            str(item.output_length),
+            str(item.input_length),
+            " ".join(item.access_ways),
+            sources.of(item),
+            item.title,
+        ]
+        for item in gateway.layouts
+    ]
+    words = [[f"{gateway.id}.{word.name}", sources.of(word), word.title] for word in gateway.words]
+    codes = [[f"{item.code:02X}", sources.of(item), item.title] for item in gateway.status_codes]
+    lamps = [
+        [
+            str(led.number),
+            led.name,
+            state.light + ("*" if state.normal else ""),
+            sources.of(state),
+            state.meaning,
+        ]
+        for led in gateway.leds
+        for state in led.states
+    ]
+    headings = ["layout", "identifiers", "out", "in", "access ways", "source", "title"]
+    return [
+        f"Inverter series: {', '.join(gateway.series)}",
+        table(headings, layouts),
+        table(["word", "source", "title"], words),
+        table(["status code", "source", "title"], codes),
+        table(["LED", "name", "light (* normal)", "source", "meaning"], lamps),
+        *_options(gateway.options, sources),
+    ]
+
+
+def _protocol(protocol: Protocol, sources: _Sources) -> list[str]:
+    commands = [
+        [f"{item.code:02X} '{item.letter}'", item.name, item.keeps, sources.of(item), item.title]
+        for item in protocol.commands
+    ]
+    frames = [
+        [item.name, item.mode, item.direction, sources.of(item), " ".join(item.fields)]
+        for item in protocol.frames
+    ]
+    errors = [
+        [f"{item.code:04X}", item.name, sources.of(item), item.title] for item in protocol.errors
+    ]
+    return [
+        table(["command", "name", "keeps in", "source", "title"], commands),
+        table(["frame", "mode", "direction", "source", "fields"], frames),
+        table(["error", "name", "source", "title"], errors),
+    ]
+
+
+def _sequence(sequence: CommandSequence, sources: _Sources) -> list[str]:
+    interface = [
+        *(["input", item.name, item.type, item.unit, item.title] for item in sequence.parameters),
+        *(["output", item.name, item.type, item.unit, item.title] for item in sequence.results),
+    ]
+    steps = [[str(number), *_step(step)] for number, step in enumerate(sequence.steps, start=1)]
+    telegrams = [
+        [str(item.step), item.output, item.input, sources.of(item)] for item in sequence.telegrams
+    ]
+    parts = [paragraph(sequence.does_not_protect), f"Series: {', '.join(sequence.series)}"]
+    if interface:
+        parts.append(table(["", "name", "type", "unit", "title"], interface))
+    parts.append(table(["step", "does", "title"], steps))
+    if telegrams:
+        parts.append(table(["step", "from the PLC", "to the PLC", "source"], telegrams))
+    return parts
+
+
+def _step(step: Step) -> tuple[str, str]:
+    title = step.title or ""
+    if isinstance(step, ReadStep):
+        return f"read {step.read} into {step.into}", title
+    if isinstance(step, WriteStep):
+        if step.literal is not None:
+            return f"write {step.write} = {step.literal:04X}", title
+        if step.parameter is not None:
+            return f"write {step.write} = {step.parameter}", title
+        bits = [*(step.bits or ()), *(f"{bit}={name}" for bit, name in step.bits_from.items())]
+        return f"write {step.write} = {' '.join(bits) or '0000'}", title
+    delay = step.delay
+    return f"wait {f'{delay.ms} ms' if delay.ms else delay.drive_time or delay.parameter}", title
+
+
+def _options(options: Sequence[Option], sources: _Sources) -> list[str]:
+    rows = [
+        [
+            item.id,
+            str(item.default).lower() if isinstance(item.default, bool) else str(item.default),
+            item.applies_to,
+            sources.of(item),
+            "; ".join([item.title, *(f"{key}: {text}" for key, text in item.choices.items())]),
+        ]
+        for item in options
+    ]
+    return [table(["option", "default", "for", "source", "title"], rows)] if rows else []
+
+
+def _range(comno: ComNo) -> str:
+    if comno.minimum is None and comno.maximum is None:
+        return ""
+    low = comno.to_value(comno.minimum_word)
+    high = comno.to_value(comno.maximum_word)
+    return f"{low:g}..{high:g}" + (f" (at most {comno.limited_by})" if comno.limited_by else "")

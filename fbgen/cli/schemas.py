@@ -1,0 +1,60 @@
+"""`fbgen schemas`: JSON Schemas for editors, one for each kind of YAML file."""
+
+import json
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from fbgen.cli.examples import examples
+from fbgen.cli.output import result
+
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+
+
+def register(program: typer.Typer) -> None:
+    """Add the command to the program."""
+    program.command(
+        epilog=examples(
+            "fbgen schemas schemas",
+            "",
+            "A first line in a YAML file tells editors where its schema is:",
+            "# yaml-language-server: $schema=schemas/plant.schema.json",
+        )
+    )(schemas)
+
+
+def schemas(
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="Where the schemas go.")],
+) -> None:
+    """Write the JSON Schemas of all YAML files, for editors."""
+    from fbgen.cli.files import write_file
+
+    for name, schema in schema_texts().items():
+        write_file(folder / name, schema, overwrite=True)
+        result(str(folder / name))
+
+
+def schema_texts() -> dict[str, str]:
+    """The schemas by file name, each generated from the model that reads such a file."""
+    from pydantic import BaseModel
+
+    from fbgen.catalog import Drive, Gateway, Protocol, Sequence
+    from fbgen.plant import Plant
+    from harness.scenario.model import Scenario
+
+    models: dict[str, type[BaseModel]] = {
+        "catalog-drive": Drive,
+        "catalog-gateway": Gateway,
+        "catalog-protocol": Protocol,
+        "catalog-sequence": Sequence,
+        "plant": Plant,
+        "scenario": Scenario,
+    }
+    return {
+        f"{name}.schema.json": json.dumps(
+            {"$schema": DIALECT, **model.model_json_schema()}, indent=2
+        )
+        + "\n"
+        for name, model in models.items()
+    }
