@@ -37,8 +37,6 @@ PARAMETERS = (
 )
 """Names of the ComNos that say how the inverter communicates."""
 
-_BAUD_RATES = (1200, 2400, 4800, 9600, 19200)
-_PARITIES = (Parity.NONE, Parity.EVEN, Parity.ODD)
 _SENT_STOP_BITS = 2
 _NEVER = 1 << 62
 _SINGLE = range(100)
@@ -246,9 +244,14 @@ class Communication:
         self._device.time_out()
 
     def _format(self) -> SerialFormat:
-        registers = self._registers
+        baud, parity = self._registers.cell("baud_rate"), self._registers.cell("parity")
         return SerialFormat(
-            _BAUD_RATES[registers.word("baud_rate")],
-            _PARITIES[registers.word("parity")],
+            _rate_of(baud.values[self._registers.word("baud_rate")]),
+            Parity[parity.values[self._registers.word("parity")].upper()],
             _SENT_STOP_BITS,
         )
+
+
+def _rate_of(text: str) -> int:
+    """The rate in a value of the catalogue such as `19200 bit/s`. ValueError if there is none."""
+    return int(text.split(maxsplit=1)[0])

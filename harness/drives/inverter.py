@@ -22,7 +22,7 @@ from harness.drives.settings import InverterSettings
 from harness.drives.trips import TripLog
 from harness.drives.word_bits import CommandBits
 from harness.kernel import Kernel
-from harness.line import Line
+from harness.line import Line, Parity
 
 EMERGENCY_STOP = "E"
 COMMUNICATION_ERROR = "Err5"
@@ -306,6 +306,24 @@ def _complete(series: Drive) -> None:
             series.span,
             "give these ComNos under these names, as vf-s11.yaml does",
         )
+    found: list[Diagnostic] = []
+    for name, is_readable in (("baud_rate", _is_rate), ("parity", _is_parity)):
+        comno = series.comno(name)
+        words = range(comno.minimum_word, comno.maximum_word + 1)
+        if not all(is_readable(comno.values.get(word, "")) for word in words):
+            message = f"the values of {name} ({comno.hex}) do not say what each word means"
+            help_ = "write 4: 19200 bit/s for a rate; none, even or odd for a parity"
+            found.append(Diagnostic("FB7103", message, comno.span, help_))
+    if found:
+        raise DiagnosticError(found)
+
+
+def _is_rate(text: str) -> bool:
+    return text[:1].isdecimal() and text.split(maxsplit=1)[0].isdecimal()
+
+
+def _is_parity(text: str) -> bool:
+    return text.upper() in Parity.__members__
 
 
 def _delivered(series: Drive, settings: InverterSettings) -> dict[int, int]:

@@ -56,6 +56,10 @@ class Registers:
         """The communication number of a name of the catalogue."""
         return self._numbers[name]
 
+    def cell(self, name: str) -> ComNo:
+        """What the catalogue says of a name."""
+        return self.cells[self._numbers[name]]
+
     def word(self, name: str) -> int:
         """The word of a cell as it acts now."""
         number = self._numbers[name]
@@ -63,7 +67,7 @@ class Registers:
 
     def value(self, name: str) -> float:
         """The value of a cell as it acts now, in the unit of the catalogue."""
-        return self.cells[self._numbers[name]].to_value(self.word(name))
+        return self.cell(name).to_value(self.word(name))
 
     def refusal(self, number: int, word: int, running: bool) -> ErrorCode | None:
         """Why a write would be refused, or None.

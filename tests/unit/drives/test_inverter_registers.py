@@ -200,3 +200,15 @@ def test_series_without_the_ramp_times_cannot_be_simulated() -> None:
     with pytest.raises(DiagnosticError, match="acceleration_time_2") as caught:
         type(bench.add())(bench.kernel, bench.line, short)
     assert caught.value.diagnostics[0].code == "FB7103"
+
+
+@pytest.mark.parametrize("name", ["baud_rate", "parity"])
+def test_series_must_say_what_the_words_of_rate_and_parity_mean(name: str) -> None:
+    bench = Bench()
+    comnos = tuple(
+        comno.model_copy(update={"values": {0: "slow"}}) if comno.name == name else comno
+        for comno in SERIES.comnos
+    )
+    with pytest.raises(DiagnosticError, match=name) as caught:
+        type(bench.add())(bench.kernel, bench.line, SERIES.model_copy(update={"comnos": comnos}))
+    assert [finding.code for finding in caught.value.diagnostics] == ["FB7103"]
