@@ -344,9 +344,11 @@ def _delivered(series: Drive, settings: InverterSettings) -> dict[int, int]:
 
 
 def _not_taken(comno: ComNo, value: float, refused: ErrorCode) -> Diagnostic:
-    return error(
+    unit = f" {comno.unit}" if comno.unit else ""
+    low, high = comno.to_value(comno.minimum_word), comno.to_value(comno.maximum_word)
+    return Diagnostic(
         "FB7101",
-        f"the inverter does not take {value:g} {comno.unit} for {comno.name} ({comno.hex}): "
+        f"the inverter does not take {value:g}{unit} for {comno.name} ({comno.hex}): "
         f"{_REFUSALS[refused]}",
-        help=f"the range is {comno.minimum} to {comno.maximum} {comno.unit}".rstrip(),
-    ).diagnostics[0]
+        help=f"the range is {low:g} to {high:g}{unit}",
+    )
