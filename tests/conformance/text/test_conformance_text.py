@@ -34,12 +34,6 @@ def test_functions_inside_the_text(load: Load, output: str) -> None:
 BEYOND = {
     (0, 1): {"leftPart": "", "rightPart": "", "middle": "", "deleted": "CONVEYOR"},
     (0, 2): {"replaced": "CVEYONVEYOR"},
-        "leftPart": "",
-        "rightPart": "",
-        "middle": "",
-        "deleted": "CONVEYOR",
-        "replaced": "VEYCONVEYOR",
-    },
     (99, 1): {"leftPart": "CONVEYOR", "rightPart": "CONVEYOR", "middle": "CONVEYOR", "deleted": ""},
     (3, 99): {"middle": "", "inserted": "CONVEYORVEY", "deleted": "CONVEYOR"},
     (3, 0): {"middle": "", "inserted": "VEYCONVEYOR", "deleted": "", "replaced": ""},
