@@ -4,6 +4,8 @@ from collections.abc import Iterable
 from difflib import get_close_matches
 
 _LISTED = 12
+_SEARCHED = 1000
+"""Looking for near names among more than this takes longer than it helps."""
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
@@ -12,7 +14,9 @@ def nearest(name: str, known: Iterable[str]) -> str:
     Upper and lower case do not count as distance, as in the PLC languages.
     """
     spelled = {candidate.casefold(): candidate for candidate in known}
-    near = get_close_matches(name.casefold(), spelled, n=3, cutoff=0.6)
+    near: list[str] = []
+    if len(spelled) <= _SEARCHED:
+        near = get_close_matches(name.casefold(), spelled, n=3, cutoff=0.6)
     if near:
         return "did you mean " + " or ".join(f"'{spelled[match]}'" for match in near) + "?"
     if not spelled:

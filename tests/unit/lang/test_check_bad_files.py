@@ -1,0 +1,95 @@
+"""Each broken file gives its code at its place, and the page of the code shows the way out."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from fbgen.diagnostics import Severity
+from fbgen.resources import shipped
+from tests.unit.lang.checking import findings_of
+
+_BAD = Path(__file__).parent.parent / "bad"
+_DIALECTS = {"scl": "tia", "st": "iec"}
+_BLOCK = re.compile(r"```(scl|st)\n(.*?)```", re.DOTALL)
+_PAGES = sorted(path.stem for path in shipped("diagnostics").glob("FB4*.md"))
+_WITHOUT_WHOLE_TEXT = ("FB4000", "FB4053")
+
+
+@pytest.mark.parametrize(
+    ("name", "line", "column"),
+    [
+        ("FB4001_unknown_name.scl", 5, 13),
+        ("FB4002_declared_twice.st", 4, 3),
+        ("FB4003_unknown_type.st", 2, 13),
+        ("FB4004_unknown_function.scl", 4, 14),
+        ("FB4005_unknown_member.scl", 9, 3),
+        ("FB4006_unknown_parameter.st", 3, 7),
+        ("FB4010_type_mismatch.scl", 7, 13),
+        ("FB4011_needs_conversion.scl", 7, 11),
+        ("FB4012_operator_types.st", 6, 9),
+        ("FB4013_condition.st", 3, 4),
+        ("FB4014_out_of_range.st", 3, 10),
+        ("FB4015_index_out_of_bounds.st", 3, 7),
+        ("FB4016_division_by_zero.st", 3, 10),
+        ("FB4017_not_constant.st", 7, 3),
+        ("FB4018_slice.scl", 7, 11),
+        ("FB4019_index.st", 3, 1),
+        ("FB4020_constant_written.scl", 6, 3),
+        ("FB4021_input_written.st", 3, 1),
+        ("FB4022_not_a_variable.st", 10, 18),
+        ("FB4023_not_writable.st", 4, 1),
+        ("FB4030_case_overlap.st", 5, 3),
+        ("FB4031_case_selector.st", 3, 6),
+        ("FB4032_case_empty_range.st", 4, 3),
+        ("FB4033_for_variable.st", 6, 5),
+        ("FB4034_exit_outside_loop.st", 4, 3),
+        ("FB4035_for_step_zero.st", 3, 20),
+        ("FB4040_missing_argument.scl", 12, 13),
+        ("FB4041_argument_direction.st", 6, 31),
+        ("FB4042_too_many_arguments.st", 3, 22),
+        ("FB4043_argument_twice.st", 3, 31),
+        ("FB4044_mixed_arguments.st", 3, 10),
+        ("FB4045_block_without_instance.st", 3, 9),
+        ("FB4046_function_as_type.st", 6, 18),
+        ("FB4047_not_callable.st", 3, 1),
+        ("FB4048_no_result.scl", 9, 14),
+        ("FB4049_result_unused.st", 3, 1),
+        ("FB4050_contains_itself.st", 4, 12),
+        ("FB4051_recursive_call.st", 6, 20),
+        ("FB4052_array_too_large.st", 2, 11),
+        ("FB4054_not_supported.scl", 2, 18),
+        ("FB4055_bounds.st", 2, 19),
+        ("FB4056_wrong_section.st", 3, 3),
+        ("FB4057_initial_value.st", 2, 36),
+        ("FB4058_inner_variable.st", 12, 8),
+        ("FB4059_constant_without_value.st", 2, 14),
+        ("FB4060_unknown_task.st", 8, 5),
+        ("FB4061_task_property.st", 7, 15),
+        ("FB4070_address.st", 2, 5),
+        ("FB4101_unused.st", 4, 3),
+        ("FB4102_result_not_set.st", 1, 10),
+        ("FB4103_own_input_changed.scl", 4, 3),
+        ("FB4104_external_missing.st", 3, 1),
+        ("FB4105_fraction_lost.st", 3, 8),
+        ("FB4106_instance_written.scl", 4, 3),
+    ],
+)
+def test_broken_file_is_reported_at_its_place(name: str, line: int, column: int) -> None:
+    path = _BAD / name
+    dialect = _DIALECTS[path.suffix[1:]]
+    found = findings_of(path.read_text(encoding="utf-8"), dialect, name)
+    worst = [one for one in found if one.severity is Severity.ERROR] or found
+    assert [(one.code, one.span and (one.span.line, one.span.column)) for one in worst] == [
+        (name[:6], (line, column))
+    ]
+    assert worst[0].help
+
+
+@pytest.mark.parametrize("code", [page for page in _PAGES if page not in _WITHOUT_WHOLE_TEXT])
+def test_page_shows_a_failing_and_a_fixed_example(code: str) -> None:
+    text = (shipped("diagnostics") / f"{code}.md").read_text(encoding="utf-8")
+    assert text.startswith(f"# {code}: ")
+    (bad_name, bad), (good_name, good) = _BLOCK.findall(text)
+    assert code in {one.code for one in findings_of(bad, _DIALECTS[bad_name])}
+    assert findings_of(good, _DIALECTS[good_name]) == []
