@@ -62,6 +62,7 @@ class Cpu:
         "_modules",
         "_peripheral_ns",
         "_scan_event",
+        "_started_ns",
         "_tasks",
         "access_errors",
         "after_scan",
@@ -87,7 +88,7 @@ class Cpu:
         self._tasks: list[CyclicTask] = []
         self._scan_event: Event | None = None
         self._life = 0
-        self._instant_ns = 0
+        self._instant_ns = self._started_ns = 0
         self._peripheral_ns = settings.peripheral_ns
         self.settings = settings
         self.master = master
@@ -137,6 +138,8 @@ class Cpu:
     def start(self, restart: Restart = Restart.WARM) -> None:
         """To RUN, through a restart, as soon as every station exchanges data or has failed.
 
+        The scans begin whole cycle times after this instant, whatever the phase of the bus.
+
         Raises DiagnosticError FB7405 without a program.
         """
         engine = self.engine
@@ -150,7 +153,8 @@ class Cpu:
         engine.reset(warm=restart is Restart.WARM)
         self.master.start()
         self._set_mode(CpuMode.STARTUP)
-        self._kernel.after(0, self._go_on)
+        self._started_ns = self._kernel.now_ns
+        self._go_on_when_free()
 
     def stop(self) -> None:
         """To STOP: the program rests, the outputs are off, the master sends CLEAR."""
@@ -176,6 +180,12 @@ class Cpu:
         for observer in self.on_mode:
             observer(mode)
 
+    def _go_on_when_free(self) -> None:
+        """Look whether all is ready on the CPU's own grid, which no bus cycle shifts."""
+        cycle_ns = self.settings.cycle_ns
+        cycles = -((self._started_ns - self._kernel.now_ns) // cycle_ns)
+        self._kernel.at(self._started_ns + cycles * cycle_ns, self._go_on)
+
     def _go_on(self) -> None:
         """From STARTUP to RUN once all stations are where they will be."""
         if self.mode is not CpuMode.STARTUP or not all(
@@ -190,7 +200,7 @@ class Cpu:
                 return
         for task in self._tasks:
             task.due_ns = self._instant_ns
-        self._schedule()
+        self._schedule(self._instant_ns)
 
     def _runs(self, block: str) -> bool:
         """Run a block; False if that took the CPU to STOP."""
@@ -207,7 +217,7 @@ class Cpu:
 
     def _station_changed(self, station: Station) -> None:
         if self.mode is CpuMode.STARTUP:
-            self._kernel.after(0, self._go_on)
+            self._go_on_when_free()
         elif self.mode is CpuMode.RUN and station.failed and self.settings.family.classic:
             missing = {86, 85} if station in self._modules.image else {86}
             if missing - self.settings.error_obs:
@@ -216,10 +226,10 @@ class Cpu:
 
     # --- the scan ---------------------------------------------------------------------------
 
-    def _schedule(self) -> None:
-        """Arrange for the next scan: the task that is due first, of those the most urgent."""
+    def _schedule(self, free_ns: int) -> None:
+        """Arrange for the next scan, not before the CPU is free."""
         due_ns = min(task.due_ns for task in self._tasks)
-        self._scan_event = self._kernel.at(due_ns, self._scan)
+        self._scan_event = self._kernel.at(max(due_ns, free_ns), self._scan)
 
     def _scan(self) -> None:
         start_ns = self.now_ns = self._instant_ns = self._kernel.now_ns
@@ -245,13 +255,11 @@ class Cpu:
         if any(self._image_changed(station) for station in self._modules.image):
             self._kernel.at(end_ns, lambda: self._write_outputs(life))
         if task.interval_ns is None:
-            task.due_ns = max(start_ns + settings.cycle_ns, end_ns)
+            task.due_ns = start_ns + settings.cycle_ns
         else:
-            missed = max(0, end_ns - task.due_ns - 1) // task.interval_ns
-            task.due_ns += (missed + 1) * task.interval_ns
-        for other in self._tasks:
-            other.due_ns = max(other.due_ns, end_ns)
-        self._schedule()
+            late = (start_ns - task.due_ns) // task.interval_ns
+            task.due_ns += (late + 1) * task.interval_ns
+        self._schedule(end_ns)
 
     def _image_changed(self, station: Station) -> bool:
         at = station.settings.output_address
