@@ -178,11 +178,10 @@ def _parts(layout: Layout, item: CyclicField, area: str, base: int) -> tuple[Scl
     address = base + item.offset
     if item.length == 1:
         return (SclText(f"%{area}B{address}", source),)
-    for slot in layout.slots():
+    for identifier in layout.parsed_identifiers:
         outward = area == "Q"
-        start = slot.output_offset if outward else slot.input_offset
-        extent = slot.identifier.outputs if outward else slot.identifier.inputs
-        if start == item.offset and extent is not None and extent.unit_bytes == item.length:
+        start = identifier.output_offset if outward else identifier.input_offset
+        if start == item.offset and identifier.unit_length == item.length:
             return (SclText(f"%{area}W{address}", source),)
     return tuple(SclText(f"%{area}B{address + i}", source) for i in range(item.length))
 

@@ -1,14 +1,14 @@
 """The list of blocks, types and data blocks that a plant needs, in the order of dependence."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from fbgen.blocks.gateways import GatewayView, gateway_view
 from fbgen.blocks.literals import SclText, byte, comno, one_line, source_text
 from fbgen.blocks.sequences import SequenceView, sequence_view
 from fbgen.blocks.words import WordView
-from fbgen.catalog import Catalog, ComNo, Drive, Gateway, origin
-from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.catalog import Catalog, ComNo, Drive, Gateway, WriteStep, origin
+from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.plant import Plant
 
 
@@ -31,6 +31,7 @@ class BlockPlan:
 
     specs: tuple[BlockSpec, ...]
     context: Mapping[str, object]
+    warnings: tuple[Diagnostic, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,9 +51,8 @@ def plan_blocks(plant: Plant, catalog: Catalog) -> BlockPlan:
     context |= _gateway_context(catalog.gateway(plant.gateways[0].type))
     context |= _drive_context(drives[0], catalog)
     context["times"] = {"timeout": gateways[0].timeout, "gap": gateways[0].gap}
-    return BlockPlan(
-        (*_types(gateways, sequences), *_blocks(gateways, sequences), *_data(gateways)), context
-    )
+    specs = (*_types(gateways, sequences), *_blocks(gateways, sequences), *_data(gateways))
+    return BlockPlan(specs, context, tuple(_eeprom_writes(plant, catalog)))
 
 
 def _types(
@@ -130,6 +130,20 @@ def _sequence(name: str, drives: list[Drive], catalog: Catalog) -> SequenceView:
                 ]
             )
     return views[0]
+
+
+def _eeprom_writes(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
+    """A cell lasts about 10,000 writes (TOSPBDP001 manual v1.1, 8 D)."""
+    for name in plant.sequences:
+        for step in catalog.sequence(name).steps:
+            if isinstance(step, WriteStep) and step.memory == "eeprom":
+                yield Diagnostic(
+                    "FB5005",
+                    f"the sequence '{name}' writes {step.write} into the EEPROM",
+                    step.span_of("memory"),
+                    "a cell lasts about 10,000 writes: never run it cyclically, or use the RAM",
+                    severity=Severity.WARNING,
+                )
 
 
 def _plant_context(

@@ -93,6 +93,10 @@ class TemplateRenderer:
                 *_where(wrong, template),
             ) from None
 
+    def names(self) -> list[str]:
+        """All templates that there are, in order."""
+        return sorted(self._environment.list_templates(extensions=["jinja"]))
+
     def text_of(self, template: str) -> str:
         """The template itself, for the hash of the inputs."""
         loader = self._environment.loader

@@ -1,0 +1,51 @@
+"""Rules of the `iec` dialect: what MATIEC (OpenPLC) and CODESYS both take.
+
+The parser already refuses what the dialect has not (slices, REGION, `#`, quotes, `+=`); here stands
+what is only wrong for one of the compilers. Source: IEC 61131-3 third edition; MATIEC's readme.
+"""
+
+import re
+from collections.abc import Iterator
+
+from fbgen.diagnostics import Diagnostic
+from fbgen.lang import ast
+from fbgen.lang.walk import walk
+from fbgen.source import Source
+
+_DOUBLE_UNDERSCORE = re.compile(r"__|_$|^_[0-9]")
+
+
+def no_line_comments(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+    """FB5050: MATIEC knows only comments in (* *)."""
+    for item in walk(file):
+        if isinstance(item, ast.Trivia) and item.kind is ast.TriviaKind.LINE_COMMENT:
+            yield Diagnostic("FB5050", "a // comment", item.span, "write (* ... *)")
+
+
+def plain_names(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+    """FB5051: no name with two underscores in a row or one at its end."""
+    for item in walk(file):
+        if isinstance(item, ast.DeclaredName) and _DOUBLE_UNDERSCORE.search(item.name):
+            yield Diagnostic(
+                "FB5051",
+                f"'{item.name}' is no name of IEC 61131-3",
+                item.span,
+                "choose names without two underscores in a row and without one at the end",
+            )
+
+
+def addresses_only_declared(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+    """FB5052: an address stands in a declaration with AT, never in code."""
+    for unit in file.units:
+        if isinstance(unit, ast.Block):
+            for item in walk(unit.body):
+                if isinstance(item, ast.DirectAddress):
+                    yield Diagnostic(
+                        "FB5052",
+                        f"the address {item.span.text} stands in code",
+                        item.span,
+                        "declare a located variable and use its name",
+                    )
+
+
+RULES = (no_line_comments, plain_names, addresses_only_declared)

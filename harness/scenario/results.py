@@ -1,0 +1,49 @@
+"""What came of a scenario."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from fbgen.diagnostics import Diagnostic, render
+
+
+@dataclass(frozen=True, slots=True)
+class ScenarioResult:
+    """One run of one scenario. `virtual_ns` is how long it took in the plant's own time."""
+
+    name: str
+    file: str
+    seed: int
+    passed: bool
+    failures: tuple[Diagnostic, ...] = ()
+    virtual_ns: int = 0
+    checks: int = 0
+
+    def as_json(self) -> dict[str, object]:
+        """The result as plain data."""
+        return {
+            "name": self.name,
+            "file": self.file,
+            "seed": self.seed,
+            "passed": self.passed,
+            "checks": self.checks,
+            "virtual_ns": self.virtual_ns,
+            "failures": [failure.as_json() for failure in self.failures],
+        }
+
+    def render(self) -> str:
+        """The failures for a person, with how to run the scenario again."""
+        lines = [render(failure) for failure in self.failures]
+        lines.append(f"run it again: fbgen test {self.file} --seed {self.seed}")
+        return "\n".join(lines)
+
+
+@dataclass(frozen=True, slots=True)
+class ScenarioReport:
+    """All runs of a session, in their order."""
+
+    results: Sequence[ScenarioResult] = field(default_factory=tuple)
+
+    @property
+    def passed(self) -> bool:
+        """True if every scenario has passed."""
+        return all(result.passed for result in self.results)
