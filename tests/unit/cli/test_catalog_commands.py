@@ -1,0 +1,83 @@
+"""`fbgen catalog list` and `fbgen catalog show`."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.unit.cli.running import Fbgen
+
+
+def test_list_shows_kind_id_and_title(fbgen: Fbgen) -> None:
+    run = fbgen("catalog", "list", "drives")
+    assert run.status == 0
+    assert run.out.splitlines()[2].split(maxsplit=2) == [
+        "drives",
+        "vf-s11",
+        "Toshiba VF-S11 inverter",
+    ]
+
+
+def test_list_names_every_entry_once(fbgen: Fbgen) -> None:
+    rows = json.loads(fbgen("catalog", "list", "--json").out)
+    names = [(row["kind"], row["id"]) for row in rows]
+    assert len(names) == len(set(names))
+    assert {("gateways", "tospbdp001"), ("protocols", "toshiba"), ("sequences", "stop")} <= set(
+        names
+    )
+
+
+def test_every_listed_name_can_be_shown(fbgen: Fbgen) -> None:
+    for row in json.loads(fbgen("catalog", "list", "--json").out):
+        run = fbgen("catalog", "show", row["id"])
+        assert (run.status, run.err) == (0, ""), row
+        assert row["title"] in run.out
+        assert "Sources:\n[1] " in run.out
+
+
+def test_every_listed_name_can_be_shown_as_json(fbgen: Fbgen) -> None:
+    for row in json.loads(fbgen("catalog", "list", "--json").out):
+        run = fbgen("catalog", "show", row["id"], "--json")
+        assert (run.status, run.err) == (0, ""), row
+        assert json.loads(run.out)["title"] == row["title"]
+
+
+def test_show_gives_identifiers_as_the_manual_prints_them(fbgen: Fbgen) -> None:
+    assert "30 30 20 30 30 70 20 70" in fbgen("catalog", "show", "tospbdp001").out
+
+
+def test_show_gives_the_telegrams_of_the_manuals_example(fbgen: Fbgen) -> None:
+    out = fbgen("catalog", "show", "manual_example").out
+    assert "0B 50 FA 00 C4 00" in out
+
+
+def test_show_finds_a_comno_by_number_and_by_name(fbgen: Fbgen) -> None:
+    by_number = fbgen("catalog", "show", "vf-s11.FA01").out
+    assert "0.01 Hz a count" in by_number
+    assert fbgen("catalog", "show", "vf-s11.frequency_setpoint").out == by_number
+
+
+@pytest.mark.parametrize("name", ["vfs11", "vf-s11.runn"])
+def test_an_unknown_entry_is_fb9005_with_the_nearest_names(fbgen: Fbgen, name: str) -> None:
+    run = fbgen("catalog", "show", name)
+    assert (run.status, run.out) == (1, "")
+    assert run.err.startswith("error[FB9005]: the catalogue has no ")
+    assert "vf-s11" in run.err
+
+
+def test_an_own_catalogue_lies_over_the_shipped_one(fbgen: Fbgen, tmp_path: Path) -> None:
+    shipped = Path("catalog/sequences/stop.yaml").read_text(encoding="utf-8")
+    folder = tmp_path / "sequences"
+    folder.mkdir()
+    title = "Stop along the deceleration ramp"
+    own = shipped.replace(title, "Our own stop")
+    (folder / "stop.yaml").write_text(own, encoding="utf-8")
+    out = fbgen("catalog", "list", "sequences", "--catalog", str(tmp_path)).out
+    assert "Our own stop" in out
+    assert title not in out
+
+
+def test_a_kind_that_does_not_exist_is_wrong_usage(fbgen: Fbgen) -> None:
+    run = fbgen("catalog", "list", "motors")
+    assert (run.status, run.out) == (2, "")
+    assert "Usage: fbgen catalog list" in run.err

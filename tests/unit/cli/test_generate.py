@@ -1,0 +1,83 @@
+"""`fbgen generate`."""
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.unit.cli.running import Fbgen
+
+EXAMPLE = Path(__file__).parents[3] / "examples" / "manual_example" / "plant.yaml"
+
+
+@pytest.fixture
+def plant(tmp_path: Path) -> Path:
+    return Path(shutil.copy(EXAMPLE, tmp_path / "plant.yaml"))
+
+
+def test_standard_output_lists_what_was_written(fbgen: Fbgen, plant: Path) -> None:
+    out = plant.parent / "out"
+    run = fbgen("generate", str(plant), "-o", str(out))
+    assert run.status == 0, run.err
+    written = [Path(line) for line in run.out.splitlines()]
+    assert written
+    assert all(path.parent == out and path.is_file() for path in written)
+    assert f"{len(written)} written, 0 unchanged, 0 removed in {out} (dialect tia)" in run.err
+
+
+def test_a_second_run_writes_nothing(fbgen: Fbgen, plant: Path) -> None:
+    arguments = ("generate", str(plant), "-o", str(plant.parent / "out"))
+    count = len(fbgen(*arguments).out.splitlines())
+    again = fbgen(*arguments)
+    assert (again.status, again.out) == (0, "")
+    assert f"0 written, {count} unchanged, 0 removed" in again.err
+
+
+def test_what_is_generated_passes_the_check(fbgen: Fbgen, plant: Path) -> None:
+    out = str(plant.parent / "out")
+    assert fbgen("generate", str(plant), "-o", out).status == 0
+    run = fbgen("check", out)
+    assert run.status == 0, run.err
+
+
+def test_another_dialect_can_be_asked_for(fbgen: Fbgen, plant: Path) -> None:
+    out = plant.parent / "out"
+    run = fbgen("generate", str(plant), "-o", str(out), "--dialect", "iec")
+    assert run.status == 0, run.err
+    assert {Path(line).suffix for line in run.out.splitlines()} == {".st"}
+    assert fbgen("check", str(out)).status == 0
+
+
+def test_a_file_changed_by_hand_is_kept_unless_forced(fbgen: Fbgen, plant: Path) -> None:
+    arguments = ("generate", str(plant), "-o", str(plant.parent / "out"))
+    path = Path(fbgen(*arguments).out.splitlines()[0])
+    original = path.read_bytes()
+    path.write_bytes(original + b"// mine\n")
+    run = fbgen(*arguments)
+    assert (run.status, run.out) == (1, "")
+    assert run.err.startswith(f"error[FB5020]: {path} ")
+    assert path.read_bytes() == original + b"// mine\n"
+    assert fbgen(*arguments, "--force").out == f"{path}\n"
+    assert path.read_bytes() == original
+
+
+def test_all_mistakes_of_a_plant_file_are_reported_and_nothing_is_written(
+    fbgen: Fbgen, plant: Path
+) -> None:
+    text = plant.read_text(encoding="utf-8")
+    plant.write_text(
+        text.replace("profibus_address:", "profibus_adress:").replace("inv_no: 11", "inv_no: 1x"),
+        encoding="utf-8",
+    )
+    out = plant.parent / "out"
+    run = fbgen("generate", str(plant), "-o", str(out))
+    assert (run.status, run.out) == (1, "")
+    assert run.err.count("error[FB") >= 2
+    assert f"--> {plant.as_posix()}:" in run.err
+    assert not out.exists()
+
+
+def test_a_missing_plant_file_is_a_diagnostic(fbgen: Fbgen, tmp_path: Path) -> None:
+    run = fbgen("generate", str(tmp_path / "plant.yaml"), "-o", str(tmp_path / "out"))
+    assert (run.status, run.out) == (1, "")
+    assert run.err.startswith("error[FB1008]: ")
