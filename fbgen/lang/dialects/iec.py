@@ -1,6 +1,8 @@
 """IEC 61131-3 Structured Text as MATIEC and OpenPLC take it.
 
-Source: IEC 61131-3 second edition, annex B; what the third edition added is read only where noted.
+Source: IEC 61131-3 second edition, annexes B and C; what the third edition added is read only where
+noted. The operators of IL and the qualifiers of SFC (LD, S, R, N ...) are words of those languages
+only, so names may be spelled like them.
 """
 
 from fbgen.lang.dialects.dialect import Dialect, Feature
@@ -32,8 +34,7 @@ IEC = Dialect(
         "VAR_GLOBAL VAR_EXTERNAL VAR_ACCESS VAR_CONFIG ACTION END_ACTION STEP END_STEP "
         "INITIAL_STEP TRANSITION END_TRANSITION FROM EN ENO R_EDGE F_EDGE READ_WRITE READ_ONLY "
         "ANY ANY_BIT ANY_DATE ANY_DERIVED ANY_ELEMENTARY ANY_INT ANY_MAGNITUDE ANY_NUM ANY_REAL "
-        "ANY_STRING LD ST ANDN ORN XORN STN LDN CAL CALC CALCN JMP JMPC JMPCN RET RETC RETCN "
-        "GT GE EQ NE LE LT ADD SUB MUL DIV EXPT MOVE S R N P L D SD DS SL PT IN CV ET Q QU QD"
+        "ANY_STRING"
     ),
     indent="    ",
     identifier_length=64,

@@ -1,0 +1,80 @@
+"""Words that TIA and IEC spell differently: types, functions, literals.
+
+Source: TIA Portal help, "Overview of the valid data types" and the lists of instructions; IEC
+61131-3 second edition, elementary types and standard functions.
+"""
+
+import re
+
+from fbgen.lang.ast import Literal, LiteralKind
+from fbgen.lang.dialects.words import words
+
+TYPES = {
+    "TON_TIME": "TON",
+    "TOF_TIME": "TOF",
+    "TP_TIME": "TP",
+    "CTU_INT": "CTU",
+    "CTD_INT": "CTD",
+    "CTUD_INT": "CTUD",
+}
+"""Instances of system blocks that S7 names after their type of time or counter."""
+
+ELEMENTARY = words(
+    "BOOL BYTE WORD DWORD LWORD SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL TIME DATE "
+    "TIME_OF_DAY TOD DATE_AND_TIME DT"
+)
+STANDARD_BLOCKS = words("TON TOF TP CTU CTD CTUD R_TRIG F_TRIG SR RS")
+FUNCTIONS = words(
+    "ABS SQRT LN LOG EXP SIN COS TAN ASIN ACOS ATAN EXPT ADD MUL SUB DIV MOD MOVE SHL SHR ROR ROL "
+    "AND OR XOR NOT SEL MAX MIN LIMIT MUX GT GE EQ LE LT NE LEN LEFT RIGHT MID CONCAT INSERT "
+    "DELETE REPLACE FIND TRUNC"
+)
+RENAMED_FUNCTIONS = {"ROUND": "REAL_TO_DINT"}
+"""ROUND goes to the nearest DINT, ties to even, which is what the IEC conversion does."""
+
+_CONVERSION = re.compile(r"([A-Z_]+)_TO_([A-Z_]+)")
+_UNITS = (
+    ("d", 86_400_000_000_000),
+    ("h", 3_600_000_000_000),
+    ("m", 60_000_000_000),
+    ("s", 1_000_000_000),
+    ("ms", 1_000_000),
+    ("us", 1_000),
+    ("ns", 1),
+)
+_CONVERTIBLE = ELEMENTARY | {"STRING"}
+
+
+def is_standard_function(name: str) -> bool:
+    """Whether IEC has this function; the name is upper case."""
+    conversion = _CONVERSION.fullmatch(name)
+    if conversion:
+        return conversion[1] in _CONVERTIBLE and conversion[2] in _CONVERTIBLE
+    return name in FUNCTIONS
+
+
+def duration_text(nanoseconds: int) -> str:
+    """A duration as a literal, such as T#1m30s."""
+    sign = "-" if nanoseconds < 0 else ""
+    rest = abs(nanoseconds)
+    parts: list[str] = []
+    for unit, size in _UNITS:
+        count, rest = divmod(rest, size)
+        if count:
+            parts.append(f"{count}{unit}")
+    return f"T#{sign}{''.join(parts) or '0ms'}"
+
+
+def literal_text(literal: Literal) -> str | None:
+    """How IEC writes a literal; None if it has no such literal."""
+    if literal.kind is LiteralKind.DURATION:
+        return duration_text(int(literal.value)) if literal.type_name == "TIME" else None
+    if literal.type_name and literal.kind is not LiteralKind.STRING:
+        if literal.type_name not in ELEMENTARY:
+            return None
+        rest = literal.text.partition("#")[2]
+        short = {"DATE": "D", "TIME_OF_DAY": "TOD", "DATE_AND_TIME": "DT"}
+        return f"{short.get(literal.type_name, literal.type_name)}#{rest.upper()}"
+    if literal.kind is LiteralKind.WSTRING or literal.type_name:
+        return None
+    return literal.text.upper() if literal.kind is not LiteralKind.STRING else literal.text
