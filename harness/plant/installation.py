@@ -1,0 +1,56 @@
+"""A simulated plant as a whole: PLC, PROFIBUS, gateways, lines and inverters on one clock."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from fbgen.catalog import Catalog
+from fbgen.plant import Plant
+from harness.drives import Inverter
+from harness.fieldbus import DpMaster, Station
+from harness.gateways.tospbdp001 import Tospbdp001
+from harness.kernel import Kernel
+from harness.line import Line
+from harness.plc import Cpu
+from harness.report.telegrams import TelegramRecorder
+
+
+@dataclass(frozen=True, slots=True)
+class Installation:
+    """Everything that was built from one plant file.
+
+    Gateways, stations (the gateways as the master sees them) and lines go by the gateway's name,
+    drives by their own. `plan` is the plant file.
+    """
+
+    plan: Plant
+    catalog: Catalog
+    kernel: Kernel
+    cpu: Cpu
+    master: DpMaster
+    gateways: Mapping[str, Tospbdp001]
+    stations: Mapping[str, Station]
+    lines: Mapping[str, Line]
+    drives: Mapping[str, Inverter]
+
+    def start(self) -> None:
+        """Switch the gateways on and start the CPU; drives have their supply already."""
+        for gateway in self.gateways.values():
+            gateway.power_on()
+        self.cpu.start()
+
+    def run_for(self, duration_ns: int) -> None:
+        """Let `duration_ns` of the plant's time pass."""
+        self.kernel.run_for(duration_ns)
+
+    def record_telegrams(self) -> dict[str, TelegramRecorder]:
+        """Listen to every gateway from now on; by the gateway's name."""
+        return {
+            entry.name: TelegramRecorder(
+                self.master,
+                self.stations[entry.name],
+                self.lines[entry.name],
+                self.gateways[entry.name].port,
+                self.catalog.gateway(entry.type).layout(entry.layout),
+            )
+            for entry in self.plan.gateways
+        }

@@ -1,0 +1,42 @@
+"""What a plant file does not say and a simulated plant needs: seed, engine, loads, bus."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from fbgen.source import Source
+from harness.drives import Load
+from harness.fieldbus import CycleTimes
+from harness.kernel import NS_PER_MS
+from harness.plc import CpuSettings
+
+
+@dataclass(frozen=True, slots=True)
+class DriveConditions:
+    """How one drive differs from the one that the plant file describes.
+
+    `load` None is the inverter's own default. `parameters` are physical values by ComNo or name,
+    set on top of those of the TOSPBDP001 manual. `reply_time_ns` fixes the reply time.
+    """
+
+    load: Load | None = None
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    reply_time_ns: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PlantSetup:
+    """How a plant is simulated.
+
+    `engine` is "compiled" or "reference". `drives` has conditions by the drive's name. `sources`
+    are the PLC text; None takes what fbgen generates for the plant. `cpu` gives the times of the
+    CPU; its family, cycle and memory come from the plant file. `watchdog_ns` is the DP watchdog
+    of every gateway, None for none.
+    """
+
+    seed: int = 0
+    engine: str = "compiled"
+    drives: Mapping[str, DriveConditions] = field(default_factory=dict)
+    sources: Sequence[Source] | None = None
+    cpu: CpuSettings = field(default_factory=CpuSettings)
+    bus: CycleTimes = field(default_factory=CycleTimes)
+    watchdog_ns: int | None = 100 * NS_PER_MS
