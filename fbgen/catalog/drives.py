@@ -1,7 +1,7 @@
 """A series of inverters: its communication numbers, words, trips and times."""
 
 from collections.abc import Iterable
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -9,7 +9,7 @@ from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
 from fbgen.catalog.nearest import nearest
 from fbgen.catalog.options import Option
-from fbgen.catalog.scalars import EntryId, Flag, HexWord, Number, SnakeName, Text
+from fbgen.catalog.scalars import EntryId, Flag, HexWord, Number, Real, SnakeName, Text
 from fbgen.catalog.sourced import Duration, Sourced
 from fbgen.catalog.words import Word
 from fbgen.diagnostics import Diagnostic, error
@@ -36,10 +36,10 @@ class ComNo(Sourced):
     title: Text
     display: Text | None = None
     unit: str = ""
-    resolution: float = 1
-    minimum: float | None = None
-    maximum: float | None = None
-    default: float | None = None
+    resolution: Annotated[Real, Field(ge=1e-6)] = 1
+    minimum: Real | None = None
+    maximum: Real | None = None
+    default: Real | None = None
     limited_by: SnakeName | None = None
     access: Access = "rw"
     storage: Storage = "ram"
@@ -90,11 +90,6 @@ class ComNo(Sourced):
                     self.span_of("unverified"),
                     nearest(name, ComNo.model_fields),
                 )
-        if self.resolution <= 0:
-            yield Diagnostic(
-                "FB1108", "a resolution must be more than 0", self.span_of("resolution")
-            )
-            return
         if not 0 <= self.minimum_word <= self.maximum_word <= 0xFFFF:
             yield Diagnostic(
                 "FB1108",

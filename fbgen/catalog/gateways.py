@@ -31,7 +31,7 @@ class Profibus(Sourced):
     set_slave_address: Flag
     max_diagnosis_bytes: Count
     min_slave_interval_us: Count
-    max_tsdr_bits: dict[str, int]
+    max_tsdr_bits: dict[str, Count]
 
 
 class SubNetwork(Sourced):

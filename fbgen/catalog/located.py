@@ -7,6 +7,7 @@ one DiagnosticError with everything that is wrong in the document: a finding ins
 none in its neighbours or in the whole.
 """
 
+import re
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from typing import Self, TypeVar
@@ -118,7 +119,9 @@ class Located(BaseModel):
 def _item_spans(value: object) -> dict[int | str, Span]:
     if isinstance(value, YamlSequence):
         return dict(enumerate(value.item_spans))
-    return {**value.value_spans} if isinstance(value, YamlMapping) else {}
+    if isinstance(value, YamlMapping):
+        return {key: span for key, span in value.value_spans.items()}  # noqa: C416 widens the key
+    return {}
 
 
 def origin(what: str, model: Located, source: str = "") -> Origin | None:
@@ -238,6 +241,8 @@ def _type_help(kind: str, value: object) -> str:
         if value.startswith("0") and value.isdigit():
             plain = value.lstrip("0") or "0"
             return f"a leading 0 means octal to some readers: write {plain} (or 0o{plain})"
+        if re.fullmatch(r"[-+]?[0-9]+[eE][-+]?[0-9]+", value):
+            return "write it with a decimal point"
         if ":" in value:
             return "a number with a colon is a text here: write it in one unit"
     return ""

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from pydantic import BeforeValidator, Field, StrictBool, StrictInt
 
 from fbgen.catalog.nearest import nearest
-from fbgen.catalog.scalars import SnakeName, Text
+from fbgen.catalog.scalars import SnakeName, Text, Whole
 from fbgen.catalog.sourced import Sourced
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 
@@ -35,8 +35,8 @@ class Option(Sourced):
     applies_to: Literal["plc", "device", "both"]
     choices: dict[str, Text] = Field(default_factory=dict)
     unit: str = ""
-    minimum: int | None = None
-    maximum: int | None = None
+    minimum: Whole | None = None
+    maximum: Whole | None = None
     remark: Text | None = None
 
     def check(self, value: OptionValue) -> OptionValue:

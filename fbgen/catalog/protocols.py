@@ -5,7 +5,7 @@ from typing import Literal
 
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
-from fbgen.catalog.scalars import Count, EntryId, Flag, HexByte, HexWord, SnakeName, Text
+from fbgen.catalog.scalars import Count, EntryId, Flag, HexByte, HexWord, Real, SnakeName, Text
 from fbgen.catalog.sourced import Duration, Sourced
 from fbgen.diagnostics import Diagnostic
 
@@ -86,7 +86,7 @@ class Limits(Located):
     """Limits of the protocol. `frame_gap_characters`: silence that ends a frame, 0 for none."""
 
     max_frame_bytes: Count
-    frame_gap_characters: float
+    frame_gap_characters: Real
     reception_timeout: Duration
 
 

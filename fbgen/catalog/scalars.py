@@ -1,9 +1,21 @@
-"""The kinds of single values that catalogue entries and plant files are made of."""
+"""The kinds of single values that catalogue entries and plant files are made of.
+
+They are strict: plain `int`, `float` and `bool` fields of a model would also take the texts "017",
+"1_0" and "no".
+"""
 
 import re
 from typing import Annotated, Any, NamedTuple
 
-from pydantic import BeforeValidator, Field, GetCoreSchemaHandler, StrictBool, StrictInt
+from pydantic import (
+    AllowInfNan,
+    BeforeValidator,
+    Field,
+    GetCoreSchemaHandler,
+    Strict,
+    StrictBool,
+    StrictInt,
+)
 from pydantic.json_schema import WithJsonSchema
 from pydantic_core import CoreSchema, core_schema
 
@@ -74,6 +86,12 @@ Number = Annotated[int, BeforeValidator(_number)]
 
 Flag = StrictBool
 """true or false."""
+
+Whole = StrictInt
+"""A whole number."""
+
+Real = Annotated[float, Strict(), AllowInfNan(False), Field(ge=-1e9, le=1e9)]
+"""A finite number, with or without a decimal point."""
 
 Count = Annotated[StrictInt, Field(ge=0)]
 """A whole number from 0."""

@@ -1,10 +1,12 @@
 """Where a fact comes from: a document with its section, or nowhere yet."""
 
 from collections.abc import Iterable
-from typing import Literal
+from typing import Annotated, Literal
+
+from pydantic import Field
 
 from fbgen.catalog.located import Located
-from fbgen.catalog.scalars import Text
+from fbgen.catalog.scalars import Real, Text
 from fbgen.diagnostics import Diagnostic
 
 Status = Literal["verified", "unverified"]
@@ -33,7 +35,7 @@ class Sourced(Located):
 class Duration(Sourced):
     """A time in milliseconds."""
 
-    ms: float
+    ms: Annotated[Real, Field(ge=0)]
 
     @property
     def ns(self) -> int:

@@ -3,10 +3,10 @@
 from collections.abc import Iterable
 from typing import Annotated, Literal
 
-from pydantic import Field, StrictInt
+from pydantic import Field
 
 from fbgen.catalog import AccessWay, Catalog, Located, OptionValue
-from fbgen.catalog.scalars import Flag, Text
+from fbgen.catalog.scalars import Flag, Real, Text, Whole
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import checks
 from fbgen.plant.families import FAMILIES, Family, PlantDialect, PlcFamily
@@ -17,9 +17,9 @@ class PlantDrive(Located):
 
     name: str
     title: Text | None = None
-    inv_no: StrictInt
+    inv_no: Whole
     series: str
-    max_frequency_hz: float
+    max_frequency_hz: Real
     options: dict[str, OptionValue] = Field(default_factory=dict)
 
     def problems_against(self, known: object) -> Iterable[Diagnostic]:
@@ -41,11 +41,11 @@ class PlantGateway(Located):
     title: Text | None = None
     type: str
     layout: str
-    profibus_address: StrictInt
+    profibus_address: Whole
     access: AccessWay
-    input_address: StrictInt | None = None
-    output_address: StrictInt | None = None
-    hardware_identifier: Annotated[StrictInt, Field(ge=1, le=65535)] | None = None
+    input_address: Whole | None = None
+    output_address: Whole | None = None
+    hardware_identifier: Annotated[Whole, Field(ge=1, le=65535)] | None = None
     status_poll: Flag = True
     options: dict[str, OptionValue] = Field(default_factory=dict)
     drives: tuple[PlantDrive, ...] = Field(min_length=1)
@@ -68,7 +68,7 @@ class Plant(Located):
     title: Text | None = None
     dialect: PlantDialect
     plc: PlcFamily
-    cycle_time_ms: Annotated[float, Field(gt=0, le=6000)] = 10
+    cycle_time_ms: Annotated[Real, Field(gt=0, le=6000)] = 10
     sequences: tuple[str, ...] = ()
     gateways: tuple[PlantGateway, ...] = Field(min_length=1)
 
