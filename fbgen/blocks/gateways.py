@@ -117,8 +117,8 @@ def gateway_view(
         identifiers=layout.identifiers.hex(" ").upper(),
         output_length=layout.output_length,
         input_length=layout.input_length,
-        inputs=_fields(layout, layout.input, "I", gateway.input_address or 0),
-        outputs=_fields(layout, layout.output, "Q", gateway.output_address or 0),
+        inputs=_fields(layout, gateway, "I"),
+        outputs=_fields(layout, gateway, "Q"),
         laddr_in=_laddr(plant, gateway, gateway.input_address),
         laddr_out=_laddr(plant, gateway, gateway.output_address),
         handshake=SclText("TRUE" if gateway.options.get("handshake", True) else "FALSE", place),
@@ -160,30 +160,35 @@ def _frame_ms(gateway: Gateway) -> float:
     return 8 * gateway.subnetwork.character_bits / gateway.subnetwork.baud * 1000
 
 
-def _fields(
-    layout: Layout, fields: tuple[CyclicField, ...], area: str, base: int
-) -> tuple[FieldView, ...]:
+def _fields(layout: Layout, gateway: PlantGateway, area: str) -> tuple[FieldView, ...]:
+    fields = layout.output if area == "Q" else layout.input
+    base = (gateway.output_address if area == "Q" else gateway.input_address) or 0
     views = []
     for item in fields:
         if item.pad:
             continue
-        parts = _parts(layout, item, area, base)
-        views.append(FieldView(_MEMBERS[item.name], item.offset, item.length, parts))
+        source = origin(f"layout {layout.name}, {item.name}", item, layout.source or "")
+        words = gateway.access == "per_identifier" and _is_word(layout, item, area)
+        parts = (
+            (f"%{area}W{base + item.offset}",)
+            if words
+            else tuple(f"%{area}B{base + offset}" for offset in range(item.offset, item.end))
+        )
+        texts = tuple(SclText(part, source) for part in parts)
+        views.append(FieldView(_MEMBERS[item.name], item.offset, item.length, texts))
     return tuple(views)
 
 
-def _parts(layout: Layout, item: CyclicField, area: str, base: int) -> tuple[SclText, ...]:
-    """One access per identifier: a word where an identifier is a word, else byte by byte."""
-    source = origin(f"layout {layout.name}, {item.name}", item, layout.source or "")
-    address = base + item.offset
-    if item.length == 1:
-        return (SclText(f"%{area}B{address}", source),)
+def _is_word(layout: Layout, item: CyclicField, area: str) -> bool:
+    """Whether one identifier is just this field as a word: then one access moves it as a whole.
+
+    The process image is accessed by bytes: IEC 61131-3 counts words where S7 counts bytes.
+    """
     for identifier in layout.parsed_identifiers:
-        outward = area == "Q"
-        start = identifier.output_offset if outward else identifier.input_offset
-        if start == item.offset and identifier.unit_length == item.length:
-            return (SclText(f"%{area}W{address}", source),)
-    return tuple(SclText(f"%{area}B{address + i}", source) for i in range(item.length))
+        start = identifier.output_offset if area == "Q" else identifier.input_offset
+        if start == item.offset:
+            return item.length == 2 and identifier.unit_length == 2
+    return False
 
 
 def _laddr(plant: Plant, gateway: PlantGateway, address: int | None) -> SclText:
