@@ -86,13 +86,15 @@ class StationMaster(Protocol):
 class Station:
     """One slave of a master. `outputs` and `inputs` are what the CPU writes and reads.
 
-    `transfers` counts the simulated polls since data exchange began. `unsent` is True from a write
-    until the next cycle.
+    `failed` is True if the CPU cannot reach the data: the slave is silent or refuses. `transfers`
+    counts the simulated polls since data exchange began. `unsent` is True from a write until the
+    next cycle.
     """
 
     __slots__ = (
         "_master",
         "_plugged",
+        "failed",
         "inputs",
         "outputs",
         "queued",
@@ -124,15 +126,11 @@ class Station:
         )
         self.outputs = bytearray(output_length(identifiers))
         self.inputs = bytearray(input_length(identifiers))
+        self.failed = False
         self.state = StationState.DIAGNOSIS
         self.queued = self.unsent = False
         self.transfers = 0
         slave.attach(self._attention)
-
-    @property
-    def failed(self) -> bool:
-        """True if the CPU cannot reach the data: the slave is silent or refuses."""
-        return self.state is StationState.FAILED or self.state is StationState.REFUSED
 
     @property
     def exchanging(self) -> bool:
@@ -168,6 +166,7 @@ class Station:
 
     def restart(self) -> None:
         """Begin again with Slave_Diag, as after the master was stopped."""
+        self.failed = False
         self.state = StationState.DIAGNOSIS
 
     def poll(self) -> None:
@@ -184,6 +183,7 @@ class Station:
         match self.state:
             case StationState.DIAGNOSIS | StationState.FAILED | StationState.REFUSED:
                 slave.slave_diag()
+                self.failed = False
                 self.state = StationState.PARAMETERS
             case StationState.PARAMETERS:
                 slave.set_prm(settings.parameters, self._master.address)
@@ -216,6 +216,7 @@ class Station:
 
     def _drop(self, state: StationState) -> None:
         self.state = state
+        self.failed = state is not StationState.DIAGNOSIS
         self.transfers = 0
         self.inputs[:] = bytes(len(self.inputs))
         self._master.report(self)

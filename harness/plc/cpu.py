@@ -12,6 +12,7 @@ but for remanent ones after a warm restart; an empty process image; then OB100, 
 
 from collections.abc import Callable, Mapping
 from enum import Enum
+from functools import partial
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.lang.checked import Program
@@ -26,6 +27,8 @@ from harness.plc.link import MasterLink
 from harness.plc.modules import ModuleTable, Mounting
 from harness.plc.settings import CpuSettings
 from harness.plc.tasks import CyclicTask, cyclic_tasks, startup_blocks
+
+_NEVER_NS = 1 << 63
 
 Instruction = Callable[[Mapping[str, "Scalar | Area"], Span], Scalar]
 """What carries out a system instruction: arguments by name, where it is called, RET_VAL."""
@@ -61,6 +64,7 @@ class Cpu:
         "_life",
         "_modules",
         "_peripheral_ns",
+        "_quiet_until_ns",
         "_scan_event",
         "_started_ns",
         "_tasks",
@@ -88,7 +92,7 @@ class Cpu:
         self._tasks: list[CyclicTask] = []
         self._scan_event: Event | None = None
         self._life = 0
-        self._instant_ns = self._started_ns = 0
+        self._instant_ns = self._started_ns = self._quiet_until_ns = 0
         self._peripheral_ns = settings.peripheral_ns
         self.settings = settings
         self.master = master
@@ -195,6 +199,7 @@ class Cpu:
         self.master.operate()
         self._set_mode(CpuMode.RUN)
         self.now_ns = self._instant_ns = self._kernel.now_ns
+        self._quiet_until_ns = 0
         for name in startup_blocks(self.engine.program):
             if not self._runs(name):
                 return
@@ -228,32 +233,40 @@ class Cpu:
 
     def _schedule(self, free_ns: int) -> None:
         """Arrange for the next scan, not before the CPU is free."""
-        due_ns = min(task.due_ns for task in self._tasks)
-        self._scan_event = self._kernel.at(max(due_ns, free_ns), self._scan)
+        due_ns = self._tasks[0].due_ns
+        for task in self._tasks:
+            if task.due_ns < due_ns:
+                due_ns = task.due_ns
+        self._scan_event = self._kernel.at(due_ns if due_ns > free_ns else free_ns, self._scan)
 
     def _scan(self) -> None:
         start_ns = self.now_ns = self._instant_ns = self._kernel.now_ns
-        settings, life = self.settings, self._life
-        task = next(task for task in self._tasks if task.due_ns <= start_ns)
-        for station in self._modules.image:
+        self._quiet_until_ns = 0
+        settings, image = self.settings, self._modules.image
+        task = self._most_urgent(start_ns)
+        for station in image:
             at = station.settings.input_address
             length = len(station.inputs)
             self.inputs[at : at + length] = self.link.read(station, 0, length)
         for block in task.blocks:
             if not self._runs(block):
                 return
-        execution_ns = settings.execution_ns
+        end_ns = start_ns + settings.execution_ns
         if settings.execution_jitter_ns:
-            execution_ns += self._kernel.random.randrange(settings.execution_jitter_ns + 1)
-        end_ns = max(start_ns + execution_ns, self._instant_ns)
+            end_ns += self._kernel.random.randrange(settings.execution_jitter_ns + 1)
+        if self._instant_ns > end_ns:
+            end_ns = self._instant_ns
         if end_ns - start_ns > settings.watchdog_ns:
             self._crash(_too_slow(task.name, end_ns - start_ns, settings.watchdog_ns))
             return
         self.scans += 1
         for observer in self.after_scan:
             observer()
-        if any(self._image_changed(station) for station in self._modules.image):
-            self._kernel.at(end_ns, lambda: self._write_outputs(life))
+        for station in image:
+            at = station.settings.output_address
+            if self.outputs[at : at + len(station.outputs)] != station.outputs:
+                self._kernel.at(end_ns, partial(self._write_outputs, self._life))
+                break
         if task.interval_ns is None:
             task.due_ns = start_ns + settings.cycle_ns
         else:
@@ -261,9 +274,12 @@ class Cpu:
             task.due_ns += (late + 1) * task.interval_ns
         self._schedule(end_ns)
 
-    def _image_changed(self, station: Station) -> bool:
-        at = station.settings.output_address
-        return self.outputs[at : at + len(station.outputs)] != station.outputs
+    def _most_urgent(self, now_ns: int) -> CyclicTask:
+        """The first of the tasks that are due; they stand in the order of their priorities."""
+        for task in self._tasks:
+            if task.due_ns <= now_ns:
+                return task
+        raise AssertionError("a scan was scheduled and no task is due")
 
     def _write_outputs(self, life: int) -> None:
         if life != self._life:
@@ -277,11 +293,14 @@ class Cpu:
     def read_peripheral(self, byte: int, count: int) -> int:
         """`count` bytes (1, 2, 4) straight from the master's image, big endian."""
         instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
-        self._kernel.run_until(instant_ns)
+        if instant_ns >= self._quiet_until_ns:
+            self._let_happen(instant_ns)
         place = self._modules.inputs.get(byte)
-        if place is None or place[0].failed:
+        if place is None:
             return self._access_error(f"input byte {byte}")
         station, offset = place
+        if station.failed:
+            return self._access_error(f"input byte {byte}")
         if self.link.armed:
             return int.from_bytes(self.link.read(station, offset, count), "big")
         if count == 1:
@@ -290,8 +309,9 @@ class Cpu:
 
     def write_peripheral(self, byte: int, count: int, value: int) -> None:
         """`count` bytes (1, 2, 4) straight to the master's image, big endian."""
-        instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
-        self._kernel.run_until(instant_ns)
+        self._instant_ns += self._peripheral_ns
+        self._let_happen(self._instant_ns)
+        self._quiet_until_ns = 0
         place = self._modules.outputs.get(byte)
         if place is None or place[0].failed:
             self._access_error(f"output byte {byte}")
@@ -301,6 +321,15 @@ class Cpu:
         self.link.write(station, offset, data)
         if station in self._modules.image:
             self.outputs[byte : byte + count] = data
+
+    def _let_happen(self, instant_ns: int) -> None:
+        """Let the world go on up to an instant, and note how long nothing will happen then.
+
+        Within a scan only the program's own accesses can arrange for something new.
+        """
+        self._kernel.run_until(instant_ns)
+        next_ns = self._kernel.next_event_ns()
+        self._quiet_until_ns = _NEVER_NS if next_ns is None else next_ns
 
     def instruction(self, name: str, arguments: Mapping[str, Scalar | Area], span: Span) -> Scalar:
         """Carry out a system instruction and give its result.
@@ -329,7 +358,8 @@ class Cpu:
         self, arguments: Mapping[str, Scalar | Area], span: Span
     ) -> tuple[int, Area]:
         self._instant_ns += self.settings.instruction_ns
-        self._kernel.run_until(self._instant_ns)
+        self._let_happen(self._instant_ns)
+        self._quiet_until_ns = 0
         laddr, record = arguments["LADDR"], arguments["RECORD"]
         if not isinstance(laddr, int) or isinstance(record, bool | int | float | str):
             raise error(
