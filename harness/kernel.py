@@ -53,9 +53,11 @@ class Kernel:
 
     def at(self, time_ns: int, action: Callable[[], None], priority: int = 0) -> Event:
         """Run `action` at an instant; in the past means now. Lower priorities run first."""
-        event = Event(max(time_ns, self.now_ns), action)
-        self._sequence += 1
-        heappush(self._queue, (event.time_ns, priority, self._sequence, event))
+        if time_ns < self.now_ns:
+            time_ns = self.now_ns
+        event = Event(time_ns, action)
+        self._sequence = sequence = self._sequence + 1
+        heappush(self._queue, (time_ns, priority, sequence, event))
         return event
 
     def after(self, delay_ns: int, action: Callable[[], None], priority: int = 0) -> Event:

@@ -208,7 +208,8 @@ class Station:
             self._drop(StationState.DIAGNOSIS)
             self._master.request(self)
             return
-        self.inputs[:] = answer
+        if self.inputs != answer:
+            self.inputs[:] = answer
         self.transfers += 1
         self._master.transferred(self, outputs, answer)
         if self.transfers == 1:

@@ -209,9 +209,10 @@ class Cpu:
 
     def _runs(self, block: str) -> bool:
         """Run a block; False if that took the CPU to STOP."""
-        life = self._life
+        life, engine = self._life, self._engine
+        assert engine is not None, "only a loaded program is started"
         try:
-            self.engine.run_block(block)
+            engine.run_block(block)
         except DiagnosticError as failure:
             self._crash(failure)
         return life == self._life
@@ -309,16 +310,21 @@ class Cpu:
 
     def write_peripheral(self, byte: int, count: int, value: int) -> None:
         """`count` bytes (1, 2, 4) straight to the master's image, big endian."""
-        self._instant_ns += self._peripheral_ns
-        self._let_happen(self._instant_ns)
-        self._quiet_until_ns = 0
+        instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
         place = self._modules.outputs.get(byte)
+        if place is None or instant_ns >= self._quiet_until_ns or not place[0].queued:
+            self._let_happen(instant_ns)
+            self._quiet_until_ns = 0
         if place is None or place[0].failed:
             self._access_error(f"output byte {byte}")
             return
         station, offset = place
         data = value.to_bytes(count, "big")
-        self.link.write(station, offset, data)
+        if self.link.armed:
+            self.link.write(station, offset, data)
+            self._quiet_until_ns = 0
+        else:
+            station.write(offset, data)
         if station in self._modules.image:
             self.outputs[byte : byte + count] = data
 
