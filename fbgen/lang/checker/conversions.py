@@ -4,9 +4,10 @@ What a `Convert` does, for each pair of families (both engines follow this table
 
 * integer or bit string to integer or bit string: the low bits of the two's complement, signed
   sources sign-extended. BOOL gives 0 or 1; to BOOL: the lowest bit.
-* REAL, LREAL to integer or bit string: rounded (to nearest, ties to even, or cut), then the low
-  bits; not-a-number and infinite give 0. Exceptions: REAL to DWORD and LREAL to LWORD, and back,
-  copy the 32 or 64 bits unchanged. Integer to REAL: the nearest number. REAL to LREAL: the same.
+* REAL, LREAL to integer, bit string or duration: rounded (to nearest, ties to even, or cut); what
+  does not fit, infinite and not-a-number stop the program (FB6006). Exceptions: REAL to DWORD and
+  LREAL to LWORD, and back, copy the 32 or 64 bits unchanged. Integer to REAL: the nearest number,
+  rounded once. REAL to LREAL: the same.
 * TIME counts milliseconds, LTIME nanoseconds: to and from a number as that count; TIME to LTIME
   times 1,000,000, back divided and cut towards zero. TIME_OF_DAY counts milliseconds,
   LTIME_OF_DAY nanoseconds, DATE days: numbers likewise.

@@ -8,7 +8,7 @@ import operator
 from collections.abc import Callable
 
 from fbgen.lang.checked import Constant
-from fbgen.lang.checker.literals import in_real
+from fbgen.lang.checker.literals import in_real, nearest_real
 from fbgen.lang.types import BOOL, Elementary, Family, Scalar, StringType, Type
 from fbgen.source import Span
 
@@ -108,7 +108,7 @@ def fold_unary(span: Span, symbol: str, operand: Constant, kind: Elementary) -> 
     return Constant(span, value, kind) if value <= kind.maximum else None
 
 
-def fold_conversion(constant: Constant, target: Type) -> Scalar | None:
+def fold_conversion(constant: Constant, target: Type, rounding: str = "nearest") -> Scalar | None:
     """The value of a typed constant in another type; None if that is left to the program."""
     source, value = constant.type, constant.value
     if isinstance(source, StringType) or isinstance(target, StringType):
@@ -117,7 +117,10 @@ def fold_conversion(constant: Constant, target: Type) -> Scalar | None:
         return None
     counts = (Family.SIGNED, Family.UNSIGNED, Family.BITS)
     if target.family is Family.REAL and source.family in (Family.SIGNED, Family.UNSIGNED):
-        return in_real(float(value), target)
+        return nearest_real(int(value), target)
+    if source.family is Family.REAL and target.is_integer:
+        whole = int(value) if rounding == "truncate" else round(float(value))
+        return whole if target.minimum <= whole <= target.maximum else None
     if target.family is Family.REAL and source.family is Family.REAL:
         return in_real(float(value), target)
     if source.family in (*counts, Family.BOOL) and target.family in counts:

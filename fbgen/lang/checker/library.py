@@ -168,8 +168,7 @@ class Library:
             if node.kind is not BlockKind.FUNCTION_BLOCK:
                 return None
             name = node.name.name
-            if self.user_block(name) is None:
-                return None
+            self.user_block(name)  # reports a block that contains itself
         else:
             standard = standard_block(name)
             if standard is None:

@@ -66,6 +66,18 @@ def round_real(value: float) -> float:
     return rounded
 
 
+def nearest_real(value: int, target: Elementary) -> float | None:
+    """The number of REAL or LREAL that is nearest to a whole one, rounded once, ties to even."""
+    if target != REAL or abs(value) <= 1 << 53:
+        return in_real(float(value), target)
+    shift = abs(value).bit_length() - 24
+    kept, rest = divmod(abs(value), 1 << shift)
+    half = 1 << (shift - 1)
+    if rest > half or (rest == half and kept % 2):
+        kept += 1
+    return in_real(math.copysign(float(kept << shift), value), target)
+
+
 def fitted(constant: Constant, target: Type) -> Scalar | None:
     """The value of an untyped constant or a string constant in `target`; None if it has none."""
     value = constant.value
@@ -91,7 +103,7 @@ def _fitted_integer(value: int, target: Elementary, mask: bool) -> Scalar | None
     if family is Family.BOOL:
         return bool(value) if value in (0, 1) else None
     if family is Family.REAL:
-        return in_real(float(value), target)
+        return nearest_real(value, target)
     if family in (Family.SIGNED, Family.UNSIGNED, Family.BITS):
         if mask and family is not Family.SIGNED and -(1 << target.bits) <= value <= target.maximum:
             return value & target.maximum

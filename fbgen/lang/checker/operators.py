@@ -95,11 +95,18 @@ def _operator_help(operator: str, left: Type, right: Type, both_typed: bool) -> 
         return f"{operator} takes BOOLs or bit strings; convert integers: INT_TO_WORD(x)"
     if BOOL in (left, right) and operator in folding.COMPARISONS:
         return "a BOOL can be compared with a BOOL by = and <> only"
-    if both_typed and isinstance(left, Elementary) and isinstance(right, Elementary):
-        if left.family in _COUNTS and right.family in _COUNTS and left != right:
-            return f"convert one side: {left.name}_TO_{right.name}(...)"
-        if left == right and left.family is Family.BITS:
-            return f"convert it for the calculation: {left.name}_TO_{UNSIGNED_OF[left].name}(...)"
+    if (
+        both_typed
+        and left != right
+        and isinstance(left, Elementary)
+        and isinstance(right, Elementary)
+        and left.family in _COUNTS
+        and right.family in _COUNTS
+    ):
+        return f"convert one side: {left.name}_TO_{right.name}(...)"
+    for kind in (left, right):
+        if isinstance(kind, Elementary) and kind in UNSIGNED_OF:
+            return f"convert it for the calculation: {kind.name}_TO_{UNSIGNED_OF[kind].name}(...)"
     if operator in ("MOD", "DIV"):
         return f"{operator} takes integers"
     return "bring both sides to one type with a conversion function"

@@ -151,14 +151,14 @@ def _instance_variable(ctx: Context, node: ast.Member, kind: BlockType) -> Varia
     for variable in ctx.library.variables_of(kind):
         if variable.name.casefold() != key:
             continue
-        if variable.kind in _PARAMETERS:
+        if variable.kind in (VariableKind.INPUT, VariableKind.OUTPUT):
             return variable
         if variable.kind is VariableKind.STATIC and ctx.rules.statics_visible:
             return variable
-        if variable.kind in (VariableKind.STATIC, VariableKind.TEMP):
+        if variable.kind is not VariableKind.RESULT:
             ctx.findings.error(
                 "FB4058",
-                f"'{variable.name}' is an inner variable of {kind.name}",
+                f"{variable.kind.value} '{variable.name}' of {kind.name} is not there from outside",
                 node.span,
                 "make it an output of the block, or ask the block's own outputs",
             )

@@ -370,7 +370,7 @@ def _to_type(
         assert isinstance(source, Elementary)
         return Binary(span, "<>", operand, Constant(span, 0, source), BOOL)
     if isinstance(operand, Constant):
-        value = fold_conversion(operand, target)
+        value = fold_conversion(operand, target, rounding)
         if value is not None:
             return Constant(span, value, target)
     return Convert(span, operand, target, rounding=rounding)

@@ -4,10 +4,10 @@ import re
 from pathlib import Path
 
 import pytest
+from checking import findings_of
 
 from fbgen.diagnostics import Severity
 from fbgen.resources import shipped
-from tests.unit.lang.checking import findings_of
 
 _BAD = Path(__file__).parent.parent / "bad"
 _DIALECTS = {"scl": "tia", "st": "iec"}
