@@ -12,11 +12,7 @@ from pathlib import Path
 
 import pytest
 
-FactMark = tuple[str, str]
-"""Id of a behaviour row, and the test that names it."""
-
-FACTS = pytest.StashKey[list[FactMark]]()
-"""Every `fact` mark of the tests that were collected and are not slow."""
+from tests.fact_marks import FACTS
 
 GOLDEN = Path(__file__).parent / "golden"
 _REQUIRE_ALL = os.environ.get("FBGEN_REQUIRE_ALL") == "1"

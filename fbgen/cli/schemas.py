@@ -1,15 +1,15 @@
 """`fbgen schemas`: JSON Schemas for editors, one for each kind of YAML file."""
 
-import json
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from fbgen.cli.examples import examples
 from fbgen.cli.output import result
 
-DIALECT = "https://json-schema.org/draft/2020-12/schema"
+if TYPE_CHECKING:
+    from pydantic import BaseModel
 
 
 def register(program: typer.Typer) -> None:
@@ -37,9 +37,8 @@ def schemas(
 
 def schema_texts() -> dict[str, str]:
     """The schemas by file name, each generated from the model that reads such a file."""
-    from pydantic import BaseModel
-
     from fbgen.catalog import Drive, Gateway, Protocol, Sequence
+    from fbgen.catalog.schema import schema_text
     from fbgen.plant import Plant
     from harness.scenario.model import Scenario
 
@@ -51,10 +50,4 @@ def schema_texts() -> dict[str, str]:
         "plant": Plant,
         "scenario": Scenario,
     }
-    return {
-        f"{name}.schema.json": json.dumps(
-            {"$schema": DIALECT, **model.model_json_schema()}, indent=2
-        )
-        + "\n"
-        for name, model in models.items()
-    }
+    return {f"{name}.schema.json": schema_text(model) for name, model in models.items()}

@@ -1,0 +1,105 @@
+"""Who may import whom. A part that is changed must not shake what lies below it."""
+
+import ast
+
+import pytest
+
+from tests.architecture.sources import Import, imports, modules, tree
+
+BASE = {"fbgen", "fbgen.diagnostics", "fbgen.resources", "fbgen.source"}
+DEVICES = {"harness.drives", "harness.fieldbus", "harness.gateways", "harness.line"}
+PLANT = {*DEVICES, "harness.engine", "harness.kernel", "harness.plant", "harness.plc"}
+TEXT = {"fbgen.blocks", "fbgen.catalog", "fbgen.emit", "fbgen.lang", "fbgen.plant", "fbgen.wire"}
+
+MAY_IMPORT: dict[str, set[str]] = {
+    "fbgen": set(),
+    "fbgen.source": set(),
+    "fbgen.resources": set(),
+    "fbgen.diagnostics": {"fbgen.source"},
+    "fbgen.wire": BASE,
+    "fbgen.lang": BASE,
+    "fbgen.catalog": BASE | {"fbgen.wire"},
+    "fbgen.plant": BASE | {"fbgen.catalog", "fbgen.lang", "fbgen.wire"},
+    "fbgen.blocks": BASE | {"fbgen.catalog", "fbgen.lang", "fbgen.plant", "fbgen.wire"},
+    "fbgen.emit": BASE | TEXT,
+    "fbgen.docs": BASE | TEXT,
+    "fbgen.cli": BASE | TEXT | {"fbgen.docs"},
+    "harness": BASE | TEXT | PLANT,
+    "harness.kernel": set(),
+    "harness.line": BASE | {"fbgen.wire", "harness.kernel"},
+    "harness.fieldbus": BASE | {"fbgen.catalog", "fbgen.wire", "harness.kernel"},
+    "harness.drives": BASE | {"fbgen.catalog", "fbgen.wire", "harness.kernel", "harness.line"},
+    "harness.gateways": BASE
+    | {"fbgen.catalog", "fbgen.wire", "harness.kernel", "harness.line", "harness.fieldbus"},
+    "harness.engine": BASE | {"fbgen.lang", "harness.kernel"},
+    "harness.plc": BASE
+    | {"fbgen.lang", "fbgen.wire", "harness.engine", "harness.fieldbus", "harness.kernel"},
+    "harness.report": BASE | TEXT | PLANT,
+    "harness.plant": BASE | TEXT | PLANT | {"harness.report"},
+    "harness.faults": BASE | TEXT | PLANT | {"harness.report"},
+    "harness.scenario": BASE | TEXT | PLANT | {"harness.faults", "harness.report"},
+    "harness.demo": BASE | TEXT | PLANT | {"harness.report", "harness.scenario"},
+}
+"""Part -> the parts that it may import. A new part gets a line of its own here."""
+
+ONLY_INSIDE_FUNCTIONS = {"fbgen.cli": "harness"}
+"""Part -> what it may import beside that, but only when a command runs."""
+
+WITHOUT_TIME_AND_PORTS = {*DEVICES, "fbgen.wire", "harness.engine", "harness.kernel", "harness.plc"}
+OUTER_WORLD = {"asyncio", "multiprocessing", "select", "serial", "socket", "subprocess"}
+OUTER_WORLD |= {"threading", "time"}
+
+
+def part(module: str) -> str:
+    """`fbgen.catalog.words` belongs to `fbgen.catalog`."""
+    return ".".join(module.split(".")[:2])
+
+
+def allowed(item: Import) -> bool:
+    importer, imported = part(item.importer), part(item.imported)
+    if importer == imported or imported in MAY_IMPORT.get(importer, set()):
+        return True
+    lazily = ONLY_INSIDE_FUNCTIONS.get(importer)
+    return item.lazily and lazily is not None and imported.split(".")[0] == lazily
+
+
+def test_every_part_has_its_directions() -> None:
+    assert {part(name) for name in modules()} <= set(MAY_IMPORT)
+
+
+def test_imports_go_in_the_allowed_directions() -> None:
+    wrong = [f"{i.importer}:{i.line} imports {i.imported}" for i in imports() if not allowed(i)]
+    assert wrong == []
+
+
+@pytest.mark.parametrize(
+    ("item", "expected"),
+    [
+        (Import("fbgen.cli.demo", "harness.demo", 1, lazily=True), True),
+        (Import("fbgen.cli.demo", "harness.demo", 1, lazily=False), False),
+        (Import("fbgen.emit.generator", "harness.demo", 1, lazily=True), False),
+        (Import("harness.plc.cpu", "fbgen.cli.output", 1, lazily=True), False),
+        (Import("fbgen.lang.parser", "fbgen.catalog.words", 1, lazily=False), False),
+        (Import("fbgen.catalog.words", "fbgen.catalog.nearest", 1, lazily=False), True),
+    ],
+)
+def test_the_rule_tells_right_from_wrong(item: Import, expected: bool) -> None:
+    assert allowed(item) is expected
+
+
+def test_devices_and_codecs_know_no_real_time_and_no_ports() -> None:
+    wrong = [
+        f"{name}:{node.lineno} imports {target}"
+        for name, path in modules().items()
+        if part(name) in WITHOUT_TIME_AND_PORTS
+        for node in ast.walk(tree(path))
+        if isinstance(node, (ast.Import, ast.ImportFrom))
+        for target in (
+            [alias.name for alias in node.names]
+            if isinstance(node, ast.Import)
+            else [node.module or ""]
+        )
+        if target.split(".")[0] in OUTER_WORLD
+        or (target == "random" and name != "harness.kernel" and "Random" not in ast.unparse(node))
+    ]
+    assert wrong == []
