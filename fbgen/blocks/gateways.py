@@ -192,12 +192,11 @@ def _is_word(layout: Layout, item: CyclicField, area: str) -> bool:
 
 
 def _laddr(plant: Plant, gateway: PlantGateway, address: int | None) -> SclText:
+    """S7-1200/1500 take the hardware identifier, S7-300/400 the start address."""
     source = origin(f"gateway {gateway.name}", gateway)
-    if gateway.hardware_identifier is not None:
-        return SclText(str(gateway.hardware_identifier), source)
     if plant.plc in ("s7-300", "s7-400"):
         return SclText(f"W#16#{address or 0:X}", source)
-    return SclText(str(address or 0), source)
+    return SclText(str(gateway.hardware_identifier or 0), source)
 
 
 def _drive(drive: PlantDrive, sequences: tuple[SequenceView, ...], slots: range) -> DriveView:

@@ -8,7 +8,7 @@ from fbgen.catalog import Catalog, load_catalog, load_yaml, validate
 from fbgen.catalog.catalog import read_source
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.plant import Plant, load_plant
-from harness.plant import PlantSetup, build_plant
+from harness.plant import Installation, PlantSetup, build_plant
 from harness.scenario.model import Scenario, Variation
 from harness.scenario.results import ScenarioReport, ScenarioResult
 from harness.scenario.runner import ScenarioRun
@@ -91,28 +91,32 @@ def run_file(
 def _run(
     result: ScenarioResult, scenario: Scenario, plant: Plant, catalog: Catalog
 ) -> ScenarioResult:
-    setup = PlantSetup(
-        seed=result.seed,
-        engine=scenario.engine,
-        drives={key: value.conditions() for key, value in scenario.drives.items()},
-    )
     checks = virtual_ns = 0
     found: tuple[Diagnostic, ...] = ()
     try:
-        installation = build_plant(plant, catalog, setup)
-        run = ScenarioRun(scenario, installation, catalog)
+        run = ScenarioRun(scenario, _build(scenario, plant, catalog, result.seed), catalog)
         try:
             run.run()
         finally:
-            checks, virtual_ns = run.checks, installation.kernel.now_ns
+            checks, virtual_ns = run.checks, run.installation.kernel.now_ns
     except DiagnosticError as wrong:
         found = wrong.diagnostics
     if not found and not checks:
         advice = "add a step with expect:"
         found = (Diagnostic("FB8008", "the scenario checks nothing", scenario.span, advice),)
-    return replace(
-        result, passed=not found, failures=found, checks=checks, virtual_ns=virtual_ns
-    )
+    return replace(result, passed=not found, failures=found, checks=checks, virtual_ns=virtual_ns)
+
+
+def prepare(scenario: Scenario, path: Path, catalog: Catalog) -> ScenarioRun:
+    """The scenario of a file on its plant as the plant file says, ready to run."""
+    plant = load_plant(path.parent / scenario.plant, catalog)
+    installation = _build(scenario, plant, catalog, scenario.seed)
+    return ScenarioRun(scenario, installation, catalog)
+
+
+def _build(scenario: Scenario, plant: Plant, catalog: Catalog, seed: int) -> Installation:
+    drives = {name: setup.conditions() for name, setup in scenario.drives.items()}
+    return build_plant(plant, catalog, PlantSetup(seed, scenario.engine, drives))
 
 
 def varied(plant: Plant, variation: Variation, catalog: Catalog) -> Plant:

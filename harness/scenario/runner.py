@@ -17,8 +17,8 @@ from harness.plant import Installation
 from harness.report.telegrams import TelegramRecorder, one_line
 from harness.scenario.model import (
     ClearStep,
-    ExpectedTelegram,
     Expectation,
+    ExpectedTelegram,
     ExpectStep,
     InjectStep,
     Scenario,
@@ -39,6 +39,7 @@ class ScenarioRun:
 
     def __init__(self, scenario: Scenario, plant: Installation, catalog: Catalog) -> None:
         self.checks = 0
+        self.installation = plant
         self._plant = plant
         self._catalog = catalog
         self._paths = Paths(plant, catalog)
