@@ -4,15 +4,20 @@ from collections.abc import Iterable
 from difflib import get_close_matches
 
 _LISTED = 12
+_NEAR = 3
 
 
 def near_names(name: str, known: Iterable[str]) -> list[str]:
-    """Up to three known names that are spelled nearly so, the nearest first.
+    """Up to three known names that are spelled nearly so, the nearest first, or contain it.
 
     Upper and lower case and the difference between `-` and `_` do not count as distance.
     """
     plain = {_plain(candidate): candidate for candidate in sorted(set(known))}
-    return [plain[match] for match in get_close_matches(_plain(name), plain, n=3, cutoff=0.6)]
+    wanted = _plain(name)
+    near = get_close_matches(wanted, plain, n=_NEAR, cutoff=0.6)
+    if not near and len(wanted) > 1:
+        near = [candidate for candidate in plain if wanted in candidate][:_NEAR]
+    return [plain[match] for match in near]
 
 
 def nearest(name: str, known: Iterable[str]) -> str:

@@ -6,26 +6,25 @@ from fbgen.diagnostics import error
 
 _HEX = re.compile(r"(?:16#|0x|\$)([0-9a-f]{1,4})|([0-9a-f]{1,4})h|([0-9a-f]{1,4})")
 _BINARY = re.compile(r"(?:2#|0b)([01]{1,16})")
-_DECIMAL = re.compile(r"(?:10#|0d)([0-9]{1,5})")
+_DECIMAL = re.compile(r"10#([0-9]{1,5})|([0-9]{5})")
 
 
 def parse_word(text: str) -> int:
     """The 16-bit number that a text stands for.
 
-    Up to four digits without a mark are hexadecimal, as in all manuals of these devices; five
-    digits without a mark are decimal. `10#` or `0d` marks decimal. Underscores and blanks between
-    the digits do not count. Raises DiagnosticError FB1204 for anything else.
+    Up to four digits without a mark are hexadecimal, as in all manuals of these devices (so 0B10 is
+    no binary number); five digits without a mark are decimal. Decimal is marked by `10#`, binary by
+    `2#`, or by `0b` with three digits and more. Underscores and blanks between the digits do not
+    count. Raises DiagnosticError FB1204 for anything else.
     """
     plain = re.sub(r"[_\s]", "", text).lower()
-    if match := _BINARY.fullmatch(plain):
-        return int(match[1], 2)
     value = -1
-    if match := _DECIMAL.fullmatch(plain):
-        value = int(match[1])
-    elif match := _HEX.fullmatch(plain):
+    if match := _HEX.fullmatch(plain):
         value = int(match[1] or match[2] or match[3], 16)
-    elif re.fullmatch(r"[0-9]{5}", plain):
-        value = int(plain)
+    elif match := _BINARY.fullmatch(plain):
+        value = int(match[1], 2)
+    elif match := _DECIMAL.fullmatch(plain):
+        value = int(match[1] or match[2])
     if not 0 <= value <= 0xFFFF:
         raise error(
             "FB1204",

@@ -12,7 +12,6 @@ means a hexadecimal number can read `0009` or `1388` as written.
 """
 
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import yaml
@@ -20,7 +19,7 @@ import yaml
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
 from fbgen.source import Source, Span
 
-MAX_CHARACTERS = 2_000_000
+MAX_CHARACTERS = 500_000
 MAX_DEPTH = 40
 MAX_NODES = 200_000
 
@@ -268,18 +267,43 @@ def load_yaml(source: Source) -> Document:
     if len(source.text) > MAX_CHARACTERS:
         start = Span(source, 0, 1)
         raise error("FB1002", f"the file has more than {MAX_CHARACTERS} characters", start)
-    builder = _Builder(source)
-    try:
-        for event in _events(source):
-            builder.take(event)
-    except DiagnosticError as stop:
-        raise DiagnosticError([*builder.findings, *stop.diagnostics]) from None
+    builder = _read(source)
     if builder.findings:
         raise DiagnosticError(builder.findings)
     if builder.root is None:
         raise error("FB1001", "the file is empty", Span(source, 0, 0))
     data, span = builder.root
     return Document(source, data, span)
+
+
+def _read(source: Source) -> _Builder:
+    """The text taken event by event, so that a limit stops the parser, too.
+
+    Syntax errors always come from the parser written in Python, so that message and place are the
+    same whether PyYAML was built with libyaml or not.
+    """
+    if yaml.__with_libyaml__:
+        try:
+            return _build(source, yaml.CSafeLoader)
+        except (yaml.YAMLError, UnicodeEncodeError):
+            pass
+    try:
+        return _build(source, yaml.SafeLoader)
+    except yaml.reader.ReaderError as problem:
+        place = Span(source, problem.position, problem.position + 1)
+        raise error("FB1001", "there is a character that YAML does not allow", place) from None
+    except yaml.MarkedYAMLError as problem:
+        raise DiagnosticError([_syntax(source, problem)]) from None
+
+
+def _build(source: Source, loader: type[yaml.SafeLoader] | type[yaml.CSafeLoader]) -> _Builder:
+    builder = _Builder(source)
+    try:
+        for event in yaml.parse(source.text, Loader=loader):
+            builder.take(event)
+    except DiagnosticError as stop:
+        raise DiagnosticError([*builder.findings, *stop.diagnostics]) from None
+    return builder
 
 
 def locate(document: Document, path: tuple[int | str, ...]) -> tuple[Span, object]:
@@ -297,28 +321,6 @@ def locate(document: Document, path: tuple[int | str, ...]) -> tuple[Span, objec
             span = value.item_spans[step]
             value = value[step]
     return span, value
-
-
-def _events(source: Source) -> Iterator[yaml.Event]:
-    """The events of the text. Syntax errors always come from the parser written in Python, so
-    that message and place are the same whether PyYAML was built with libyaml or not."""
-    text = source.text
-    try:
-        if yaml.__with_libyaml__:
-            try:
-                yield from list(yaml.parse(text, Loader=yaml.CSafeLoader))
-                return
-            except yaml.YAMLError:
-                pass
-        yield from yaml.parse(text, Loader=yaml.SafeLoader)
-    except yaml.reader.ReaderError as problem:
-        place = Span(source, problem.position, problem.position + 1)
-        raise error("FB1001", "there is a character that YAML does not allow", place) from None
-    except yaml.MarkedYAMLError as problem:
-        raise DiagnosticError([_syntax(source, problem)]) from None
-    except UnicodeEncodeError as problem:
-        place = Span(source, problem.start, problem.end)
-        raise error("FB1001", "there is a character that YAML does not allow", place) from None
 
 
 def _syntax(source: Source, problem: yaml.MarkedYAMLError) -> Diagnostic:
