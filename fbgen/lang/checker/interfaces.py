@@ -33,6 +33,7 @@ _KINDS = {
     "VAR_TEMP": VariableKind.TEMP,
     "VAR_GLOBAL": VariableKind.GLOBAL,
 }
+_WITH_CONSTANTS = ("VAR", "VAR_TEMP", "VAR_GLOBAL")
 _KEEPING = (VariableKind.STATIC, VariableKind.GLOBAL, VariableKind.IN_OUT)
 _WITHOUT_MEMORY = (BlockKind.FUNCTION, BlockKind.ORGANIZATION_BLOCK)
 
@@ -253,5 +254,5 @@ class Interfaces:
 
 def _is_constant(section: ast.VarSection) -> bool:
     return section.keyword == "CONST" or (
-        "CONSTANT" in section.qualifiers and section.keyword != "VAR_EXTERNAL"
+        "CONSTANT" in section.qualifiers and section.keyword in _WITH_CONSTANTS
     )

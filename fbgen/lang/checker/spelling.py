@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from difflib import get_close_matches
 
 _LISTED = 12
-_SEARCHED = 1000
+_SEARCHED = 300
 """Looking for near names among more than this takes longer than it helps."""
 
 
