@@ -59,7 +59,7 @@ def cyclic_tasks(program: Program) -> list[CyclicTask]:
         raise error(
             "FB7404",
             "nothing in these files would run on a controller",
-            None,
+            next((block.span for block in program.blocks.values()), None),
             f'add an ORGANIZATION_BLOCK "Main", a FUNCTION {MAIN_FUNCTION} or a PROGRAM',
         )
     return [CyclicTask("cycle", None, 1, programs)]

@@ -48,25 +48,25 @@ class ScriptedEngine:
         self.resets.append(warm)
 
     def instance(self, block_name: str) -> Instance:
-        raise NotImplementedError
+        raise AssertionError("the CPU does not ask for this")
 
     def global_instance(self, name: str) -> Instance:
-        raise NotImplementedError
+        raise AssertionError("the CPU does not ask for this")
 
     def call_function(self, name: str, arguments: Mapping[str, Value]) -> FunctionResult:
-        raise NotImplementedError
+        raise AssertionError("the CPU does not ask for this")
 
     def global_value(self, path: str) -> Value:
-        raise NotImplementedError
+        raise AssertionError("the CPU does not ask for this")
 
     def set_global(self, path: str, value: Value) -> None:
-        raise NotImplementedError
+        raise AssertionError("the CPU does not ask for this")
 
     def snapshot(self) -> State:
-        raise NotImplementedError
+        raise AssertionError("the CPU does not ask for this")
 
     def restore(self, state: State) -> None:
-        raise NotImplementedError
+        raise AssertionError("the CPU does not ask for this")
 
 
 class Record:

@@ -1,5 +1,7 @@
 """RUN, STOP, restarts, and what takes a CPU to STOP."""
 
+from pathlib import Path
+
 import pytest
 
 from fbgen.diagnostics import DiagnosticError, error
@@ -178,10 +180,12 @@ def test_programs_without_a_configuration_run_every_cycle(make_rig):
 
 
 def test_files_in_which_nothing_runs_are_refused(make_rig):
-    text = 'FUNCTION "Other" : Void\nBEGIN\n;\nEND_FUNCTION\n'
+    broken = Path(__file__).parents[1] / "bad" / "FB7404_nothing_runs.scl"
     with pytest.raises(DiagnosticError) as caught:
-        make_rig(text=text)
-    assert caught.value.diagnostics[0].code == "FB7404"
+        make_rig(text=broken.read_text("ascii"))
+    (found,) = caught.value.diagnostics
+    assert found.code == "FB7404"
+    assert (found.span.line, found.span.column) == (1, 1)
 
 
 def test_a_cpu_without_a_program_cannot_start(rig):
