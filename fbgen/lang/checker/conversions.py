@@ -16,6 +16,10 @@ What a `Convert` does, for each pair of families (both engines follow this table
 * CHAR and WCHAR to a number: the code; back: the character. CHAR to STRING: that one character.
   STRING to a shorter STRING: cut; WSTRING to STRING: characters above 255 become `?`.
 
+By itself a value widens within its family, never narrows. BOOL never converts by itself, in no
+dialect: IEC 61131-3 would let it become a bit string, S7 would not, and text that means to be
+portable should not depend on it. DINT becomes REAL by itself on S7 although REAL holds 24 bits only.
+
 Sources: IEC 61131-3 third edition, section 6.6.2.5.2 and figures 11 and 12; TIA Portal help,
 "Explicit data type conversion"; ties to even: conformance rule of the project for all dialects.
 """
