@@ -18,7 +18,8 @@ What a `Convert` does, for each pair of families (both engines follow this table
 
 By itself a value widens within its family, never narrows. BOOL never converts by itself, in no
 dialect: IEC 61131-3 would let it become a bit string, S7 would not, and text that means to be
-portable should not depend on it. DINT becomes REAL by itself on S7 although REAL holds 24 bits only.
+portable should not depend on it. DINT becomes REAL by itself on S7 although REAL holds only
+24 bits.
 
 Sources: IEC 61131-3 third edition, section 6.6.2.5.2 and figures 11 and 12; TIA Portal help,
 "Explicit data type conversion"; ties to even: conformance rule of the project for all dialects.
