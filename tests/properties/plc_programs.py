@@ -1,0 +1,374 @@
+"""Random PLC programs that the checker accepts, as text, for comparing engines.
+
+A program is one function block with variables of all kinds, an inner block and a function of its
+own. Expressions are typed on the way down, so that every program checks. A few programs run into a
+fault: a division by zero, an index out of range, too many loop passes.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from hypothesis import strategies as st
+
+SIGNED = ("SINT", "INT", "DINT", "LINT")
+UNSIGNED = ("USINT", "UINT", "UDINT", "ULINT")
+BITS = ("BYTE", "WORD", "DWORD", "LWORD")
+REALS = ("REAL", "LREAL")
+WIDTHS = {
+    **dict(zip(SIGNED, (8, 16, 32, 64), strict=True)),
+    **dict(zip(UNSIGNED, (8, 16, 32, 64), strict=True)),
+    **dict(zip(BITS, (8, 16, 32, 64), strict=True)),
+}
+TYPES = ("BOOL", *SIGNED, *UNSIGNED, *BITS, *REALS, "TIME", "STRING")
+SPELLED = {"STRING": "STRING[6]"}
+ARRAY_TYPES = ("BOOL", "INT", "DWORD", "REAL")
+
+
+@dataclass
+class Writer:
+    """Draws one program. `mark` is what stands in front of local names."""
+
+    draw: Callable[..., object]
+    mark: str
+    loops: int = 0
+    counters: int = 0
+    writable: dict[str, list[str]] = field(default_factory=dict)
+    readable: dict[str, list[str]] = field(default_factory=dict)
+
+    def one_of(self, options: Sequence[str]) -> str:
+        """One of some texts."""
+        return str(self.draw(st.sampled_from(list(options))))
+
+    def number(self, first: int, last: int) -> int:
+        """A whole number between two bounds, both included."""
+        number = self.draw(st.integers(first, last))
+        assert isinstance(number, int)
+        return number
+
+    # --- expressions --------------------------------------------------------------------------
+
+    def literal(self, kind: str) -> str:
+        """A typed constant."""
+        if kind == "BOOL":
+            return self.one_of(("TRUE", "FALSE"))
+        if kind == "TIME":
+            return f"T#{self.number(0, 5000)}ms"
+        if kind == "STRING":
+            return f"'{self.one_of(('', 'a', 'abc', 'xyzabc'))}'"
+        if kind in REALS:
+            text = self.one_of(("0.0", "1.0", "-2.5", "0.1", "3.0E38", "1.0E-30", "123456.789"))
+            return f"{kind}#{text}"
+        width = WIDTHS[kind]
+        if kind in BITS:
+            return f"{kind}#16#{self.number(0, (1 << width) - 1):X}"
+        low = -(1 << (width - 1)) + 1 if kind in SIGNED else 0
+        high = (1 << (width - 1)) - 1 if kind in SIGNED else (1 << width) - 1
+        small = self.number(max(low, -9), 9)
+        return f"{kind}#{self.draw(st.sampled_from([small, low, high, high // 3]))}"
+
+    def variable(self, kind: str) -> str:
+        """A variable, an element or a part of the type; the index is rarely out of range."""
+        if kind in ARRAY_TYPES and self.number(0, 39) == 39:
+            index = self.one_of((f"{self.mark}i", f"{self.mark}i MOD 3", f"{self.mark}guard"))
+            return f"{self.mark}list{kind[0]}{kind[1:].lower()}[{index}]"
+        return self.one_of(self.readable[kind])
+
+    def expression(self, kind: str, depth: int) -> str:
+        """Some expression of the type."""
+        if depth <= 0 or self.number(0, 5) == 0:
+            return self.variable(kind) if self.number(0, 3) else self.literal(kind)
+        choices = [self._choice, self._function, self._conversion]
+        if kind == "BOOL":
+            choices += [self._logic, self._comparison, self._comparison]
+        elif kind in BITS:
+            choices += [self._logic, self._shift]
+        elif kind == "STRING":
+            choices = [self._choice, self._text]
+        elif kind == "TIME":
+            choices += [self._duration, self._duration]
+        else:
+            choices += [self._arithmetic] * 4
+        return choices[self.number(0, len(choices) - 1)](kind, depth - 1)
+
+    def _logic(self, kind: str, depth: int) -> str:
+        operator = self.one_of(("AND", "OR", "XOR", "NOT"))
+        left = self.expression(kind, depth)
+        if operator == "NOT":
+            return f"(NOT {left})"
+        return f"({left} {operator} {self.expression(kind, depth)})"
+
+    def _comparison(self, kind: str, depth: int) -> str:
+        compared = self.one_of(TYPES)
+        operators = ("=", "<>") if compared == "BOOL" else ("=", "<>", "<", ">", "<=", ">=")
+        left, right = self.expression(compared, depth), self.expression(compared, depth)
+        return f"({left} {self.one_of(operators)} {right})"
+
+    def _arithmetic(self, kind: str, depth: int) -> str:
+        operators = ["+", "-", "*", "/"]
+        if kind not in REALS:
+            operators.append("MOD")
+        operator = self.one_of(operators)
+        left = self.expression(kind, depth)
+        right = self._divisor(kind) if operator in ("/", "MOD") else self.expression(kind, depth)
+        if kind not in UNSIGNED and self.number(0, 5) == 0:
+            left = f"(-{left})"
+        return f"({left} {operator} {right})"
+
+    def _divisor(self, kind: str) -> str:
+        """Rarely zero, and never a constant zero."""
+        match self.number(0, 29):
+            case 29:
+                return self.variable(kind)
+            case 27 | 28:
+                one = f"{kind}#1.0" if kind in REALS else f"{kind}#1"
+                return f"MAX(IN1 := {self.variable(kind)}, IN2 := {one})"
+            case _:
+                number = self.number(1, 9) * (1 if kind in UNSIGNED else self.number(0, 1) * 2 - 1)
+                return f"{kind}#{number}.5" if kind in REALS else f"{kind}#{number}"
+
+    def _duration(self, kind: str, depth: int) -> str:
+        left = self.expression("TIME", depth)
+        match self.number(0, 3):
+            case 0:
+                return f"({left} + {self.expression('TIME', depth)})"
+            case 1:
+                return f"({left} - {self.expression('TIME', depth)})"
+            case 2:
+                return f"({left} * {self.expression(self.one_of(('INT', 'REAL')), depth)})"
+            case _:
+                return f"({left} / {self._divisor(self.one_of(('INT', 'REAL')))})"
+
+    def _shift(self, kind: str, depth: int) -> str:
+        name = self.one_of(("SHL", "SHR", "ROL", "ROR"))
+        return f"{name}(IN := {self.expression(kind, depth)}, N := {self.expression('INT', 0)})"
+
+    def _choice(self, kind: str, depth: int) -> str:
+        first, second = self.expression(kind, depth), self.expression(kind, depth)
+        if self.number(0, 3) == 0:
+            selector = self.one_of(("0", "1", "1", "0", "1", self.variable("INT")))
+            return f"MUX(K := {selector}, IN0 := {first}, IN1 := {second})"
+        return f"SEL(G := {self.expression('BOOL', depth)}, IN0 := {first}, IN1 := {second})"
+
+    def _function(self, kind: str, depth: int) -> str:
+        operand = self.expression(kind, depth)
+        if kind in REALS:
+            name = self.one_of(("ABS", "SQRT", "SIN", "EXP", "LN", "MAX", "LIMIT"))
+        elif kind in BITS or kind in ("BOOL", "TIME"):
+            name = "SEL" if kind == "BOOL" else self.one_of(("MAX", "LIMIT"))
+        else:
+            name = self.one_of(("ABS", "MIN", "MAX", "LIMIT"))
+        if name == "SEL":
+            return self._choice(kind, depth)
+        if name in ("MIN", "MAX"):
+            return f"{name}(IN1 := {operand}, IN2 := {self.expression(kind, depth)})"
+        if name == "LIMIT":
+            low, high = self.expression(kind, 0), self.expression(kind, 0)
+            return f"LIMIT(MN := {low}, IN := {operand}, MX := {high})"
+        return f"{name}({operand})"
+
+    def _conversion(self, kind: str, depth: int) -> str:
+        whole = (*SIGNED, *UNSIGNED)
+        if kind == "BOOL":
+            source = self.one_of(BITS)
+        elif kind in REALS:
+            source = self.one_of((*whole, *(real for real in REALS if real != kind)))
+        elif kind == "TIME":
+            source = "DINT"
+        elif kind in BITS:
+            source = self.one_of(tuple(one for one in (*whole, *BITS, "BOOL") if one != kind))
+        else:
+            source = self.one_of(tuple(one for one in (*whole, *BITS, *REALS) if one != kind))
+        return f"{source}_TO_{kind}({self.expression(source, depth)})"
+
+    def _text(self, kind: str, depth: int) -> str:
+        text = self.expression("STRING", depth)
+        part = self.expression("STRING", 0)
+        length, position = self.number(-1, 7), self.number(-1, 7)
+        return self.one_of((
+            f"CONCAT(IN1 := {text}, IN2 := {part})",
+            f"LEFT(IN := {text}, L := {length})",
+            f"RIGHT(IN := {text}, L := {length})",
+            f"MID(IN := {text}, L := {length}, P := {position})",
+            f"INSERT(IN1 := {text}, IN2 := {part}, P := {position})",
+            f"DELETE(IN := {text}, L := {length}, P := {position})",
+            f"REPLACE(IN1 := {text}, IN2 := {part}, L := {length}, P := {position})",
+            f"INT_TO_STRING({self.expression('INT', depth)})",
+        ))  # fmt: skip
+
+    # --- statements ---------------------------------------------------------------------------
+
+    def statements(self, depth: int, indent: str) -> str:
+        """One to four statements."""
+        return "".join(self.statement(depth, indent) for _ in range(self.number(1, 4)))
+
+    def statement(self, depth: int, indent: str) -> str:
+        """Some statement; compound ones only while `depth` lasts."""
+        kinds = [self._assignment] * 5 + [self._call, self._jump]
+        if depth > 0:
+            kinds += [self._if, self._if, self._case, self._for, self._while, self._repeat]
+        return kinds[self.number(0, len(kinds) - 1)](depth - 1, indent)
+
+    def _assignment(self, depth: int, indent: str) -> str:
+        kind = self.one_of(TYPES)
+        target = self.one_of(self.writable[kind])
+        return f"{indent}{target} := {self.expression(kind, 3)};\n"
+
+    def _call(self, depth: int, indent: str) -> str:
+        mark = self.mark
+        signal = self.expression("BOOL", 1)
+        twice = '"Twice"' if mark else "Twice"
+        match self.number(0, 5):
+            case 0:
+                preset = self.expression("TIME", 1)
+                name = self.one_of(("instOn", "instOff", "instPulse"))
+                target = self.one_of(self.writable["BOOL"])
+                return f"{indent}{mark}{name}(IN := {signal}, PT := {preset}, Q => {target});\n"
+            case 1:
+                name = self.one_of(("instRise", "instFall"))
+                return f"{indent}{mark}{name}(CLK := {signal});\n"
+            case 2:
+                reset, preset = self.expression("BOOL", 1), self.expression("INT", 0)
+                target = self.one_of(self.writable["INT"])
+                return (
+                    f"{indent}{mark}instCount(CU := {signal}, R := {reset}, PV := {preset}, "
+                    f"CV => {target});\n"
+                )
+            case 3:
+                target = self.one_of(self.writable["INT"])
+                value = self.expression("INT", 2)
+                place = self.one_of(self.writable["DINT"])
+                return f"{indent}{target} := {twice}(value := {value}, total := {place});\n"
+            case _:
+                value, place = self.expression("INT", 2), self.one_of(self.writable["INT"])
+                target = self.one_of(self.writable["INT"])
+                return (
+                    f"{indent}{mark}instInner(value := {value}, place := {place}, "
+                    f"sum => {target});\n"
+                )
+
+    def _jump(self, depth: int, indent: str) -> str:
+        condition = self.expression("BOOL", 1)
+        jumps = ("EXIT", "CONTINUE", "RETURN") if self.loops else ("RETURN",)
+        return f"{indent}IF {condition} THEN\n{indent}    {self.one_of(jumps)};\n{indent}END_IF;\n"
+
+    def _if(self, depth: int, indent: str) -> str:
+        inner = indent + "    "
+        text = f"{indent}IF {self.expression('BOOL', 2)} THEN\n{self.statements(depth, inner)}"
+        for _ in range(self.number(0, 2)):
+            condition = self.expression("BOOL", 2)
+            text += f"{indent}ELSIF {condition} THEN\n{self.statements(depth, inner)}"
+        if self.number(0, 1):
+            text += f"{indent}ELSE\n{self.statements(depth, inner)}"
+        return f"{text}{indent}END_IF;\n"
+
+    def _case(self, depth: int, indent: str) -> str:
+        inner = indent + "        "
+        text = f"{indent}CASE {self.expression('INT', 2)} OF\n"
+        start = self.number(-3, 3)
+        for _ in range(self.number(1, 3)):
+            end = start + self.number(0, 3)
+            label = f"{start}..{end}" if end > start else f"{start}"
+            text += f"{indent}    {label}:\n{self.statements(depth, inner)}"
+            start = end + self.number(1, 2)
+        if self.number(0, 1):
+            text += f"{indent}ELSE\n{self.statements(depth, inner)}"
+        return f"{text}{indent}END_CASE;\n"
+
+    def _for(self, depth: int, indent: str) -> str:
+        kind = self.one_of(("i", "j", "k"))
+        first, step = self.number(-3, 5), self.number(-2, 2) or 1
+        last = self.expression("INT", 1) if kind == "i" and self.number(0, 3) == 0 else None
+        if kind == "k":
+            first, step = self.number(200, 250), abs(step)
+            last = str(self.number(250, 255))
+        text = f"{indent}FOR {self.mark}{kind} := {first} TO {last or self.number(-3, 5)}"
+        text += f" BY {step} DO\n" if step != 1 else " DO\n"
+        return f"{text}{self._body(depth, indent)}{indent}END_FOR;\n"
+
+    def _while(self, depth: int, indent: str) -> str:
+        counter = f"{self.mark}guard"
+        condition = self.expression("BOOL", 1)
+        return (
+            f"{indent}WHILE {counter} < 50 AND {condition} DO\n"
+            f"{indent}    {counter} := {counter} + 1;\n"
+            f"{self._body(depth, indent)}{indent}END_WHILE;\n"
+        )
+
+    def _repeat(self, depth: int, indent: str) -> str:
+        counter = f"{self.mark}guard"
+        body = self._body(depth, indent)
+        return (
+            f"{indent}REPEAT\n{indent}    {counter} := {counter} + 1;\n{body}"
+            f"{indent}UNTIL {counter} > 40 OR {self.expression('BOOL', 1)}\n{indent}END_REPEAT;\n"
+        )
+
+    def _body(self, depth: int, indent: str) -> str:
+        self.loops += 1
+        body = self.statements(depth, indent + "    ")
+        self.loops -= 1
+        return body
+
+    # --- the whole ----------------------------------------------------------------------------
+
+    def program(self) -> str:
+        """The text of the program; the block to run is `Outer`."""
+        mark = self.mark
+        for kind in TYPES:
+            name = kind[0].upper() + kind[1:].lower()
+            places = [f"{mark}stat{name}", f"{mark}out{name}"]
+            if kind in ARRAY_TYPES:
+                places += [f"{mark}list{name}[{index}]" for index in (1, 2, 3)]
+            if kind in ("INT", "REAL"):
+                places += [f"{mark}frame.{kind.lower()}Part", f"{mark}frames[2].{kind.lower()}Part"]
+            self.writable[kind] = places
+            self.readable[kind] = [*places, f"{mark}in{name}"]
+        self.readable["BOOL"] += [f"{mark}instOn.Q", f"{mark}instFall.Q", f"{mark}instCount.Q"]
+        self.readable["TIME"].append(f"{mark}instPulse.ET")
+        if mark:
+            self.writable["BOOL"] += [f"{mark}statWord.%X3", f"{mark}statDint.%X31"]
+            self.writable["BYTE"].append(f"{mark}statDword.%B2")
+        body = self.statements(3, "    ")
+        return _declarations(mark) + body + "END_FUNCTION_BLOCK\n"
+
+
+def _declarations(mark: str) -> str:
+    """Types, the inner block, the function, and the interface of the outer block."""
+    quote = '"' if mark else ""
+    begin = "BEGIN\n" if mark else ""
+    names = {kind: kind[0].upper() + kind[1:].lower() for kind in TYPES}
+
+    def section(prefix: str) -> str:
+        return "".join(
+            f"    {prefix}{name} : {SPELLED.get(kind, kind)};\n" for kind, name in names.items()
+        )
+
+    lists = "".join(f"    list{names[kind]} : ARRAY[1..3] OF {kind};\n" for kind in ARRAY_TYPES)
+    frame = f"{quote}typeFrame{quote}"
+    structure = "STRUCT\n    intPart : INT := 3;\n    realPart : REAL;\nEND_STRUCT;\nEND_TYPE\n"
+    return (
+        (f"TYPE {frame}\n" if mark else f"TYPE {frame} :\n") + structure
+        + f"FUNCTION {quote}Twice{quote} : INT\n"
+        "VAR_INPUT value : INT; END_VAR\nVAR_IN_OUT total : DINT; END_VAR\n" + begin
+        + f"    {mark}total := {mark}total + {mark}value;\n    {mark}Twice := {mark}value * 2;\n"
+        "END_FUNCTION\n"
+        f"FUNCTION_BLOCK {quote}Inner{quote}\n"
+        "VAR_INPUT value : INT; END_VAR\nVAR_OUTPUT sum : INT; END_VAR\n"
+        "VAR_IN_OUT place : INT; END_VAR\nVAR calls : UINT; END_VAR\n" + begin
+        + f"    {mark}calls := {mark}calls + 1;\n    {mark}place := {mark}place + {mark}value;\n"
+        f"    {mark}sum := {mark}sum + {mark}place;\n"
+        "END_FUNCTION_BLOCK\n"
+        f"FUNCTION_BLOCK {quote}Outer{quote}\n"
+        f"VAR_INPUT\n{section('in')}END_VAR\nVAR_OUTPUT\n{section('out')}END_VAR\n"
+        f"VAR\n{section('stat')}{lists}    frame : {frame};\n"
+        f"    frames : ARRAY[1..2] OF {frame};\n"
+        "    i : INT;\n    j : DINT;\n    k : USINT;\n    guard : INT;\n"
+        "    instOn : TON;\n    instOff : TOF;\n    instPulse : TP;\n    instRise : R_TRIG;\n"
+        f"    instFall : F_TRIG;\n    instCount : CTU;\n    instInner : {quote}Inner{quote};\n"
+        "END_VAR\n" + begin + f"    {mark}guard := 0;\n"
+    )  # fmt: skip
+
+
+@st.composite
+def program_texts(draw: Callable[..., object], dialect: str) -> str:
+    """The text of a program in `tia` or `iec`."""
+    return Writer(draw, "#" if dialect == "tia" else "").program()
