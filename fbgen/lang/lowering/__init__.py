@@ -12,6 +12,7 @@ from collections.abc import Sequence
 
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.ast import File
+from fbgen.lang.depth import room_for_depth
 from fbgen.lang.dialects import dialect_named
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.plant import PlantText
@@ -47,7 +48,8 @@ def lower_files(files: Sequence[File], target: str, schedule: Schedule | None = 
         )
     findings = Findings()
     plant = PlantText(files)
-    units = lower_units(plant, rules, schedule or Schedule(), findings)
+    with room_for_depth():
+        units = lower_units(plant, rules, schedule or Schedule(), findings)
     if findings.all:
         raise DiagnosticError(findings.all)
     closing = tuple(trivia for file in files for trivia in file.closing)

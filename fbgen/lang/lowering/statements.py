@@ -67,7 +67,7 @@ class StatementLowering(ExpressionLowering):
                     waiting.append(comment(statement.span, statement.title))
                 self._into(result, waiting, statement.body)
                 waiting += statement.closing
-                if note := statement.end_text.strip("; \t"):
+                if note := statement.end_text.strip("; \t").removeprefix("//"):
                     waiting.append(comment(statement.span, note))
             elif isinstance(statement, Empty):
                 waiting += statement.leading

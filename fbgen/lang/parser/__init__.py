@@ -3,7 +3,7 @@
     file = parse(Source("pump.scl", text), "tia")
 
 Chains of operands are left-deep trees of any length; walk them in a loop down the left side.
-Nesting (parentheses, brackets, statements in statements) ends at `cursor.DEEPEST` levels.
+Nesting (parentheses, brackets, statements in statements) ends at `depth.DEEPEST` levels.
 """
 
 import gc
@@ -12,6 +12,7 @@ from contextlib import contextmanager
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang.ast import File
+from fbgen.lang.depth import room_for_depth
 from fbgen.lang.dialects import dialect_named
 from fbgen.lang.parser.blocks import BlockParser
 from fbgen.source import Source
@@ -33,7 +34,7 @@ def parse_recovering(source: Source, dialect: str) -> tuple[File, list[Diagnosti
     Raises `DiagnosticError` (FB3011) only for an unknown dialect.
     """
     rules = dialect_named(dialect)
-    with _collector_at_rest():
+    with _collector_at_rest(), room_for_depth():
         parser = BlockParser(source, rules)
         file = parser.file()
     return file, parser.findings()

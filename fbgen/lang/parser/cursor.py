@@ -7,12 +7,10 @@ at the same token is dropped, as it follows from the first.
 
 from fbgen.diagnostics import Diagnostic, Note, Severity
 from fbgen.lang.ast import HeaderItem, Trivia, TriviaKind, TriviaList
+from fbgen.lang.depth import DEEPEST
 from fbgen.lang.dialects.dialect import Dialect, Feature
 from fbgen.lang.lexer import tokenize
 from fbgen.source import Source, Span
-
-DEEPEST = 256
-"""Levels of nesting that the parser reads: parentheses, brackets, calls, statements, types."""
 
 MOST_FINDINGS = 500
 """Findings of one text that are reported; a text with more is hardly a PLC text."""
@@ -41,6 +39,8 @@ class Cursor:
         self._next_extra = 0
         self.extra_at = self._extras[0].token if self._extras else _NEVER
         self._findings = tokens.diagnostics
+        self.is_cut_off = bool(self._findings)
+        """Whether a comment without end has swallowed the rest of the text."""
         self._last_finding_at = -1
         self._missing_features: set[Feature] = set()
         self._check_line_comments()
@@ -121,7 +121,7 @@ class Cursor:
         elif kind == "character":
             self.report(
                 "FB3002",
-                f"found the character {_shown(text)}, expected {expected}",
+                f"found the character {_shown(text[0])}, expected {expected}",
                 span,
                 hint or "nothing in this language begins with it; remove it",
             )

@@ -4,6 +4,7 @@ Source: IEC 61131-3, variables and data types; TIA Portal help, "Block interface
 sources for attributes in odd places, END_STRUCT without semicolon and reserved words as names.
 """
 
+from fbgen.diagnostics import Note
 from fbgen.lang.ast import (
     ArraySpec,
     Bounds,
@@ -31,10 +32,11 @@ _UNIT_ENDS = frozenset(
     {f"END_{unit}" for unit in UNITS} | {"END_RESOURCE", "BEGIN", "end", "END_REGION"}
 )
 _SECTION_ENDS = SECTIONS | _UNIT_ENDS | {"END_VAR", "END_STRUCT"}
+_ENDS_WITH_SEMICOLON = words("END_IF END_CASE END_FOR END_WHILE END_REPEAT END_STRUCT")
 _UNREAD_TYPES = {
-    "REF_TO": "references",
-    "REFERENCE": "references",
-    "POINTER": "pointers",
+    "REF_TO": "hand the variable over as VAR_IN_OUT",
+    "REFERENCE": "hand the variable over as VAR_IN_OUT",
+    "POINTER": "use an array and an index",
 }
 
 
@@ -60,9 +62,7 @@ class DeclarationParser(ExpressionParser):
                 return self._string_type(word == "WSTRING")
             following = self.kinds[at + 1]
             if word in _UNREAD_TYPES and (following in NAMES or self.word(at + 1)):
-                raise self.unread(
-                    f"the type {word}", self.token_span(at), f"{_UNREAD_TYPES[word]} are not read"
-                )
+                raise self.unread(f"the type {word}", self.token_span(at), _UNREAD_TYPES[word])
             if following == "(" and self.kinds[at + 3] == "..":
                 raise self.unread("a subrange", self.token_span(at), "declare the whole type")
             self.at = at + 1
@@ -148,17 +148,25 @@ class DeclarationParser(ExpressionParser):
             self.missing_end(end, first)
 
     def missing_end(self, end: str, first: int) -> None:
-        """Report that what began with token `first` has no end before the next token."""
+        """Report that what began with token `first` has no end before the next token.
+
+        Behind a comment that swallows the rest of the text nothing is missing but its end.
+        """
+        if self.at == self._last_finding_at:
+            return
+        self._last_finding_at = self.at
+        if self.kinds[self.at] == "end" and self.is_cut_off:
+            return
         opener = self.token_span(first)
-        if self.at != self._last_finding_at:
-            self._last_finding_at = self.at
-            found = self.texts[self.at] or "the end of the file"
-            self.report(
-                "FB3007",
-                f"{opener.text.upper()} has no {end} before {found}",
-                opener,
-                f"write {end} where it ends",
-            )
+        found = self.texts[self.at].strip() or "the end of the file"
+        semicolon = ";" if end in _ENDS_WITH_SEMICOLON else ""
+        self.report(
+            "FB3007",
+            f"{opener.text.split()[0].upper()} has no {end} before {found}",
+            opener,
+            f"write {end}{semicolon} where it ends",
+            (Note(f"{end} is missing at the latest here", self.token_span(self.at)),),
+        )
 
     def _declarations(self, end: str, first: int) -> tuple[Declaration, ...]:
         """Everything up to `end`, which is not read."""

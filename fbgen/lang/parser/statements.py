@@ -7,7 +7,6 @@ jump labels inside CASE, `ELSE:` and raw REGION lines.
 from collections.abc import Callable
 from typing import TypeVar
 
-from fbgen.diagnostics import Note
 from fbgen.lang.ast import (
     Assignment,
     Branch,
@@ -135,6 +134,10 @@ class StatementParser(DeclarationParser):
         if kind in _ENDS:
             if any(kind in ends for ends in self._open):
                 return True
+            if kind == "END_REGION" and Feature.REGIONS not in self.dialect.features:
+                self.missing_feature(Feature.REGIONS, self.token_span(self.at))
+                self._skip_line()
+                return False
             opener = _OPENERS.get(kind) or kind.removeprefix("END_")
             self._last_finding_at = self.at
             self.report(
@@ -188,21 +191,6 @@ class StatementParser(DeclarationParser):
             self.missing_end(end, first)
         else:
             raise self.failed(end)
-
-    def missing_end(self, end: str, first: int) -> None:
-        """As for declarations, with the place where the end was missed."""
-        if self.at == self._last_finding_at:
-            return
-        self._last_finding_at = self.at
-        opener = self.token_span(first)
-        found = self.texts[self.at].strip() or "the end of the file"
-        self.report(
-            "FB3007",
-            f"{opener.text.split()[0].upper()} has no {end} before {found}",
-            opener,
-            f"write {end}{'' if end.endswith('REGION') else ';'} where it ends",
-            (Note(f"{end} is missing at the latest here", self.token_span(self.at)),),
-        )
 
     def _finish(self, leading: TriviaList) -> tuple[TriviaList, Trivia | None]:
         return self.settle(leading) if self.extra_at <= self.at else (leading, None)
@@ -260,13 +248,18 @@ class StatementParser(DeclarationParser):
             return self.failed("':='", "an assignment is written ':=', '=' compares")
         if isinstance(target, Name) and target.name.upper() in ("REGION", "END_REGION"):
             self.missing_feature(Feature.REGIONS, target.span)
-            while not self.starts_line(self.at) and self.kinds[self.at] != "end":
-                self.at += 1
+            self._skip_line()
             self._last_finding_at = self.at
             return Unexpected()
         return self.failed(
             "':=' or '('", "a statement is an assignment 'x := 1;' or a call 'f(x := 1);'"
         )
+
+    def _skip_line(self) -> None:
+        """Step over the rest of the line, at least one token."""
+        self.at += 1
+        while not self.starts_line(self.at) and self.kinds[self.at] != "end":
+            self.at += 1
 
     def _empty(self) -> Empty:
         leading = self.take_leading()

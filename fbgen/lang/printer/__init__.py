@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
 from fbgen.lang.ast import File
+from fbgen.lang.depth import room_for_depth
 from fbgen.lang.dialects import dialect_named
 from fbgen.lang.printer.units import UnitPrinter
 from fbgen.source import Origin, Source, Span
@@ -30,7 +31,8 @@ class PrintedText:
 def print_file(file: File) -> PrintedText:
     """The text of a syntax tree in its own dialect."""
     printer = UnitPrinter(dialect_named(file.dialect))
-    printer.file(file)
+    with room_for_depth():
+        printer.file(file)
     return PrintedText(printer.lines.text(), printer.lines.origins())
 
 
