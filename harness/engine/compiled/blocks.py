@@ -1,0 +1,253 @@
+"""Whole blocks and structures as Python source: classes with slots, and functions."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from fbgen.lang.checked import Block, Statement, Variable, VariableKind
+from fbgen.lang.types import BOOL, ArrayType, StructType
+from harness.engine.compiled import calls, operators, places, standard_functions
+from harness.engine.compiled.code import Listing
+from harness.engine.compiled.evaluation import enter
+from harness.engine.compiled.facts import Facts
+from harness.engine.compiled.initials import Initializer
+from harness.engine.compiled.model import Model, Part, Record, has_memory, is_scalar
+from harness.engine.compiled.procedure import (
+    BlockContext,
+    FrameNeededError,
+    Probe,
+    Procedure,
+)
+from harness.engine.compiled.ranges import is_counted, limits
+from harness.engine.compiled.signatures import signature
+from harness.engine.compiled.statements import write_long
+
+for module in (places, operators, standard_functions, calls):
+    enter(module.EXPRESSIONS)
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """The Python of one block, and the objects that its source refers to by name."""
+
+    listing: Listing
+    tables: Mapping[str, object]
+
+
+def write_block(
+    block: Block,
+    model: Model,
+    facts: Facts,
+    image_sizes: Mapping[str, int],
+    *,
+    probe: Probe | None = None,
+) -> Written:
+    """A block as Python source; raises FB6050 if it is nested too deep."""
+    body = model.program.bodies[block]
+    for framed in (False, True):
+        context = BlockContext(block, model, facts, image_sizes, probe=probe, framed=framed)
+        try:
+            listing = _class(context, body) if has_memory(block) else _function(context, body)
+        except FrameNeededError:
+            continue
+        for part in context.parts:
+            listing.add("")
+            listing.append(part)
+        return Written(listing, context.tables)
+    raise AssertionError("a block with a frame needs no other one")
+
+
+# --- functions ----------------------------------------------------------------------------------
+
+
+def _own(context: BlockContext) -> list[Variable]:
+    """The variables of a block that start anew with each call."""
+    kinds: tuple[VariableKind, ...] = (VariableKind.TEMP, VariableKind.RESULT)
+    if not has_memory(context.block):
+        kinds = (*kinds, VariableKind.OUTPUT)
+    return [variable for variable in context.block.variables if variable.kind in kinds]
+
+
+def _head(procedure: Procedure, parameters: Sequence[Variable]) -> None:
+    """Write what comes before the statements of the block: its variables."""
+    context = procedure.context
+    initializer = context.initializer
+    if context.framed:
+        names = [context.names.of(variable.name) for variable in (*parameters, *_own(context))]
+        procedure.line(f"frame = _{context.python_name}_frame()")
+        context.tables[f"_{context.python_name}_frame"] = type(
+            f"{context.python_name}_frame", (), {"__slots__": tuple(names)}
+        )
+    for variable in parameters:
+        name, target = context.names.of(variable.name), procedure.storage(variable)
+        if procedure.has_cell(variable) and variable.kind is not VariableKind.IN_OUT:
+            procedure.line(f"{target} = _ValueCell({name})")
+        elif context.framed:
+            procedure.line(f"{target} = {name}")
+    for variable in _own(context):
+        target = procedure.storage(variable)
+        for text in initializer.statements(target, variable.type, variable.initial):
+            if procedure.has_cell(variable):
+                text = f"{target} = _ValueCell({text.removeprefix(f'{target} = ')})"
+            procedure.line(text)
+
+
+def _function(context: BlockContext, body: Sequence[Statement]) -> Listing:
+    block = context.block
+    facts = context.facts
+    shape = signature(block, facts)
+    parameters = (*shape.inputs, *shape.in_outs)
+    names = ", ".join(context.names.of(variable.name) for variable in parameters)
+    counted = facts.counts_depth(block)
+    name = f"_{context.python_name}_uncounted" if counted else context.python_name
+    procedure = Procedure(context, name, 0, split=False)
+    procedure.line(f"def {name}({names}):")
+    procedure.listing.indent = 4
+    _head(procedure, parameters)
+    returned = ", ".join(procedure.text_of(variable) for variable in shape.returned)
+    procedure.return_line = f"return {returned}" if returned else "return"
+    write_long(procedure, body)
+    procedure.listing.span = None
+    procedure.line(procedure.return_line)
+    procedure.listing.indent = 0
+    if counted:
+        procedure.line(f"def {context.python_name}({names}):")
+        procedure.line(f"    _enter({block.name!r})")
+        procedure.line(f"    result = {name}({names})")
+        procedure.line("    _leave()")
+        procedure.line("    return result")
+    return procedure.listing
+
+
+# --- classes ------------------------------------------------------------------------------------
+
+
+def _slots(record: Record) -> str:
+    slots = [repr(part.slot) for part in record.parts]
+    return f"({', '.join(slots)}{',' if len(slots) == 1 else ''})"
+
+
+def _class(context: BlockContext, body: Sequence[Statement]) -> Listing:
+    record = context.model.block_record(context.block)
+    counted = context.facts.counts_depth(context.block)
+    procedure = Procedure(context, "_run", 0, split=False)
+    listing = procedure.listing
+    procedure.line(f"class {record.class_name}:")
+    listing.indent = 4
+    procedure.line(f"__slots__ = {_slots(record)}")
+    _write_init(procedure.listing, record.parts, context.initializer)
+    listing.add("")
+    procedure.line("def _uncounted(self):" if counted else "def _run(self):")
+    listing.indent = 8
+    before = len(listing.lines)
+    _head(procedure, ())
+    write_long(procedure, body)
+    if len(listing.lines) == before:
+        procedure.line("pass")
+    listing.span = None
+    listing.indent = 4
+    if counted:
+        procedure.line("def _run(self):")
+        procedure.line(f"    _enter({context.block.name!r})")
+        procedure.line("    self._uncounted()")
+        procedure.line("    _leave()")
+    _write_call(context, listing, record)
+    listing.indent = 0
+    return listing
+
+
+def _write_init(listing: Listing, parts: Sequence[Part], initializer: Initializer) -> None:
+    listing.add("")
+    listing.add("def __init__(self):")
+    lines = [line for part in parts for line in initializer.part(f"self.{part.slot}", part)]
+    for line in lines or ["pass"]:
+        listing.add(f"    {line}")
+
+
+def _write_call(context: BlockContext, listing: Listing, record: Record) -> None:
+    """The method for calls from outside: checks the inputs, then runs the block."""
+    inputs = [
+        part for part in record.parts if part.kind is VariableKind.INPUT and is_scalar(part.type)
+    ]
+    listing.add("")
+    parameters = "".join(f"{part.slot}=_keep, " for part in inputs)
+    listing.add(f"def _call(self, /, {parameters}**others):")
+    listing.indent += 4
+    if context.facts.has_loops(context.block):
+        listing.add("_cpu.passes = _cpu.most_passes")
+    if context.facts.counts_depth(context.block):
+        listing.add("_cpu.depth = 0")
+    for part in inputs:
+        listing.add(f"if {part.slot} is not _keep:")
+        accepted = f"_accept({part.name!r}, {_type_table(context, part)}, {part.slot})"
+        listing.add(f"    self.{part.slot} = {_accepted(part, accepted)}")
+    listing.add("if others: _set_others(self, others)")
+    if any(part.kind is VariableKind.IN_OUT for part in record.parts):
+        listing.add("_connect(self)")
+    listing.add("self._run()")
+    listing.indent -= 4
+
+
+def _type_table(context: BlockContext, part: Part) -> str:
+    name = f"_{context.python_name}_{part.slot}_type"
+    context.tables[name] = part.type
+    return name
+
+
+def _accepted(part: Part, otherwise: str) -> str:
+    name = part.slot
+    if part.type == BOOL:
+        return f"{name} if {name} is True or {name} is False else {otherwise}"
+    if is_counted(part.type):
+        low, high = limits(part.type)
+        inside = f"{name}.__class__ is int and {low} <= {name} <= {high}"
+        return f"{name} if {inside} else {otherwise}"
+    return otherwise
+
+
+def write_structures(model: Model) -> Listing:
+    """The classes of all structures; writing one may discover others."""
+    listing = Listing()
+    initializer = Initializer(model)
+    written = 0
+    while written < len(model.structures):
+        _write_structure(listing, model.structures[written], initializer)
+        written += 1
+    return listing
+
+
+def _write_structure(listing: Listing, record: Record, initializer: Initializer) -> None:
+    listing.add(f"class {record.class_name}:")
+    listing.indent = 4
+    listing.add(f"__slots__ = {_slots(record)}")
+    _write_init(listing, record.parts, initializer)
+    listing.add("")
+    listing.add("def _assign(self, other):")
+    listing.indent = 8
+    for part in record.parts:
+        _write_copy(listing, f"self.{part.slot}", f"other.{part.slot}", part.type, 0)
+    if not record.parts:
+        listing.add("pass")
+    listing.indent = 4
+    listing.add("")
+    listing.add("def _copy(self):")
+    listing.add(f"    copy = {record.class_name}()")
+    listing.add("    copy._assign(self)")
+    listing.add("    return copy")
+    listing.add("")
+    listing.indent = 0
+
+
+def _write_copy(listing: Listing, target: str, source: str, kind: object, depth: int) -> None:
+    if isinstance(kind, StructType):
+        listing.add(f"{target}._assign({source})")
+    elif isinstance(kind, ArrayType):
+        if is_scalar(kind.element):
+            listing.add(f"{target}[:] = {source}")
+            return
+        one, two = f"one_{depth}", f"two_{depth}"
+        listing.add(f"for {one}, {two} in zip({target}, {source}):")
+        listing.indent += 4
+        _write_copy(listing, one, two, kind.element, depth + 1)
+        listing.indent -= 4
+    else:
+        listing.add(f"{target} = {source}")

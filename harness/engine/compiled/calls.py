@@ -1,0 +1,330 @@
+"""Calls of functions, function block instances and instructions of the controller."""
+
+from collections.abc import Sequence
+
+from fbgen.lang.checked import (
+    AddressRef,
+    Block,
+    Evaluate,
+    Expression,
+    FieldRef,
+    FunctionCall,
+    IndexRef,
+    InstanceCall,
+    Place,
+    SliceRef,
+    SystemCall,
+    Variable,
+    VariableKind,
+    VariableRef,
+)
+from fbgen.lang.types import ArrayType, Type
+from harness.engine.compiled.code import Code, deepest
+from harness.engine.compiled.evaluation import Write, value
+from harness.engine.compiled.instructions import areas
+from harness.engine.compiled.model import is_scalar, run_method
+from harness.engine.compiled.places import assign, copy_into, element_position, pinned, place
+from harness.engine.compiled.procedure import Procedure
+from harness.engine.compiled.ranges import limits
+from harness.engine.compiled.signatures import Signature, comes_back, signature
+from harness.engine.compiled.walk import every_node, root_of
+
+_Outputs = Sequence[tuple[Variable, Place]]
+
+
+# --- arguments ----------------------------------------------------------------------------------
+
+
+def _copied(text: str, kind: Type) -> str:
+    """A copy of a structure or an array."""
+    if not isinstance(kind, ArrayType):
+        return f"{text}._copy()"
+    if is_scalar(kind.element):
+        return f"{text}[:]"
+    return f"[{_copied('_one', kind.element)} for _one in {text}]"
+
+
+def _input(procedure: Procedure, variable: Variable, node: Expression, callee: Block) -> Code:
+    code = value(procedure, node)
+    if is_scalar(variable.type) or procedure.context.facts.only_reads(callee, variable):
+        return code
+    return code._replace(text=_copied(code.text, variable.type), depth=code.depth + 1)
+
+
+def _is_outside_python(node: Place) -> bool:
+    """True for places that no cell can refer to: slices and addresses."""
+    if isinstance(node, VariableRef):
+        return node.variable.address is not None
+    return isinstance(node, SliceRef | AddressRef)
+
+
+def _cell(procedure: Procedure, node: Place) -> Code:
+    """A reference to the place of a single value."""
+    if isinstance(node, VariableRef):
+        if procedure.has_cell(node.variable):
+            return Code(procedure.storage(node.variable))
+        owner, name = procedure.owner(node.variable)
+        return Code(f"_AttributeCell({owner}, {name!r})", depth=2)
+    if isinstance(node, FieldRef):
+        base, _, name = place(procedure, node).text.rpartition(".")
+        if name == "value":
+            return Code(base)
+        return Code(f"_AttributeCell({base}, {name!r})", depth=3)
+    assert isinstance(node, IndexRef)
+    base_code = place(procedure, node.base)
+    kind = node.base.type
+    assert isinstance(kind, ArrayType)
+    position, shown = element_position(procedure, node)
+    if shown:
+        first, last = kind.bounds[0]
+        text = f"_checked_index({shown}, {first}, {last})"
+        procedure.site(text, node)
+        position = Code(f"{text} - {first}" if first else text, depth=position.depth + 1)
+    return Code(f"_ElementCell({base_code.text}, {position.text})", depth=position.depth + 2)
+
+
+class _InOut:
+    """One in-out of a call that is being written."""
+
+    __slots__ = ("node", "text", "variable", "write_back")
+
+    def __init__(self, variable: Variable, node: Place, text: str, write_back: str) -> None:
+        self.variable = variable
+        self.node = node
+        self.text = text
+        self.write_back = write_back
+
+
+def _in_outs(
+    procedure: Procedure, pairs: Sequence[tuple[Variable, Place]], callee: Block
+) -> list[_InOut]:
+    """The in-outs of a call; `write_back` is what to read afterwards, "" if nothing."""
+    result = []
+    facts = procedure.context.facts
+    for variable, node in pairs:
+        if not is_scalar(variable.type):
+            result.append(_InOut(variable, node, value(procedure, node).text, ""))
+        elif variable in facts.cells:
+            if _is_outside_python(node):
+                node = pinned(procedure, node)
+                name = procedure.temporary()
+                procedure.line(f"{name} = _ValueCell({value(procedure, node).text})")
+                result.append(_InOut(variable, node, name, f"{name}.value"))
+            else:
+                result.append(_InOut(variable, node, _cell(procedure, node).text, ""))
+        else:
+            back = comes_back(variable, callee, facts)
+            if back:
+                node = pinned(procedure, node)
+            text = value(procedure, node).text
+            result.append(_InOut(variable, node, text, "yes" if back else ""))
+    return result
+
+
+# --- functions ----------------------------------------------------------------------------------
+
+
+def _result_code(procedure: Procedure, text: str, node: FunctionCall, codes: list[Code]) -> Code:
+    low, high = limits(node.type)
+    return Code(text, low=low, high=high, depth=deepest(codes) + 1, safe=False, pure=False)
+
+
+def _function(procedure: Procedure, node: FunctionCall) -> Code:
+    """A call inside of an expression."""
+    facts = procedure.context.facts
+    shape = signature(node.function, facts)
+    writes_back = any(
+        comes_back(variable, node.function, facts)
+        or (variable in facts.cells and _is_outside_python(where))
+        for variable, where in node.in_outs
+    )
+    if node.outputs or writes_back:
+        part = procedure.start_part("call")
+        code = function_statement(part, node)
+        assert code is not None
+        part.line(f"return {code.text}")
+        return _result_code(procedure, procedure.finish_part(part), node, [])
+    codes = [_input(procedure, variable, one, node.function) for variable, one in node.inputs]
+    texts = [code.text for code in codes]
+    texts += [in_out.text for in_out in _in_outs(procedure, node.in_outs, node.function)]
+    text = f"{procedure.context.model.name_of(node.function)}({', '.join(texts)})"
+    if facts.counts_depth(node.function):
+        procedure.site(text, node)
+    if len(shape.returned) > 1:
+        text += "[-1]"
+    return _result_code(procedure, text, node, codes)
+
+
+def function_statement(procedure: Procedure, node: FunctionCall) -> Code | None:
+    """Write a call with everything that it writes; gives its result, None without one."""
+    facts = procedure.context.facts
+    shape = signature(node.function, facts)
+    texts = [_input(procedure, variable, one, node.function).text for variable, one in node.inputs]
+    in_outs = _in_outs(procedure, node.in_outs, node.function)
+    texts += [in_out.text for in_out in in_outs]
+    text = f"{procedure.context.model.name_of(node.function)}({', '.join(texts)})"
+    if facts.counts_depth(node.function):
+        procedure.site(text, node)
+    if not shape.returned:
+        procedure.line(text)
+    names = _unpack(procedure, node, shape, text) if shape.returned else {}
+    for in_out in in_outs:
+        if in_out.write_back:
+            back = names.get(in_out.variable, in_out.write_back)
+            assign(procedure, in_out.node, Code(back, simple=True), in_out.variable.type)
+    _write_outputs(procedure, node.outputs, names)
+    if node.function.result is None:
+        return None
+    low, high = limits(node.type)
+    return Code(names[node.function.result], low=low, high=high, simple=True)
+
+
+def _unpack(
+    procedure: Procedure, node: FunctionCall, shape: Signature, call: str
+) -> dict[Variable, str]:
+    wanted = {variable for variable, _ in node.outputs}
+    names: dict[Variable, str] = {}
+    targets = []
+    for variable in shape.returned:
+        if variable.kind is VariableKind.OUTPUT and variable not in wanted:
+            targets.append("_")
+        else:
+            names[variable] = procedure.temporary()
+            targets.append(names[variable])
+    procedure.line(f"{', '.join(targets)} = {call}")
+    return names
+
+
+def _write_outputs(procedure: Procedure, outputs: _Outputs, names: dict[Variable, str]) -> None:
+    for variable, target in outputs:
+        low, high = limits(variable.type)
+        code = Code(names[variable], low=low, high=high, simple="." not in names[variable])
+        assign(procedure, target, code, variable.type)
+
+
+# --- instances ----------------------------------------------------------------------------------
+
+
+def instance_call(procedure: Procedure, node: InstanceCall) -> None:
+    """Write a call of an instance: store the inputs, run it, fetch the outputs."""
+    record = procedure.context.model.block_record(node.block)
+    instance = place(procedure, node.instance).text
+    uses = len(node.inputs) + len(node.in_outs) + len(node.outputs) + 1
+    if uses > 2 or "[" in instance or node.block.name in ("R_TRIG", "F_TRIG"):
+        name = procedure.temporary()
+        procedure.line(f"{name} = {instance}")
+        instance = name
+    if node.block.name in ("R_TRIG", "F_TRIG") and len(node.inputs) == 1:
+        _edge(procedure, instance, node)
+    else:
+        _store_inputs(procedure, instance, node)
+        in_outs: list[_InOut] = []
+        if isinstance(node.block, Block):
+            in_outs = _in_outs(procedure, node.in_outs, node.block)
+            for in_out in in_outs:
+                slot = record.by_key[in_out.variable.name.casefold()].slot
+                procedure.line(f"{instance}.{slot} = {in_out.text}")
+        procedure.line(f"{instance}.{run_method(node.block)}()")
+        for in_out in in_outs:
+            if in_out.write_back:
+                slot = record.by_key[in_out.variable.name.casefold()].slot
+                back = f"{instance}.{slot}" if in_out.write_back == "yes" else in_out.write_back
+                assign(procedure, in_out.node, Code(back), in_out.variable.type)
+    names = {
+        variable: f"{instance}.{record.by_key[variable.name.casefold()].slot}"
+        for variable, _ in node.outputs
+    }
+    _write_outputs(procedure, node.outputs, names)
+
+
+def _store_inputs(procedure: Procedure, instance: str, node: InstanceCall) -> None:
+    record = procedure.context.model.block_record(node.block)
+    codes = [value(procedure, one) for _, one in node.inputs]
+    root = root_of(node.instance)
+    at_once = all(code.safe for code in codes[1:]) and not any(
+        isinstance(inner, VariableRef) and inner.variable is root
+        for _, one in node.inputs[1:]
+        for inner in every_node((one,))
+    )
+    at_once = at_once or len(codes) == 1
+    if not at_once:
+        for number, ((variable, _), code) in enumerate(zip(node.inputs, codes, strict=True)):
+            name = procedure.temporary()
+            text = code.text if is_scalar(variable.type) else _copied(code.text, variable.type)
+            procedure.line(f"{name} = {text}")
+            codes[number] = code._replace(text=name)
+    for (variable, _), code in zip(node.inputs, codes, strict=True):
+        target = f"{instance}.{record.by_key[variable.name.casefold()].slot}"
+        if is_scalar(variable.type):
+            procedure.line(f"{target} = {code.text}")
+        else:
+            copy_into(procedure, target, variable.type, code.text)
+
+
+def _edge(procedure: Procedure, instance: str, node: InstanceCall) -> None:
+    """R_TRIG and F_TRIG are shorter than their call."""
+    now = procedure.temporary()
+    procedure.line(f"{instance}.CLK = {now} = {value(procedure, node.inputs[0][1]).text}")
+    if node.block.name == "R_TRIG":
+        procedure.line(f"{instance}.Q = {now} and not {instance}._before")
+    else:
+        procedure.line(f"{instance}.Q = not {now} and {instance}._before")
+    procedure.line(f"{instance}._before = {now}")
+
+
+# --- instructions -------------------------------------------------------------------------------
+
+
+def _instruction(procedure: Procedure, node: SystemCall) -> Code:
+    """A call inside of an expression."""
+    if any(_is_outside_python(one) for one in areas(node).values()):
+        part = procedure.start_part("call")
+        code = instruction_statement(part, node)
+        part.line(f"return {code.text}")
+        return code._replace(text=procedure.finish_part(part))
+    return _instruction_code(procedure, node, {})
+
+
+def _instruction_code(procedure: Procedure, node: SystemCall, cells: dict[str, str]) -> Code:
+    table = procedure.context.table("instruction", node)
+    texts = [table]
+    areas_by_name = areas(node)
+    for name, argument in node.arguments:
+        area = areas_by_name.get(name)
+        if area is None or not is_scalar(area.type):
+            texts.append(value(procedure, argument).text)
+        else:
+            texts.append(cells.get(name) or _cell(procedure, area).text)
+    low, high = limits(node.type)
+    text = f"_instruction({', '.join(texts)})"
+    return Code(text, low=low, high=high, depth=4, safe=False, pure=False)
+
+
+def instruction_statement(procedure: Procedure, node: SystemCall) -> Code:
+    """Write a call with everything that it writes; gives its result."""
+    cells: dict[str, str] = {}
+    back: list[tuple[Place, str]] = []
+    for name, area in areas(node).items():
+        if is_scalar(area.type) and _is_outside_python(area):
+            target = pinned(procedure, area)
+            cells[name] = procedure.temporary()
+            procedure.line(f"{cells[name]} = _ValueCell({value(procedure, target).text})")
+            back.append((target, f"{cells[name]}.value"))
+    code = _instruction_code(procedure, node, cells)
+    result = procedure.temporary()
+    procedure.line(f"{result} = {code.text}")
+    for target, text in back:
+        assign(procedure, target, Code(text), target.type)
+    return code._replace(text=result, depth=1, simple=True)
+
+
+def evaluate(procedure: Procedure, node: Evaluate) -> None:
+    """Write a call whose result is dropped."""
+    if isinstance(node.call, FunctionCall):
+        function_statement(procedure, node.call)
+    else:
+        instruction_statement(procedure, node.call)
+
+
+EXPRESSIONS: dict[type, Write] = {FunctionCall: _function, SystemCall: _instruction}
+"""Which function of this module writes which node."""

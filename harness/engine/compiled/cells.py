@@ -1,0 +1,59 @@
+"""Cells: references to single values, for in-outs and areas that Python cannot refer to itself."""
+
+from typing import Protocol
+
+from fbgen.lang.types import Scalar
+
+
+class Cell(Protocol):
+    """Something that holds one value."""
+
+    value: Scalar
+
+
+class ValueCell:
+    """A value with no other place to be."""
+
+    __slots__ = ("value",)
+
+    def __init__(self, value: Scalar) -> None:
+        self.value = value
+
+
+class AttributeCell:
+    """An attribute of an object."""
+
+    __slots__ = ("_name", "_owner")
+
+    def __init__(self, owner: object, name: str) -> None:
+        self._owner = owner
+        self._name = name
+
+    @property
+    def value(self) -> Scalar:
+        """The attribute."""
+        content: Scalar = getattr(self._owner, self._name)
+        return content
+
+    @value.setter
+    def value(self, content: Scalar) -> None:
+        setattr(self._owner, self._name, content)
+
+
+class ElementCell:
+    """An element of an array."""
+
+    __slots__ = ("_elements", "_position")
+
+    def __init__(self, elements: list[Scalar], position: int) -> None:
+        self._elements = elements
+        self._position = position
+
+    @property
+    def value(self) -> Scalar:
+        """The element."""
+        return self._elements[self._position]
+
+    @value.setter
+    def value(self, content: Scalar) -> None:
+        self._elements[self._position] = content

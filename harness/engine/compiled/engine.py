@@ -1,0 +1,412 @@
+"""A checked program, compiled to Python and loaded on a controller."""
+
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import Any
+
+from fbgen.diagnostics import DiagnosticError
+from fbgen.lang.ast import BlockKind
+from fbgen.lang.checked import AnyBlock, Block, Program, Variable, VariableKind
+from fbgen.lang.types import BlockType
+from harness.engine.compiled.areas import read_located, write_located
+from harness.engine.compiled.blocks import write_block, write_structures
+from harness.engine.compiled.cells import ValueCell
+from harness.engine.compiled.code import Listing
+from harness.engine.compiled.facts import Facts
+from harness.engine.compiled.initials import Initializer
+from harness.engine.compiled.instance import CompiledInstance
+from harness.engine.compiled.library.counters import counter_classes
+from harness.engine.compiled.library.timers import timer_classes
+from harness.engine.compiled.memory import Location, Memory
+from harness.engine.compiled.model import GLOBALS, Model, Record, is_scalar, run_method
+from harness.engine.compiled.namespace import LIBRARY, Cpu, counting, hardware
+from harness.engine.compiled.procedure import Probe
+from harness.engine.compiled.signatures import signature
+from harness.engine.compiled.stopping import Stopper
+from harness.engine.environment import Environment
+from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block, wrong_path
+from harness.engine.interface import FunctionResult, Limits, State, Value
+from harness.engine.paths import parse_path
+from harness.engine.values import accept_scalar
+
+_GENERATOR_DEPTH = 60_000
+"""Python calls that the generator may nest; they need no C stack."""
+
+
+@contextmanager
+def _deep() -> Iterator[None]:
+    before = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(before, _GENERATOR_DEPTH))
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(before)
+
+
+class CompiledEngine:
+    """One program on one controller. `probe` adds lines to the generated code, for coverage."""
+
+    __slots__ = (
+        *("_cpu", "_environment", "_facts", "_globals", "_initial", "_listings", "_located"),
+        *("_memory", "_model", "_namespace", "_program", "_programs", "_records", "_runs"),
+        "_stopper",
+    )
+
+    def __init__(
+        self,
+        program: Program,
+        environment: Environment,
+        limits: Limits | None = None,
+        probe: Probe | None = None,
+    ) -> None:
+        limits = limits or Limits()
+        self._program = program
+        self._environment = environment
+        library: dict[str, type] = {
+            **timer_classes(environment, program.dialect),
+            **counter_classes(program.dialect),
+        }
+        self._model = Model(program, library)
+        self._facts = Facts(program, limits.call_depth)
+        self._cpu = Cpu(limits)
+        image_sizes = {
+            "I": len(environment.inputs),
+            "Q": len(environment.outputs),
+            "M": len(environment.markers),
+        }
+        self._namespace: dict[str, Any] = {
+            **LIBRARY,
+            **library,
+            **counting(self._cpu, limits),
+            "_environment": environment,
+            "_cpu": self._cpu,
+            "_set_others": self._set_others,
+            "_connect": self._connect,
+        }
+        self._memory = Memory(self._model, self._facts, self._namespace)
+        self._namespace |= hardware(self._model, self._memory, environment, image_sizes)
+        self._listings: dict[str, Listing] = {}
+        self._stopper = Stopper(self._listings, limits)
+        self._located = {
+            variable.name.casefold(): variable
+            for variable in program.globals.values()
+            if variable.address is not None
+        }
+        self._load(image_sizes, probe)
+        self._globals = self._make_globals()
+        self._programs: dict[str, tuple[Record, Any]] = {
+            key: (self._model.block_record(block), self._namespace[self._model.name_of(block)]())
+            for key, block in program.blocks.items()
+            if block.kind is BlockKind.PROGRAM
+        }
+        self._runs: dict[str, Callable[[], Any]] = {}
+        self._records = {
+            self._namespace[record.class_name]: record for record in self._model.block_records
+        }
+        self._initial = self.snapshot()
+
+    # --- loading ------------------------------------------------------------------------------
+
+    def _load(self, image_sizes: Mapping[str, int], probe: Probe | None) -> None:
+        problems: list[DiagnosticError] = []
+        with _deep():
+            for block in self._program.bodies:
+                try:
+                    written = write_block(block, self._model, self._facts, image_sizes, probe=probe)
+                except DiagnosticError as problem:
+                    problems.append(problem)
+                    continue
+                self._namespace |= written.tables
+                self._run_listing(f"<{block.name}>", written.listing)
+        if problems:
+            raise DiagnosticError([one for problem in problems for one in problem.diagnostics])
+
+    def _run_listing(self, file_name: str, listing: Listing) -> None:
+        self._listings[file_name] = listing
+        exec(compile(listing.text, file_name, "exec"), self._namespace)
+
+    def _make_globals(self) -> object:
+        """The object with all global variables; composite ones get their module-level names too."""
+        record = self._model.global_record
+        initializer = Initializer(self._model)
+        listing = Listing()
+        for part in record.parts:
+            for line in initializer.part(f"{GLOBALS}.{part.slot}", part):
+                listing.add(line)
+            if not is_scalar(part.type):
+                listing.add(f"{part.slot} = {GLOBALS}.{part.slot}")
+        # The structures come last, because writing blocks and globals discovers them.
+        self._run_listing("<structures>", write_structures(self._model))
+        slots = tuple(part.slot for part in record.parts)
+        self._namespace[GLOBALS] = type("Globals", (), {"__slots__": slots})()
+        self._run_listing("<globals>", listing)
+        everything: object = self._namespace[GLOBALS]
+        return everything
+
+    # --- what it is ---------------------------------------------------------------------------
+
+    @property
+    def program(self) -> Program:
+        """What is loaded."""
+        return self._program
+
+    @property
+    def environment(self) -> Environment:
+        """The controller around it."""
+        return self._environment
+
+    def python_source(self, block_name: str) -> str:
+        """The generated Python of a block. Raises FB6020 for an unknown name."""
+        return self._listings[f"<{self._block(block_name).name}>"].text
+
+    def _block(self, name: str) -> Block:
+        block = self._program.blocks.get(name.casefold())
+        if block is None:
+            known = [one.name for one in self._program.blocks.values()]
+            raise unknown_name("block", name, known)
+        return block
+
+    # --- running ------------------------------------------------------------------------------
+
+    def instance(self, block_name: str) -> CompiledInstance:
+        """A fresh instance of a function block, the user's or a standard one."""
+        key = block_name.casefold()
+        block: AnyBlock
+        if key not in self._program.blocks and key in self._program.standard_blocks:
+            block = self._program.standard_blocks[key]
+        else:
+            block = self._block(block_name)
+            if block.kind is not BlockKind.FUNCTION_BLOCK:
+                use = "only a FUNCTION_BLOCK has instances: call it or run it"
+                raise wrong_kind_of_block(block.name, block.kind.value, use)
+        record = self._model.block_record(block)
+        return self._instance(record, self._namespace[record.class_name]())
+
+    def _instance(self, record: Record, data: Any) -> CompiledInstance:
+        return CompiledInstance(record, data, self._memory, self._call_of(record, data), self._run)
+
+    def _call_of(self, record: Record, data: Any) -> Callable[..., None]:
+        if isinstance(record.block, Block):
+            call: Callable[..., None] = data._call
+            return call
+        assert record.block is not None
+        run = getattr(data, run_method(record.block))
+
+        def call_standard(**inputs: Value) -> None:
+            self._set_others(data, inputs)
+            run()
+
+        return call_standard
+
+    def global_instance(self, name: str) -> CompiledInstance:
+        """The instance that a data block or a global variable is."""
+        part = self._model.global_record.part(name)
+        if part is None:
+            known = [one.name for one in self._model.global_record.parts]
+            raise unknown_name("data block", name, known)
+        if not isinstance(part.type, BlockType):
+            use = "only an instance of a function block can be called"
+            raise wrong_kind_of_block(part.name, f"variable of type {part.type}", use)
+        return self._instance(self._model.record_of(part.type), self._namespace[part.slot])
+
+    def _run(self, action: Callable[..., Any], /, *arguments: Any, **named: Any) -> Any:
+        """Run generated code; what stops it becomes a diagnostic."""
+        try:
+            return action(*arguments, **named)
+        except DiagnosticError:
+            raise
+        except Exception as exception:
+            diagnostic = self._stopper.diagnostic(exception)
+            if diagnostic is None:
+                raise
+            raise diagnostic from None
+
+    def _set_others(self, data: Any, inputs: Mapping[str, Value]) -> None:
+        """Inputs and in-outs of an instance that its `_call` does not take itself."""
+        record = self._records[type(data)]
+        for name, value in inputs.items():
+            part = record.part(name)
+            if part is None or part.kind not in (VariableKind.INPUT, VariableKind.IN_OUT):
+                known = [
+                    one.name
+                    for one in record.parts
+                    if one.kind in (VariableKind.INPUT, VariableKind.IN_OUT)
+                ]
+                raise unknown_name("input", name, known)
+            if part.kind is VariableKind.IN_OUT:
+                assert part.variable is not None
+                setattr(data, part.slot, self._own_place(part.variable, part.name, value))
+            else:
+                self._memory.load(part.name, self._memory.location(data, part), value)
+
+    def _connect(self, data: Any) -> None:
+        """Places of their own for the in-outs that nothing is connected to yet."""
+        for part in self._records[type(data)].parts:
+            if part.kind is VariableKind.IN_OUT and not hasattr(data, part.slot):
+                assert part.variable is not None
+                setattr(data, part.slot, self._own_place(part.variable, part.name, None))
+
+    def _own_place(self, variable: Variable, name: str, value: Value | None) -> Any:
+        """What stands for an in-out in a call from outside: a value, a cell, or a new object."""
+        fresh = self._fresh(variable)
+        if is_scalar(variable.type):
+            if value is not None:
+                fresh = accept_scalar(name, variable.type, value)
+            return ValueCell(fresh) if variable in self._facts.cells else fresh
+        if value is not None:
+            self._memory.fill(name, variable.type, fresh, value)
+        return fresh
+
+    def _fresh(self, variable: Variable) -> Any:
+        lines = Initializer(self._model).statements("fresh", variable.type, variable.initial)
+        scope: dict[str, Any] = {}
+        exec("\n".join(lines), self._namespace, scope)
+        return scope["fresh"]
+
+    def call_function(self, name: str, arguments: Mapping[str, Value]) -> FunctionResult:
+        """Call a FUNCTION, inputs and in-outs by name; what is not given has its default."""
+        block = self._block(name)
+        if block.kind is not BlockKind.FUNCTION:
+            use = "only a FUNCTION gives a result: make an instance or run the block"
+            raise wrong_kind_of_block(block.name, block.kind.value, use)
+        shape = signature(block, self._facts)
+        parameters = (*shape.inputs, *shape.in_outs)
+        given = self._given(block, parameters, arguments)
+        values = [self._argument(variable, given.get(variable)) for variable in parameters]
+        returned = self._start(self._namespace[self._model.name_of(block)], *values)
+        results = self._results(shape.returned, returned)
+        for variable, content in zip(parameters, values, strict=True):
+            if variable.kind is VariableKind.IN_OUT and variable not in results:
+                in_cell = variable in self._facts.cells
+                results[variable] = content.value if in_cell else content
+        value = None
+        if block.result is not None:
+            value = self._memory.export(block.result.type, results.pop(block.result))
+        outputs = {
+            variable.name: self._memory.export(variable.type, results[variable])
+            for variable in block.variables
+            if variable in results
+        }
+        return FunctionResult(value, outputs)
+
+    def _given(
+        self, block: Block, parameters: tuple[Variable, ...], arguments: Mapping[str, Value]
+    ) -> dict[Variable, Value]:
+        by_key = {variable.name.casefold(): variable for variable in parameters}
+        given = {}
+        for name, value in arguments.items():
+            if name.casefold() not in by_key:
+                raise unknown_name("input", name, [variable.name for variable in parameters])
+            given[by_key[name.casefold()]] = value
+        return given
+
+    def _argument(self, variable: Variable, value: Value | None) -> Any:
+        place = self._own_place(variable, variable.name, value)
+        if isinstance(place, ValueCell) and variable.kind is not VariableKind.IN_OUT:
+            return place.value
+        return place
+
+    def _results(self, returned: tuple[Variable, ...], values: Any) -> dict[Variable, Any]:
+        if len(returned) == 1:
+            return {returned[0]: values}
+        return dict(zip(returned, values or (), strict=True))
+
+    def _start(self, action: Callable[..., Any], *arguments: Any) -> Any:
+        self._cpu.passes = self._cpu.most_passes
+        self._cpu.depth = 0
+        return self._run(action, *arguments)
+
+    def run_block(self, name: str) -> None:
+        """Run an organization block, a PROGRAM or a FUNCTION without parameters and result.
+
+        A PROGRAM keeps its variables from run to run. Raises FB6022 for another kind of block.
+        """
+        run = self._runs.get(name) or self._make_run(name)
+        self._start(run)
+
+    def _make_run(self, name: str) -> Callable[[], Any]:
+        block = self._block(name)
+        program = self._programs.get(name.casefold())
+        if program is not None:
+            run: Callable[[], Any] = program[1]._run
+        elif block.kind is BlockKind.FUNCTION_BLOCK:
+            use = "make an instance of it and call that"
+            raise wrong_kind_of_block(block.name, block.kind.value, use)
+        else:
+            shape = signature(block, self._facts)
+            if block.kind is BlockKind.FUNCTION and (shape.inputs or shape.in_outs):
+                raise missing_argument(block.name, (*shape.inputs, *shape.in_outs)[0].name)
+            function = self._namespace[self._model.name_of(block)]
+            inputs = (*shape.inputs, *shape.in_outs)
+
+            def run() -> Any:
+                return function(*(self._argument(variable, None) for variable in inputs))
+
+        self._runs[name] = run
+        return run
+
+    # --- data ---------------------------------------------------------------------------------
+
+    def global_value(self, path: str) -> Value:
+        """Read `DB.member[3]`, a global variable, or a variable of a PROGRAM as `Main.counter`."""
+        located = self._find_located(path)
+        if located is not None:
+            assert located.address is not None
+            return read_located(self._environment, located.address, located.type)
+        location = self._find(path)
+        return self._memory.export(location.kind, location.read())
+
+    def set_global(self, path: str, value: Value) -> None:
+        """Write what `global_value` reads."""
+        located = self._find_located(path)
+        if located is not None:
+            assert located.address is not None
+            accepted = accept_scalar(path, located.type, value)
+            write_located(self._environment, located.address, located.type, accepted)
+            return
+        self._memory.load(path, self._find(path), value)
+
+    def _find_located(self, path: str) -> Variable | None:
+        """The variable with an absolute address that a path names."""
+        steps = [step.casefold() for step in parse_path(path) if isinstance(step, str)]
+        if len(steps) == 1:
+            return self._located.get(steps[0])
+        if len(steps) == 2 and steps[0] in self._programs:
+            for variable in self._program.blocks[steps[0]].variables:
+                if variable.name.casefold() == steps[1] and variable.address is not None:
+                    return variable
+        return None
+
+    def _find(self, path: str) -> Location:
+        first, *rest = parse_path(path)
+        if isinstance(first, tuple):
+            raise wrong_path(path, "it starts with an index")
+        if self._model.global_record.part(first) is None and first.casefold() in self._programs:
+            record, data = self._programs[first.casefold()]
+            if not rest:
+                raise wrong_path(path, f"'{first}' is a PROGRAM: name one of its variables")
+            return self._memory.find_in(path, data, record, rest)
+        record = self._model.global_record
+        return self._memory.find_in(path, self._globals, record, (first, *rest))
+
+    def snapshot(self) -> State:
+        """All that lives in the program itself: global variables and the variables of PROGRAMs."""
+        return (
+            self._memory.snapshot(self._model.global_record, self._globals),
+            *(self._memory.snapshot(record, data) for record, data in self._programs.values()),
+        )
+
+    def restore(self, state: State) -> None:
+        """Go back to a snapshot of the same program."""
+        self._restore(state, remanent_too=True)
+
+    def reset(self, warm: bool) -> None:
+        """Initial values everywhere in the program; after a warm start remanent variables stay."""
+        self._restore(self._initial, remanent_too=not warm)
+
+    def _restore(self, state: State, *, remanent_too: bool) -> None:
+        assert isinstance(state, tuple)
+        records = [(self._model.global_record, self._globals), *self._programs.values()]
+        for (record, data), content in zip(records, state, strict=True):
+            self._memory.restore(record, data, content, remanent_too=remanent_too)

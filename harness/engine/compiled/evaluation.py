@@ -1,0 +1,64 @@
+"""The way from an expression of the checked program to Python: which function writes which node.
+
+The modules for places, operators and calls say it in `EXPRESSIONS`, `blocks` enters them here.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+from fbgen.lang.checked import Constant, Expression
+from fbgen.lang.types import Elementary
+from harness.engine.compiled.code import Code, Level
+from harness.engine.compiled.initials import scalar_text
+from harness.engine.compiled.procedure import DEEPEST_EXPRESSION, Procedure
+from harness.engine.compiled.ranges import is_counted, wrapped
+
+Write = Callable[[Procedure, Any], Code]
+
+_WRITERS: dict[type, Write] = {}
+
+
+def enter(writers: dict[type, Write]) -> None:
+    """Say which functions write which nodes."""
+    _WRITERS.update(writers)
+
+
+def expression(procedure: Procedure, node: Expression) -> Code:
+    """The Python for an expression; a whole number may still have to be wrapped around."""
+    writer = _WRITERS[type(node)]
+    procedure.enter(node.span)
+    code = writer(procedure, node)
+    procedure.nesting -= 1
+    if code.depth > DEEPEST_EXPRESSION:
+        return procedure.split_off(code)
+    return code
+
+
+def value(procedure: Procedure, node: Expression) -> Code:
+    """The Python for an expression, with its value inside of its type."""
+    code = expression(procedure, node)
+    if is_counted(node.type):
+        assert isinstance(node.type, Elementary)
+        return wrapped(code, node.type, procedure.temporary)
+    return code
+
+
+def named(procedure: Procedure, code: Code) -> tuple[str, str]:
+    """A text that has the value and keeps it, and a text for using it again behind that."""
+    if code.simple:
+        return code.text, code.text
+    name = procedure.temporary()
+    return f"({name} := {code.text})", name
+
+
+def constant(node: Constant) -> Code:
+    """A constant."""
+    kind, content = node.type, node.value
+    text = scalar_text(content, kind)
+    level = Level.SIGN if text.startswith("-") else Level.ATOM
+    if isinstance(content, int) and is_counted(kind):
+        return Code(text, level, content, content, simple=True)
+    return Code(text, level, simple=True)
+
+
+enter({Constant: lambda _, node: constant(node)})

@@ -1,0 +1,235 @@
+"""What is known about a whole program before it is written as Python.
+
+An in-out of a single value could always be a reference, but copying it in and out is much faster
+and cannot be told apart unless somebody else reaches the same variable during the call. `cells`
+holds the variables where that is possible, and those that references to them need.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from fbgen.lang.checked import (
+    Block,
+    For,
+    FunctionCall,
+    InstanceCall,
+    Place,
+    Program,
+    Repeat,
+    Statement,
+    SystemCall,
+    Variable,
+    VariableKind,
+    VariableRef,
+    While,
+)
+from fbgen.lang.types import BlockType
+from harness.engine.compiled.instructions import areas
+from harness.engine.compiled.model import has_memory, is_scalar
+from harness.engine.compiled.walk import Node, every_node, root_of, written_places
+
+
+@dataclass(slots=True)
+class _Found:
+    """What one block does itself, and after `_spread` also what the blocks do that it calls."""
+
+    callees: set[Block] = field(default_factory=set)
+    globals: set[Variable] = field(default_factory=set)
+    loops: bool = False
+    written: set[Variable] = field(default_factory=set)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Site:
+    """One in-out of one call."""
+
+    caller: Block
+    callee: Block | None
+    parameter: Variable
+    place: Place
+    other_roots: frozenset[Variable | None]
+
+
+class Facts:
+    """The facts of one program."""
+
+    __slots__ = ("_found", "_program", "_too_deep", "cells")
+
+    def __init__(self, program: Program, call_depth: int) -> None:
+        self._program = program
+        self._found = {block: _Found() for block in program.bodies}
+        self.cells: set[Variable] = set()
+        sites: list[_Site] = []
+        for block, body in program.bodies.items():
+            sites += self._look(block, body)
+        self._too_deep = _nests_deeper({b: f.callees for b, f in self._found.items()}, call_depth)
+        self._spread()
+        self._find_cells(sites)
+
+    def has_loops(self, block: Block) -> bool:
+        """True if a call of the block can run a loop anywhere."""
+        return self._found[block].loops
+
+    def counts_depth(self, block: Block) -> bool:
+        """True if calls of the block have to be counted."""
+        return self._too_deep and block in self._found
+
+    def touches(self, block: Block) -> set[Variable]:
+        """The global variables that a call of the block can read or write anywhere."""
+        return self._found[block].globals
+
+    def written(self, block: Block) -> set[Variable]:
+        """The variables that the block itself writes, wholly or in part."""
+        return self._found[block].written
+
+    def only_reads(self, block: Block, parameter: Variable) -> bool:
+        """True if an input can be handed over uncopied: nobody changes it during the call."""
+        found = self._found[block]
+        return (
+            parameter not in found.written
+            and not found.globals
+            and all(variable.kind is not VariableKind.IN_OUT for variable in block.variables)
+        )
+
+    def keeps(self, variable: Variable, body: Iterable[Statement]) -> bool:
+        """True if nothing in `body` can change the variable, a single value of the own block."""
+        if variable in self.cells or variable.address is not None:
+            return False
+        foreign = False
+        for node in every_node(body):
+            if any(root_of(place) is variable for place in written_places(node)):
+                return False
+            callee = _callee(node)
+            if callee is not None and self._found[callee].globals:
+                foreign = True
+        return variable.kind in (VariableKind.TEMP, VariableKind.RESULT) or not foreign
+
+    def _look(self, block: Block, body: tuple[Statement, ...]) -> list[_Site]:
+        found = self._found[block]
+        sites: list[_Site] = []
+        for node in every_node(body):
+            found.written.update(
+                root for place in written_places(node) if (root := root_of(place)) is not None
+            )
+            match node:
+                case For() | While() | Repeat():
+                    found.loops = True
+                case VariableRef():
+                    if node.variable.kind is VariableKind.GLOBAL:
+                        found.globals.add(node.variable)
+                case FunctionCall():
+                    found.callees.add(node.function)
+                    sites += _sites(block, node.function, node.in_outs, [])
+                case InstanceCall():
+                    if isinstance(node.block, Block):
+                        found.callees.add(node.block)
+                        sites += _sites(block, node.block, node.in_outs, [root_of(node.instance)])
+                case SystemCall():
+                    self._box(areas(node).values())
+                case _:
+                    pass
+        return sites
+
+    def _box(self, places: Iterable[Place]) -> None:
+        for place in places:
+            if isinstance(place, VariableRef) and is_scalar(place.type):
+                self.cells.add(place.variable)
+
+    def _spread(self) -> None:
+        changed = True
+        while changed:
+            changed = False
+            for found in self._found.values():
+                before = (len(found.globals), found.loops)
+                for callee in found.callees:
+                    other = self._found[callee]
+                    found.globals |= other.globals
+                    found.loops = found.loops or other.loops
+                changed = changed or before != (len(found.globals), found.loops)
+
+    def _find_cells(self, sites: list[_Site]) -> None:
+        # A boxed variable of a block with memory is reached by its attribute: it needs no cell.
+        memory = {
+            variable
+            for block in self._found
+            if has_memory(block)
+            for variable in block.variables
+            if variable.kind in (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.STATIC)
+        }
+        self.cells -= memory
+        self.cells = {cell for cell in self.cells if cell.kind is not VariableKind.GLOBAL}
+        self.cells |= {site.parameter for site in sites if self._may_alias(site)}
+        changed = True
+        while changed:
+            before = len(self.cells)
+            for site in sites:
+                place = site.place
+                if not isinstance(place, VariableRef) or place.variable in memory:
+                    continue
+                if site.parameter in self.cells and place.variable.kind is not VariableKind.GLOBAL:
+                    self.cells.add(place.variable)
+                elif place.variable in self.cells:
+                    self.cells.add(site.parameter)
+            changed = len(self.cells) != before
+
+    def _may_alias(self, site: _Site) -> bool:
+        root = root_of(site.place)
+        if root is None:
+            return False
+        assert site.callee is not None
+        if root in site.other_roots:
+            return True
+        touched = self._found[site.callee].globals
+        if root.kind is VariableKind.GLOBAL:
+            return root in touched
+        if root.kind is VariableKind.IN_OUT:
+            return not is_scalar(root.type)
+        if root.kind in (VariableKind.TEMP, VariableKind.RESULT) or not has_memory(site.caller):
+            return False
+        return any(isinstance(variable.type, BlockType) for variable in touched)
+
+
+def _sites(
+    caller: Block,
+    callee: Block,
+    in_outs: tuple[tuple[Variable, Place], ...],
+    roots: list[Variable | None],
+) -> list[_Site]:
+    sites = []
+    for parameter, place in in_outs:
+        if not is_scalar(parameter.type):
+            continue
+        others = [root_of(other) for variable, other in in_outs if variable is not parameter]
+        sites.append(_Site(caller, callee, parameter, place, frozenset((*others, *roots))))
+    return sites
+
+
+def _callee(node: Node) -> Block | None:
+    if isinstance(node, FunctionCall):
+        return node.function
+    if isinstance(node, InstanceCall) and isinstance(node.block, Block):
+        return node.block
+    return None
+
+
+def _nests_deeper(calls: Mapping[Block, set[Block]], limit: int) -> bool:
+    """True if some chain of calls has more than `limit` blocks, or none is the longest."""
+    waiting = {block: len(callees) for block, callees in calls.items()}
+    callers: dict[Block, list[Block]] = {block: [] for block in calls}
+    for block, callees in calls.items():
+        for callee in callees:
+            callers[callee].append(block)
+    depth = dict.fromkeys(calls, 1)
+    ready = [block for block, count in waiting.items() if count == 0]
+    done = 0
+    while ready:
+        block = ready.pop()
+        done += 1
+        if depth[block] > limit:
+            return True
+        for caller in callers[block]:
+            depth[caller] = max(depth[caller], depth[block] + 1)
+            waiting[caller] -= 1
+            if waiting[caller] == 0:
+                ready.append(caller)
+    return done < len(calls)

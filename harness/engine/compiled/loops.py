@@ -1,0 +1,225 @@
+"""FOR, WHILE and REPEAT, and the watchdog that counts their passes.
+
+All passes of one call from outside are counted in `_cpu.passes`, downwards. A FOR that cannot be
+left early counts them all at once.
+"""
+
+from collections.abc import Callable, Sequence
+
+from fbgen.lang.checked import (
+    Branch,
+    CaseArm,
+    Constant,
+    Exit,
+    Expression,
+    For,
+    Repeat,
+    Return,
+    Statement,
+    VariableRef,
+    While,
+)
+from fbgen.lang.types import Elementary
+from harness.engine.compiled.code import Code, Level
+from harness.engine.compiled.evaluation import value
+from harness.engine.compiled.places import assign, pinned, place
+from harness.engine.compiled.procedure import Loop, Procedure
+from harness.engine.compiled.ranges import wrapped
+from harness.engine.compiled.walk import every_node
+
+WriteBody = Callable[[Procedure, Sequence[Statement], Branch | CaseArm | None], None]
+
+
+def _count(procedure: Procedure, passes: str) -> None:
+    """Write the counting of passes that begin now."""
+    procedure.line(f"_cpu.passes -= {passes}")
+    procedure.line("if _cpu.passes < 0: _runaway()")
+
+
+def _body(
+    procedure: Procedure,
+    body: Sequence[Statement],
+    before_continue: Callable[[Procedure], None] | None,
+    write_body: WriteBody,
+    counted: bool,
+) -> None:
+    """The inside of a loop, whose head has been written."""
+    if counted:
+        procedure.listing.indent += 4
+        _count(procedure, "1")
+        procedure.listing.indent -= 4
+    procedure.loops.append(Loop(before_continue))
+    write_body(procedure, body, None)
+    procedure.loops.pop()
+
+
+def write_while(procedure: Procedure, node: While, write_body: WriteBody) -> None:
+    """WHILE."""
+    procedure.listing.span = node.condition.span
+    procedure.line(f"while {value(procedure, node.condition).text}:")
+    procedure.listing.span = node.span
+    _body(procedure, node.body, None, write_body, counted=True)
+
+
+def write_repeat(procedure: Procedure, node: Repeat, write_body: WriteBody) -> None:
+    """REPEAT; CONTINUE goes to the condition."""
+
+    def until(procedure: Procedure) -> None:
+        span, procedure.listing.span = procedure.listing.span, node.condition.span
+        procedure.line(f"if {value(procedure, node.condition).text}: break")
+        procedure.listing.span = span
+
+    procedure.line("while True:")
+    _body(procedure, node.body, until, write_body, counted=True)
+    procedure.listing.indent += 4
+    until(procedure)
+    procedure.listing.indent -= 4
+
+
+def write_for(procedure: Procedure, node: For, write_body: WriteBody) -> None:
+    """FOR: with Python's own counting where nothing else changes the variable."""
+    variable = node.variable
+    if (
+        isinstance(variable, VariableRef)
+        and isinstance(node.step, Constant)
+        and node.step.value != 0
+        and not procedure.has_cell(variable.variable)
+        and procedure.context.facts.keeps(variable.variable, node.body)
+    ):
+        _write_range(procedure, node, variable, int(node.step.value), write_body)
+    else:
+        _write_counting(procedure, node, write_body)
+
+
+def _leaves_early(body: Sequence[Statement]) -> bool:
+    return any(isinstance(one, Exit | Return) for one in every_node(body))
+
+
+def _write_range(
+    procedure: Procedure, node: For, variable: VariableRef, step: int, write_body: WriteBody
+) -> None:
+    kind = variable.type
+    assert isinstance(kind, Elementary)
+    text = procedure.text_of(variable.variable)
+    early = _leaves_early(node.body)
+    first, last = node.first, node.last
+    if isinstance(first, Constant) and isinstance(last, Constant):
+        start, end = int(first.value), int(last.value)
+        passes = range(start, end + (1 if step > 0 else -1), step)
+        if not passes:
+            procedure.line(f"{text} = {start}")
+            return
+        if not early:
+            _count(procedure, str(len(passes)))
+        interval = (min(passes[0], passes[-1]), max(passes[0], passes[-1]))
+        behind = passes[-1] + step
+        after = Code(str((behind - kind.minimum) % (1 << kind.bits) + kind.minimum))
+        _write_range_loop(procedure, node, _range(passes), interval, write_body)
+    else:
+        first_code = value(procedure, first)
+        procedure.line(f"{text} = {first_code.text}")
+        last_code = value(procedure, last)
+        name = procedure.temporary()
+        # `last` may name the variable: it has its first value by now.
+        beyond = f"{last_code.at(Level.SUM)} {'+ 1' if step > 0 else '- 1'}"
+        tail = "" if step == 1 else f", {step}"
+        procedure.line(f"{name} = range({text}, {beyond}{tail})")
+        if not early:
+            _count(procedure, f"len({name})")
+        if step > 0:
+            interval = (first_code.low, max(first_code.low, last_code.high))
+        else:
+            interval = (min(first_code.high, last_code.low), first_code.high)
+        low, high = min(interval[0], interval[0] + step), max(interval[1], interval[1] + step)
+        factor = "" if step == 1 else f" * {step}"
+        behind_code = Code(f"{name}.start + len({name}){factor}", Level.SUM, low, high, depth=3)
+        after = wrapped(behind_code, kind, procedure.temporary)
+        _write_range_loop(procedure, node, name, interval, write_body)
+    if any(isinstance(one, Exit) for one in every_node(node.body)):
+        procedure.line("else:")
+        procedure.listing.indent += 4
+        procedure.line(f"{text} = {after.text}")
+        procedure.listing.indent -= 4
+    else:
+        procedure.line(f"{text} = {after.text}")
+
+
+def _range(passes: range) -> str:
+    tail = "" if passes.step == 1 else f", {passes.step}"
+    return f"range({passes.start}, {passes.stop}{tail})"
+
+
+def _write_range_loop(
+    procedure: Procedure,
+    node: For,
+    passes: str,
+    interval: tuple[int, int],
+    write_body: WriteBody,
+) -> None:
+    variable = node.variable
+    assert isinstance(variable, VariableRef)
+    text = procedure.text_of(variable.variable)
+    is_local = "." not in text
+    local = text if is_local else procedure.temporary()
+    procedure.line(f"for {local} in {passes}:")
+    if not is_local:
+        procedure.listing.indent += 4
+        procedure.line(f"{text} = {local}")
+        procedure.listing.indent -= 4
+    known, aliases = dict(procedure.known), dict(procedure.aliases)
+    procedure.known[variable.variable] = interval
+    if not is_local and not procedure.context.framed:
+        procedure.aliases[variable.variable] = local
+    _body(procedure, node.body, None, write_body, counted=_leaves_early(node.body))
+    procedure.known, procedure.aliases = known, aliases
+    procedure.listing.span = node.span
+
+
+def _write_counting(procedure: Procedure, node: For, write_body: WriteBody) -> None:
+    """FOR as the standard describes it, for variables that the body may change."""
+    target = pinned(procedure, node.variable)
+    kind = target.type
+    assert isinstance(kind, Elementary)
+    assign(procedure, target, value(procedure, node.first), kind)
+    last = _kept(procedure, node.last)
+    step = _kept(procedure, node.step)
+    if not isinstance(node.step, Constant):
+        procedure.line(f"if {step.text} == 0: _no_step()")
+    current = place(procedure, target)
+    if isinstance(node.step, Constant):
+        sign = "<=" if step.low > 0 else ">="
+        procedure.line(f"while {current.at(Level.BIT_OR)} {sign} {last.text}:")
+    else:
+        up = f"{current.at(Level.BIT_OR)} <= {last.text}"
+        down = f"{current.at(Level.BIT_OR)} >= {last.text}"
+        procedure.line(f"while {up} if {step.text} > 0 else {down}:")
+
+    def advance(procedure: Procedure) -> None:
+        span, procedure.listing.span = procedure.listing.span, node.span
+        name = procedure.temporary()
+        procedure.line(f"{name} = {place(procedure, target).at(Level.SUM)} + {step.at(Level.SIGN)}")
+        low, high = kind.minimum + min(step.low, 0), kind.maximum + max(step.high, 0)
+        code = Code(name, low=low, high=high, simple=True)
+        inside = f"{kind.minimum} <= {name} <= {kind.maximum}"
+        procedure.line(f"if not {inside}:")
+        procedure.listing.indent += 4
+        assign(procedure, target, wrapped(code, kind, procedure.temporary), kind)
+        procedure.line("break")
+        procedure.listing.indent -= 4
+        assign(procedure, target, code._replace(low=kind.minimum, high=kind.maximum), kind)
+        procedure.listing.span = span
+
+    _body(procedure, node.body, advance, write_body, counted=True)
+    procedure.listing.indent += 4
+    advance(procedure)
+    procedure.listing.indent -= 4
+
+
+def _kept(procedure: Procedure, node: Expression) -> Code:
+    """A value that is calculated once and kept."""
+    code = value(procedure, node)
+    if isinstance(node, Constant):
+        return code
+    name = procedure.temporary()
+    procedure.line(f"{name} = {code.text}")
+    return code._replace(text=name, level=Level.ATOM, depth=1, simple=True, safe=True, pure=True)

@@ -1,0 +1,178 @@
+"""What generated code can name: the library, the controller, cells, and a few functions of ours."""
+
+from collections.abc import Callable
+from math import inf, nan
+from typing import Any
+
+from fbgen.lang.checked import Address, AddressRef, SystemCall, VariableRef
+from fbgen.lang.types import Scalar
+from harness.engine.compiled.areas import BlockBytes, VariableArea
+from harness.engine.compiled.cells import AttributeCell, Cell, ElementCell, ValueCell
+from harness.engine.compiled.instructions import areas
+from harness.engine.compiled.library import dates, decimals, reals, stops, texts, wholes
+from harness.engine.compiled.memory import Location, Memory
+from harness.engine.compiled.model import Model, is_scalar
+from harness.engine.environment import Environment
+from harness.engine.interface import Limits
+from harness.engine.values import accept_scalar
+
+
+class Cpu:
+    """What one call from outside may still do."""
+
+    __slots__ = ("depth", "most_passes", "passes")
+
+    def __init__(self, limits: Limits) -> None:
+        self.most_passes = limits.loop_passes
+        self.passes = limits.loop_passes
+        self.depth = 0
+
+
+def _chosen(which: bool, zero: object, one: object) -> object:
+    return one if which else zero
+
+
+def _text_to_real(text: str, bits: int) -> float:
+    number = texts.to_real(text)
+    if bits == 64:
+        return number
+    nearest = reals.rounded(number)
+    if nearest - nearest != 0:
+        raise stops.NoNumber(text)
+    return nearest
+
+
+LIBRARY: dict[str, Any] = {
+    "_inf": inf,
+    "_nan": nan,
+    "_cell": reals.CELL,
+    "_keep": object(),
+    "_accept": accept_scalar,
+    "_AttributeCell": AttributeCell,
+    "_ElementCell": ElementCell,
+    "_ValueCell": ValueCell,
+    "_rounded": reals.rounded,
+    "_real_of_whole": reals.real_of_whole,
+    "_real_quotient": reals.quotient,
+    "_real_power": reals.power,
+    "_to_whole": reals.to_whole,
+    "_cut_to_whole": reals.cut_to_whole,
+    "_floor": reals.floor,
+    "_ceiling": reals.ceiling,
+    "_bits_of_real": reals.bits_of_real,
+    "_real_of_bits": reals.real_of_bits,
+    "_bits_of_long_real": reals.bits_of_long_real,
+    "_long_real_of_bits": reals.long_real_of_bits,
+    "_quotient": wholes.quotient,
+    "_remainder": wholes.remainder,
+    "_power": wholes.power,
+    "_scaled": wholes.scaled,
+    "_divided": wholes.divided,
+    "_shift_left": wholes.shift_left,
+    "_shift_right": wholes.shift_right,
+    "_shift_right_signed": wholes.shift_right_signed,
+    "_rotate_left": wholes.rotate_left,
+    "_rotate_right": wholes.rotate_right,
+    "_rotated_bytes": wholes.rotated_bytes,
+    "_limit": wholes.limit,
+    "_select": wholes.select,
+    "_chosen": _chosen,
+    "_bad_index": wholes.bad_index,
+    "_checked_index": wholes.checked_index,
+    "_runaway": wholes.runaway,
+    "_no_step": wholes.no_step,
+    "_cut_to_ms": dates.cut_to_ms,
+    "_bcd16_to_int": decimals.bcd_to_int,
+    "_int_to_bcd16": decimals.int_to_bcd,
+    "_s5time_to_time": decimals.s5time_to_time,
+    "_time_to_s5time": decimals.time_to_s5time,
+    "_left": texts.left,
+    "_right": texts.right,
+    "_mid": texts.middle,
+    "_insert": texts.insert,
+    "_delete": texts.delete,
+    "_replace": texts.replace,
+    "_find": texts.find,
+    "_narrowed": texts.narrowed,
+    "_string_to_char": texts.first_character,
+    "_text_of_real": texts.of_real,
+    "_text_to_whole": texts.to_whole,
+    "_text_to_real": _text_to_real,
+    **{f"_{name.lower()}": function for name, function in reals.FUNCTIONS.items()},
+    **{f"_{name.lower()}": function for name, function in dates.FUNCTIONS.items()},
+}
+"""Everything that does not depend on the program."""
+
+
+def counting(cpu: Cpu, limits: Limits) -> dict[str, Callable[..., None]]:
+    """The functions that count how deep blocks are nested."""
+
+    def enter(block: str) -> None:
+        if cpu.depth >= limits.call_depth:
+            raise stops.TooDeep(block)
+        cpu.depth += 1
+
+    def leave() -> None:
+        cpu.depth -= 1
+
+    return {"_enter": enter, "_leave": leave}
+
+
+def hardware(
+    model: Model, memory: Memory, environment: Environment, image_sizes: dict[str, int]
+) -> dict[str, Callable[..., Any]]:
+    """The functions that reach the controller and absolute addresses."""
+
+    def instruction(node: SystemCall, *arguments: Any) -> Scalar:
+        by_name: dict[str, Scalar | VariableArea] = {}
+        places = areas(node)
+        for (name, _), argument in zip(node.arguments, arguments, strict=True):
+            place = places.get(name)
+            if place is None:
+                by_name[name] = argument
+            elif is_scalar(place.type):
+                by_name[name] = VariableArea(memory, _cell_location(place.type, argument))
+            else:
+                by_name[name] = VariableArea(memory, _fixed(place.type, argument))
+        return environment.instruction(node.name, by_name, node.span)
+
+    def block_bytes(address: Address) -> BlockBytes:
+        part = model.global_record.part(f"DB{address.db}")
+        if part is None:
+            raise stops.NoBlock(address.db)
+        return BlockBytes(memory, part.type, memory.namespace[part.slot])
+
+    def read_block(node: AddressRef | VariableRef) -> int:
+        address = _address(node)
+        return block_bytes(address).read(node, address)
+
+    def write_block(node: AddressRef | VariableRef, value: int | bool) -> None:
+        address = _address(node)
+        block_bytes(address).write(node, address, value)
+
+    def outside(address: str) -> int:
+        raise stops.NoAddress(image_sizes[address[1]])
+
+    return {
+        "_instruction": instruction,
+        "_read_block": read_block,
+        "_write_block": write_block,
+        "_outside": outside,
+    }
+
+
+def _address(node: AddressRef | VariableRef) -> Address:
+    address = node.address if isinstance(node, AddressRef) else node.variable.address
+    assert address is not None
+    return address
+
+
+def _fixed(kind: Any, data: Any) -> Location:
+    return Location(kind, lambda: data, lambda _: None)
+
+
+def _cell_location(kind: Any, cell: Cell) -> Location:
+    def write(value: Scalar) -> None:
+        cell.value = value
+
+    return Location(kind, lambda: cell.value, write)

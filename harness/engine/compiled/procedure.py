@@ -1,0 +1,219 @@
+"""One PLC block while it is turned into Python: its functions, its names, what it has split off.
+
+Python cannot nest loops deeper than 20, indentation deeper than 100, brackets deeper than 200, and
+its compiler gives up on long chains. What is nested deeper than `DEEPEST_*` moves into a function
+of its own. Then the temporary variables of the block live in an object, the frame, that all its
+functions share; such a block is written a second time with `framed` set.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TypeAlias
+
+from fbgen.diagnostics import error
+from fbgen.lang import checked
+from fbgen.lang.checked import Block, Variable, VariableKind
+from fbgen.lang.types import Type
+from fbgen.source import Span
+from harness.engine.compiled.code import Code, Listing, Site
+from harness.engine.compiled.facts import Facts
+from harness.engine.compiled.initials import Initializer
+from harness.engine.compiled.model import GLOBALS, Model, has_memory, is_scalar
+from harness.engine.compiled.names import Names
+
+DEEPEST_EXPRESSION = 60
+DEEPEST_INDENT = 60
+DEEPEST_LOOPS = 15
+DEEPEST_NESTING = 1000
+"""How deep statements or expressions may be nested in all; beyond that FB6050 is raised."""
+
+Probe: TypeAlias = Callable[[checked.Statement | checked.Branch | checked.CaseArm], str]
+"""Gives a line of Python that runs before a statement, or first in a branch; "" for none."""
+
+
+class FrameNeededError(Exception):
+    """The block is nested so deep that its variables must be shared between functions."""
+
+
+class BlockContext:
+    """What all functions of one block share while they are written.
+
+    `tables` are objects at module level, by their names; `parts` the functions that were split off,
+    finished. `image_sizes` has the bytes of the areas I, Q and M.
+    """
+
+    __slots__ = (
+        *("block", "facts", "framed", "image_sizes", "initializer", "model", "names", "parts"),
+        *("probe", "python_name", "tables", "_count"),
+    )
+
+    def __init__(
+        self,
+        block: Block,
+        model: Model,
+        facts: Facts,
+        image_sizes: Mapping[str, int],
+        *,
+        probe: Probe | None,
+        framed: bool,
+    ) -> None:
+        self.block = block
+        self.model = model
+        self.facts = facts
+        self.image_sizes = image_sizes
+        self.probe = probe
+        self.framed = framed
+        self.initializer = Initializer(model)
+        self.names = Names(model.names)
+        self.python_name = model.name_of(block)
+        self.parts: list[Listing] = []
+        self.tables: dict[str, object] = {}
+        self._count = 0
+
+    @property
+    def arguments(self) -> str:
+        """The parameters of a function that was split off."""
+        return "self, frame" if has_memory(self.block) else "frame"
+
+    def new_name(self, what: str) -> str:
+        """A new module-level name."""
+        self._count += 1
+        return f"_{self.python_name}_{what}_{self._count}"
+
+    def table(self, what: str, content: object) -> str:
+        """The name of a new module-level constant."""
+        name = self.new_name(what)
+        self.tables[name] = content
+        return name
+
+
+class Loop:
+    """An open loop: what has to be done before the next pass, and before leaving it."""
+
+    __slots__ = ("before_continue",)
+
+    def __init__(self, before_continue: Callable[["Procedure"], None] | None) -> None:
+        self.before_continue = before_continue
+
+
+class Procedure:
+    """One Python function while it is written.
+
+    `aliases` and `known` hold, for loop variables that nothing else changes, the Python local that
+    has the value too, and its interval. `split` marks a function that was split off; any other one
+    returns by `return_line`.
+    """
+
+    __slots__ = (
+        *("aliases", "context", "known", "listing", "loops", "name", "nesting", "return_line"),
+        *("split", "_sites", "_temporaries"),
+    )
+
+    def __init__(self, context: BlockContext, name: str, nesting: int, split: bool) -> None:
+        self.context = context
+        self.name = name
+        self.nesting = nesting
+        self.split = split
+        self.return_line = "return"
+        self.listing = Listing()
+        self.loops: list[Loop] = []
+        self.aliases: dict[Variable, str] = {}
+        self.known: dict[Variable, tuple[int, int]] = {}
+        self._sites: list[Site] = []
+        self._temporaries = 0
+
+    # --- writing ------------------------------------------------------------------------------
+
+    def temporary(self) -> str:
+        """A new local name."""
+        self._temporaries += 1
+        return f"_{self._temporaries}"
+
+    def site(self, text: str, node: checked.Expression, position: str = "") -> None:
+        """Remember that the line that is being put together may stop here."""
+        self._sites.append(Site(text, node, position))
+
+    def line(self, text: str) -> None:
+        """Write a line; what was remembered by `site` belongs to it."""
+        if self._sites:
+            for site in self._sites:
+                self.listing.note(site)
+            self._sites.clear()
+        self.listing.add(text)
+
+    def lines(self, texts: Sequence[str]) -> None:
+        """Write several lines."""
+        for text in texts:
+            self.line(text)
+
+    def enter(self, span: Span) -> None:
+        """One level of statements or expressions deeper; raises FB6050 at the limit."""
+        self.nesting += 1
+        if self.nesting > DEEPEST_NESTING:
+            raise error(
+                "FB6050",
+                f"this is nested more than {DEEPEST_NESTING} levels deep",
+                span,
+                "move the inner part into a block of its own",
+            )
+
+    # --- variables ----------------------------------------------------------------------------
+
+    def storage(self, variable: Variable) -> str:
+        """The Python text of the variable's own storage; a cell if the variable has one."""
+        context = self.context
+        if variable.kind is VariableKind.GLOBAL:
+            return context.model.global_name(variable)
+        if variable.kind not in (VariableKind.TEMP, VariableKind.RESULT) and has_memory(
+            context.block
+        ):
+            part = context.model.block_record(context.block).by_key[variable.name.casefold()]
+            return f"self.{part.slot}"
+        name = context.names.of(variable.name)
+        return f"frame.{name}" if context.framed else name
+
+    def owner(self, variable: Variable) -> tuple[str, str]:
+        """The object and the attribute that hold a variable that is no Python local."""
+        text = self.storage(variable)
+        base, _, attribute = text.rpartition(".")
+        return base or GLOBALS, attribute
+
+    def has_cell(self, variable: Variable) -> bool:
+        """True if the variable is reached through a cell, because others refer to it."""
+        return is_scalar(variable.type) and variable in self.context.facts.cells
+
+    def text_of(self, variable: Variable) -> str:
+        """The Python text that reads and writes a variable."""
+        text = self.storage(variable)
+        return f"{text}.value" if self.has_cell(variable) else text
+
+    # --- splitting ----------------------------------------------------------------------------
+
+    def start_part(self, what: str) -> "Procedure":
+        """A new function of the block, with its head written. Close it with `finish_part`."""
+        context = self.context
+        if not context.framed:
+            raise FrameNeededError
+        part = Procedure(context, context.new_name(what), self.nesting, split=True)
+        part.listing.span = self.listing.span
+        part.line(f"def {part.name}({context.arguments}):")
+        part.listing.indent = 4
+        return part
+
+    def finish_part(self, part: "Procedure") -> str:
+        """The text of a call of a finished function."""
+        self.context.parts.append(part.listing)
+        return f"{part.name}({self.context.arguments})"
+
+    def split_off(self, code: Code) -> Code:
+        """An expression that is nested too deep, as the call of a function with it."""
+        part = self.start_part("value")
+        part._sites += self._sites
+        part.line(f"return {code.text}")
+        return code._replace(text=self.finish_part(part), level=_ATOM, depth=1, simple=False)
+
+    def fresh(self, kind: Type) -> str:
+        """An expression for a new value of a type."""
+        return self.context.initializer.fresh(kind)
+
+
+_ATOM = Code("").level

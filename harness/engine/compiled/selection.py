@@ -1,0 +1,154 @@
+"""IF and CASE, also with thousands of branches.
+
+Python's compiler nests every ELIF into the one before, so a long chain is written in pieces of
+`LONGEST_CHAIN`, with a flag between them. A CASE with many arms finds the number of its arm in a
+table, and the arm by halving.
+"""
+
+from bisect import bisect_right
+from collections.abc import Callable, Sequence
+
+from fbgen.lang.checked import Branch, Case, CaseArm, If, Statement
+from harness.engine.compiled.code import Code
+from harness.engine.compiled.evaluation import value
+from harness.engine.compiled.procedure import Procedure
+
+LONGEST_CHAIN = 40
+MOST_ARMS_IN_CHAIN = 8
+LARGEST_TABLE = 10_000
+
+WriteBody = Callable[[Procedure, Sequence[Statement], Branch | CaseArm | None], None]
+
+
+def write_if(procedure: Procedure, node: If, write_body: WriteBody) -> None:
+    """IF with any number of ELSIFs."""
+    if len(node.branches) <= LONGEST_CHAIN:
+        _chain(procedure, node.branches, write_body)
+        if node.otherwise:
+            procedure.line("else:")
+            write_body(procedure, node.otherwise, None)
+        return
+    flag = procedure.temporary()
+    procedure.line(f"{flag} = True")
+    for start in range(0, len(node.branches), LONGEST_CHAIN):
+        procedure.line(f"if {flag}:")
+        procedure.listing.indent += 4
+        procedure.line(f"{flag} = False")
+        _chain(procedure, node.branches[start : start + LONGEST_CHAIN], write_body)
+        procedure.line("else:")
+        procedure.line(f"    {flag} = True")
+        procedure.listing.indent -= 4
+    if node.otherwise:
+        procedure.line(f"if {flag}:")
+        write_body(procedure, node.otherwise, None)
+
+
+def _chain(procedure: Procedure, branches: Sequence[Branch], write_body: WriteBody) -> None:
+    keyword = "if"
+    for branch in branches:
+        procedure.listing.span = branch.condition.span
+        procedure.line(f"{keyword} {value(procedure, branch.condition).text}:")
+        write_body(procedure, branch.body, branch)
+        keyword = "elif"
+
+
+def write_case(procedure: Procedure, node: Case, write_body: WriteBody) -> None:
+    """CASE with any number of arms."""
+    procedure.listing.span = node.selector.span
+    selector = value(procedure, node.selector)
+    if not node.arms:
+        procedure.line(selector.text)
+        procedure.listing.span = node.span
+        if node.otherwise:
+            procedure.line("if True:")
+            write_body(procedure, node.otherwise, None)
+        return
+    if len(node.arms) <= MOST_ARMS_IN_CHAIN:
+        _few_arms(procedure, node, selector, write_body)
+        return
+    name = procedure.temporary()
+    procedure.line(f"{name} = {_arm_number(procedure, node, selector)}")
+    bodies: list[tuple[Sequence[Statement], CaseArm | None]] = [
+        (arm.body, arm) for arm in node.arms
+    ]
+    bodies.append((node.otherwise, None))
+    _halve(procedure, name, bodies, 0, write_body)
+
+
+def _few_arms(procedure: Procedure, node: Case, selector: Code, write_body: WriteBody) -> None:
+    name = selector.text
+    if not selector.simple:
+        name = procedure.temporary()
+        procedure.line(f"{name} = {selector.text}")
+    keyword = "if"
+    for arm in node.arms:
+        procedure.listing.span = arm.span
+        procedure.line(f"{keyword} {_condition(name, arm)}:")
+        write_body(procedure, arm.body, arm)
+        keyword = "elif"
+    if node.otherwise:
+        procedure.line("else:")
+        write_body(procedure, node.otherwise, None)
+
+
+def _condition(name: str, arm: CaseArm) -> str:
+    singles = [first for first, last in arm.ranges if first == last]
+    tests = [f"{first} <= {name} <= {last}" for first, last in arm.ranges if first != last]
+    if len(singles) == 1:
+        tests.insert(0, f"{name} == {singles[0]}")
+    elif singles:
+        tests.insert(0, f"{name} in {tuple(singles)}")
+    return " or ".join(tests)
+
+
+def _arm_number(procedure: Procedure, node: Case, selector: Code) -> str:
+    """The Python text that gives the number of the arm, the last one for ELSE."""
+    ranges = sorted(
+        (first, last, number) for number, arm in enumerate(node.arms) for first, last in arm.ranges
+    )
+    otherwise = len(node.arms)
+    if sum(last - first + 1 for first, last, _ in ranges) <= LARGEST_TABLE:
+        arms = {
+            content: number for first, last, number in ranges for content in range(first, last + 1)
+        }
+        table = procedure.context.table("arms", arms)
+        return f"{table}.get({selector.text}, {otherwise})"
+    search = _search([first for first, _, _ in ranges], ranges, otherwise)
+    return f"{procedure.context.table('arms', search)}({selector.text})"
+
+
+def _search(
+    starts: list[int], ranges: list[tuple[int, int, int]], otherwise: int
+) -> Callable[[int], int]:
+    def arm(content: int) -> int:
+        position = bisect_right(starts, content) - 1
+        if position >= 0 and content <= ranges[position][1]:
+            return ranges[position][2]
+        return otherwise
+
+    return arm
+
+
+def _halve(
+    procedure: Procedure,
+    name: str,
+    bodies: list[tuple[Sequence[Statement], CaseArm | None]],
+    first: int,
+    write_body: WriteBody,
+) -> None:
+    """Statements that find one of the bodies, which are numbered from `first` on, by halving."""
+    if len(bodies) == 1:
+        body, arm = bodies[0]
+        procedure.listing.indent -= 4
+        write_body(procedure, body, arm)
+        procedure.listing.indent += 4
+        return
+    middle = len(bodies) // 2
+    procedure.line(f"if {name} < {first + middle}:")
+    procedure.listing.indent += 4
+    _halve(procedure, name, bodies[:middle], first, write_body)
+    procedure.listing.indent -= 4
+    procedure.line("else:")
+    procedure.listing.indent += 4
+    _halve(procedure, name, bodies[middle:], first + middle, write_body)
+    procedure.listing.indent -= 4

@@ -1,0 +1,266 @@
+"""Calls of standard functions: written out where that is short, else calls of the library.
+
+Names and parameters: `fbgen.lang.checker.standard_functions`. Sources: IEC 61131-3 third edition,
+tables 28 to 36; TIA Portal help.
+"""
+
+import re
+from collections.abc import Callable
+
+from fbgen.lang.checked import StandardCall
+from fbgen.lang.types import LREAL, REAL, Elementary, Family, StringType, Type
+from harness.engine.compiled.code import Code, Level, deepest
+from harness.engine.compiled.conversions import cut
+from harness.engine.compiled.evaluation import Write, named, value
+from harness.engine.compiled.library import dates, reals
+from harness.engine.compiled.procedure import Procedure
+from harness.engine.compiled.ranges import is_counted, limits, masked
+
+_Writer = Callable[[Procedure, StandardCall, list[Code]], Code]
+_TEXT = re.compile(r"(W?STRING)_TO_([A-Z]+)|([A-Z]+)_TO_(W?STRING)\Z")
+_LONGEST_TEXT = 1 << 16
+
+
+def _all(codes: list[Code], text: str, level: Level = Level.ATOM, more_depth: int = 1) -> Code:
+    """A piece made of others, all of which are evaluated."""
+    return Code(
+        text,
+        level,
+        depth=deepest(codes) + more_depth,
+        safe=all(code.safe for code in codes),
+        pure=all(code.pure for code in codes),
+    )
+
+
+def _called(function: str, node: StandardCall, codes: list[Code], *more: object) -> Code:
+    low, high = limits(node.type)
+    texts = ", ".join((*(code.text for code in codes), *(str(one) for one in more)))
+    return _all(codes, f"{function}({texts})").within(low, high)
+
+
+def _failing(procedure: Procedure, node: StandardCall, code: Code) -> Code:
+    procedure.site(code.text, node)
+    return code._replace(safe=False)
+
+
+def _hull(codes: list[Code]) -> tuple[int, int]:
+    return min(code.low for code in codes), max(code.high for code in codes)
+
+
+# --- selection ----------------------------------------------------------------------------------
+
+
+def _extreme(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    smallest = node.name == "MIN"
+    pick = min if smallest else max
+    ends = (pick(code.low for code in codes), pick(code.high for code in codes))
+    if len(codes) == 2:
+        one, two = codes
+        first, one_again = named(procedure, one)
+        second, two_again = named(procedure, two)
+        sign = "<" if smallest else ">"
+        if one.simple or two.simple or one.safe:
+            # In Python's order the second operand is evaluated first: nobody can tell.
+            text = f"{two_again} if {second} {sign} {first} else {one_again}"
+            return _all(codes, text, Level.CONDITIONAL, 3).within(*ends)
+    return _called(node.name.lower(), node, codes).within(*ends)
+
+
+def _limit(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    low, code, high = codes
+    constants = is_counted(node.type) and low.low == low.high and high.low == high.high
+    if constants and low.low <= high.low and low.simple and high.simple:
+        first, again = named(procedure, code)
+        text = f"{low.text} if {first} < {low.text} else {high.text} if {again} > {high.text} "
+        text += f"else {again}"
+        result = _all(codes, text, Level.CONDITIONAL, 3)
+        return result.within(low.low, high.high)
+    return _called("_limit", node, codes)
+
+
+def _selected(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    which, zero, one = codes
+    if zero.safe and one.safe:
+        text = f"{one.at(Level.OR)} if {which.at(Level.OR)} else {zero.text}"
+        return _all(codes, text, Level.CONDITIONAL, 2).within(*_hull([zero, one]))
+    text = f"_chosen({which.text}, {zero.text}, {one.text})"
+    return _all(codes, text).within(*_hull([zero, one]))
+
+
+def _multiplexed(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    inputs = codes[1:]
+    text = f"_select({codes[0].text}, ({', '.join(code.text for code in inputs)}))"
+    return _failing(procedure, node, _all(codes, text, more_depth=2).within(*_hull(inputs)))
+
+
+# --- shifts -------------------------------------------------------------------------------------
+
+
+def _shift(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    kind = node.type
+    assert isinstance(kind, Elementary)
+    operand, places = codes
+    bits = kind.bits
+    fill_sign = kind.is_signed and procedure.context.model.program.dialect in ("tia", "step7")
+    if node.name == "SHR" and fill_sign:
+        if places.low == places.high:
+            count = places.low if 0 <= places.low < bits else bits - 1
+            text = f"{operand.at(Level.SHIFT)} >> {count}"
+            ends = (operand.low >> count, operand.high >> count)
+            return _all([operand], text, Level.SHIFT).within(*ends)
+        return _called("_shift_right_signed", node, codes, bits)
+    operand = masked(operand, bits)
+    if places.low == places.high:
+        return _constant_shift(procedure, node, operand, places.low)
+    function = {
+        "SHL": "_shift_left",
+        "SHR": "_shift_right",
+        "ROL": "_rotate_left",
+        "ROR": "_rotate_right",
+    }[node.name]
+    result = _called(function, node, [operand, places], bits)
+    return result.within(0, (1 << bits) - 1)
+
+
+def _constant_shift(procedure: Procedure, node: StandardCall, code: Code, places: int) -> Code:
+    assert isinstance(node.type, Elementary)
+    bits, name = node.type.bits, node.name
+    if name in ("ROL", "ROR"):
+        left = places % bits if name == "ROL" else -places % bits
+        if left == 0:
+            return code
+        first, again = named(procedure, code)
+        text = f"({first} << {left} | {again} >> {bits - left}) & {(1 << bits) - 1}"
+        result = _all([code], text, Level.BIT_AND, 3)
+        return result.within(0, (1 << bits) - 1)
+    if not 0 <= places < bits:
+        return _all([code], "0")._replace(simple=True) if code.safe else _zero(code)
+    if places == 0:
+        return code
+    sign = "<<" if name == "SHL" else ">>"
+    shifted = code.high << places if name == "SHL" else code.high >> places
+    result = _all([code], f"{code.at(Level.SHIFT)} {sign} {places}", Level.SHIFT)
+    return result.within(0, shifted)
+
+
+def _zero(code: Code) -> Code:
+    return _all([code], f"{code.at(Level.PRODUCT)} * 0", Level.PRODUCT)
+
+
+def _swapped(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    assert isinstance(node.type, Elementary)
+    if node.type.bits == 16:
+        first, again = named(procedure, codes[0])
+        text = f"({first} << 8 | {again} >> 8) & 65535"
+        return _all(codes, text, Level.BIT_AND, 3).within(0, 65535)
+    return _called("_rotated_bytes", node, codes, node.type.bits // 8)
+
+
+# --- numbers ------------------------------------------------------------------------------------
+
+
+def _absolute(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    code = codes[0]
+    if is_counted(node.type) and code.low >= 0:
+        return code
+    high = max(abs(code.low), abs(code.high))
+    return _called("abs", node, codes).within(0, high)
+
+
+def _mathematical(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    code = _called(f"_{node.name.lower()}", node, codes)
+    if node.type == REAL:
+        return code._replace(text=f"_rounded({code.text})", depth=code.depth + 1)
+    return code
+
+
+def _to_next_whole(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    function = "_ceiling" if node.name == "CEIL" else "_floor"
+    return _failing(procedure, node, _called(function, node, codes, *limits(node.type)))
+
+
+def _decimal(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    return _failing(procedure, node, _called(f"_{node.name.lower()}", node, codes))
+
+
+def _date(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    code = _called(f"_{node.name.lower()}", node, codes)
+    # The functions leave the wrapping to us, and their results can be of any size.
+    return code.within(-(1 << 70), 1 << 70)
+
+
+# --- texts --------------------------------------------------------------------------------------
+
+
+def _length(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    return _called("len", node, codes).within(0, _LONGEST_TEXT)
+
+
+def _concatenated(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    text = " + ".join(code.at(Level.SUM) for code in codes[:1] + codes[1:])
+    if len(codes) > 20:
+        text = f'"".join(({", ".join(code.text for code in codes)}))'
+        return _fitted(_all(codes, text), node.type)
+    return _fitted(_all(codes, text, Level.SUM, len(codes)), node.type)
+
+
+def _fitted(code: Code, kind: Type) -> Code:
+    assert isinstance(kind, StringType)
+    return cut(code, _LONGEST_TEXT, kind)
+
+
+def _text_function(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    code = _called(f"_{node.name.lower()}", node, codes)
+    if isinstance(node.type, StringType):
+        return _fitted(code, node.type)
+    return code
+
+
+def _number_and_text(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    match = _TEXT.match(node.name)
+    assert match is not None
+    kind = node.type
+    if match[1]:
+        if isinstance(kind, Elementary) and kind.family is Family.REAL:
+            code = _called("_text_to_real", node, codes, kind.bits)
+        else:
+            code = _called("_text_to_whole", node, codes, *limits(kind))
+        return _failing(procedure, node, code)
+    source = node.arguments[0].type
+    assert isinstance(kind, StringType)
+    if source in (REAL, LREAL):
+        digits = 6 if source == REAL else 14
+        return cut(_called("_text_of_real", node, codes, digits), 25, kind)
+    return cut(_called("str", node, codes), 20, kind)
+
+
+_WRITERS: dict[str, _Writer] = {
+    "MIN": _extreme,
+    "MAX": _extreme,
+    "LIMIT": _limit,
+    "SEL": _selected,
+    "MUX": _multiplexed,
+    "SWAP": _swapped,
+    "ABS": _absolute,
+    "CEIL": _to_next_whole,
+    "FLOOR": _to_next_whole,
+    "LEN": _length,
+    "CONCAT": _concatenated,
+    **dict.fromkeys(("SHL", "SHR", "ROL", "ROR"), _shift),
+    **dict.fromkeys(reals.FUNCTIONS, _mathematical),
+    **dict.fromkeys(dates.FUNCTIONS, _date),
+    **dict.fromkeys(("BCD16_TO_INT", "INT_TO_BCD16", "S5TIME_TO_TIME", "TIME_TO_S5TIME"), _decimal),
+    **dict.fromkeys(
+        ("LEFT", "RIGHT", "MID", "INSERT", "DELETE", "REPLACE", "FIND", "STRING_TO_CHAR"),
+        _text_function,
+    ),
+}
+
+
+def _standard_call(procedure: Procedure, node: StandardCall) -> Code:
+    codes = [value(procedure, argument) for argument in node.arguments]
+    return _WRITERS.get(node.name, _number_and_text)(procedure, node, codes)
+
+
+EXPRESSIONS: dict[type, Write] = {StandardCall: _standard_call}
+"""Which function of this module writes which node."""

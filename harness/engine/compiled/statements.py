@@ -1,0 +1,210 @@
+"""Statements: assignments, calls, jumps, and what is nested too deep for Python."""
+
+from collections.abc import Sequence
+
+from fbgen.lang.checked import (
+    Assignment,
+    Branch,
+    Case,
+    CaseArm,
+    Continue,
+    Evaluate,
+    Exit,
+    For,
+    FunctionCall,
+    If,
+    InstanceCall,
+    Repeat,
+    Return,
+    Statement,
+    SystemCall,
+    While,
+)
+from fbgen.source import Span
+from harness.engine.compiled.calls import (
+    evaluate,
+    function_statement,
+    instance_call,
+    instruction_statement,
+)
+from harness.engine.compiled.evaluation import value
+from harness.engine.compiled.loops import write_for, write_repeat, write_while
+from harness.engine.compiled.places import assign
+from harness.engine.compiled.procedure import DEEPEST_INDENT, DEEPEST_LOOPS, Procedure
+from harness.engine.compiled.selection import write_case, write_if
+
+_GOES_ON, _RETURN, _EXIT, _CONTINUE = 0, 1, 2, 3
+LONGEST_FUNCTION = 4000
+"""Statements of a block that Python compiles as one function."""
+
+
+def write_body(
+    procedure: Procedure, body: Sequence[Statement], owner: Branch | CaseArm | None = None
+) -> None:
+    """Statements one level deeper; `pass` if there are none."""
+    listing = procedure.listing
+    if (
+        listing.indent >= 4 * DEEPEST_INDENT or len(procedure.loops) >= DEEPEST_LOOPS
+    ) and _is_nested(body):
+        listing.indent += 4
+        _split(procedure, body)
+        listing.indent -= 4
+        return
+    listing.indent += 4
+    before = len(listing.lines)
+    if owner is not None:
+        _probe(procedure, owner)
+    write_statements(procedure, body)
+    if len(listing.lines) == before:
+        procedure.line("pass")
+    listing.indent -= 4
+
+
+def _is_nested(body: Sequence[Statement]) -> bool:
+    return any(isinstance(one, If | Case | For | While | Repeat) for one in body)
+
+
+def _probe(procedure: Procedure, node: Statement | Branch | CaseArm) -> None:
+    probe = procedure.context.probe
+    if probe is not None and (line := probe(node)):
+        procedure.line(line)
+
+
+def write_statements(procedure: Procedure, body: Sequence[Statement]) -> None:
+    """Statements at the present level."""
+    for statement in body:
+        write_statement(procedure, statement)
+
+
+def write_statement(procedure: Procedure, statement: Statement) -> None:
+    """One statement."""
+    procedure.listing.span = statement.span
+    procedure.enter(statement.span)
+    _probe(procedure, statement)
+    match statement:
+        case Assignment():
+            _assignment(procedure, statement)
+        case InstanceCall():
+            instance_call(procedure, statement)
+        case If():
+            write_if(procedure, statement, write_body)
+        case Case():
+            write_case(procedure, statement, write_body)
+        case For():
+            write_for(procedure, statement, write_body)
+        case While():
+            write_while(procedure, statement, write_body)
+        case Repeat():
+            write_repeat(procedure, statement, write_body)
+        case Evaluate():
+            evaluate(procedure, statement)
+        case Exit():
+            _exit(procedure)
+        case Continue():
+            _continue(procedure)
+        case Return():
+            _return(procedure)
+    procedure.nesting -= 1
+
+
+def _assignment(procedure: Procedure, node: Assignment) -> None:
+    if isinstance(node.value, FunctionCall) and (node.value.outputs or node.value.in_outs):
+        code = function_statement(procedure, node.value)
+        assert code is not None
+    elif isinstance(node.value, SystemCall):
+        code = instruction_statement(procedure, node.value)
+    else:
+        code = value(procedure, node.value)
+    assign(procedure, node.target, code, node.value.type)
+
+
+# --- jumps --------------------------------------------------------------------------------------
+
+
+def _return(procedure: Procedure) -> None:
+    if procedure.split:
+        procedure.line(f"return {_RETURN}")
+    else:
+        procedure.line(procedure.return_line)
+
+
+def _exit(procedure: Procedure) -> None:
+    procedure.line("break" if procedure.loops else f"return {_EXIT}")
+
+
+def _continue(procedure: Procedure) -> None:
+    if not procedure.loops:
+        procedure.line(f"return {_CONTINUE}")
+        return
+    before = procedure.loops[-1].before_continue
+    if before is not None:
+        before(procedure)
+    procedure.line("continue")
+
+
+# --- splitting ----------------------------------------------------------------------------------
+
+
+def _jumps(body: Sequence[Statement], in_loop: bool = False) -> set[type]:
+    """The kinds of jump in `body` that lead out of it."""
+    found: set[type] = set()
+    stack: list[tuple[Statement | Branch | CaseArm, bool]] = [(one, in_loop) for one in body]
+    while stack:
+        node, inside = stack.pop()
+        match node:
+            case Return():
+                found.add(Return)
+            case Exit() | Continue():
+                if not inside:
+                    found.add(type(node))
+            case If():
+                stack += [(branch, inside) for branch in node.branches]
+                stack += [(one, inside) for one in node.otherwise]
+            case Case():
+                stack += [(arm, inside) for arm in node.arms]
+                stack += [(one, inside) for one in node.otherwise]
+            case Branch() | CaseArm():
+                stack += [(one, inside) for one in node.body]
+            case For() | While() | Repeat():
+                stack += [(one, True) for one in node.body]
+            case _:
+                pass
+    return found
+
+
+def _split(procedure: Procedure, body: Sequence[Statement]) -> None:
+    """Statements in a function of their own, called here."""
+    span: Span | None = procedure.listing.span
+    part = procedure.start_part("part")
+    write_statements(part, body)
+    part.listing.span = span
+    part.line(f"return {_GOES_ON}")
+    call = procedure.finish_part(part)
+    procedure.listing.span = span
+    jumps = _jumps(body)
+    if not jumps:
+        procedure.line(call)
+        return
+    name = procedure.temporary()
+    procedure.line(f"{name} = {call}")
+    for kind, code, write in (
+        (Return, _RETURN, _return),
+        (Exit, _EXIT, _exit),
+        (Continue, _CONTINUE, _continue),
+    ):
+        if kind in jumps:
+            procedure.line(f"if {name} == {code}:")
+            procedure.listing.indent += 4
+            write(procedure)
+            procedure.listing.indent -= 4
+
+
+def write_long(procedure: Procedure, body: Sequence[Statement]) -> None:
+    """The statements of a whole block; in several functions if there are very many."""
+    if len(body) <= LONGEST_FUNCTION:
+        write_statements(procedure, body)
+        return
+    for start in range(0, len(body), LONGEST_FUNCTION):
+        piece = body[start : start + LONGEST_FUNCTION]
+        procedure.listing.span = piece[0].span
+        _split(procedure, piece)
