@@ -2,36 +2,24 @@
 
 A scan takes time. At its start the inputs are copied into the process image; then the program runs
 on values that do not change; the outputs are copied to the DP master when the execution time is
-over. An access to hardware in the middle of the program takes time of its own, and everything that
-happens up to that instant happens first, so that PROFIBUS cycles fall between two accesses of one
-scan. A program that does more than one execution time allows ends its scan later.
+over, or when the last of its accesses to hardware is through if that is later.
 
 STOP is CLEAR for the DP master. What an S7 does at a restart: initial values in the data blocks,
 but for remanent ones after a warm restart; an empty process image; then OB100, then OB1.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from enum import Enum
 from functools import partial
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.lang.checked import Program
-from fbgen.lang.types import Scalar
-from fbgen.source import Span
-from harness.engine.environment import Area
 from harness.engine.interface import Engine, EngineFactory, Limits
 from harness.fieldbus import DpMaster, Station
 from harness.kernel import NS_PER_MS, Event, Kernel
-from harness.plc.consistent_data import ConsistentData
-from harness.plc.link import MasterLink
-from harness.plc.modules import ModuleTable, Mounting
+from harness.plc.hardware_access import HardwareAccess, missing_ob
 from harness.plc.settings import CpuSettings
 from harness.plc.tasks import CyclicTask, cyclic_tasks, startup_blocks
-
-_NEVER_NS = 1 << 63
-
-Instruction = Callable[[Mapping[str, "Scalar | Area"], Span], Scalar]
-"""What carries out a system instruction: arguments by name, where it is called, RET_VAL."""
 
 
 class CpuMode(Enum):
@@ -49,80 +37,43 @@ class Restart(Enum):
     COLD = "cold"
 
 
-class Cpu:
-    """One CPU with its DP master; the environment of the engine that runs the program.
+class Cpu(HardwareAccess):
+    """One CPU with its DP master.
 
     `diagnostics` says why it went to STOP. `scans` counts the scans since the last start. The
     functions in `after_scan` are called when the program of a scan is through, those in `on_mode`
-    when the mode has changed. `instructions` are the system instructions by name.
+    when the mode has changed.
     """
 
     __slots__ = (
         "_engine",
-        "_instant_ns",
-        "_kernel",
         "_life",
-        "_modules",
-        "_peripheral_ns",
-        "_quiet_until_ns",
         "_scan_event",
         "_started_ns",
         "_tasks",
-        "access_errors",
         "after_scan",
-        "consistent_data",
         "diagnostics",
-        "inputs",
-        "instructions",
-        "link",
-        "markers",
         "master",
         "mode",
-        "now_ns",
         "on_mode",
-        "outputs",
         "scans",
-        "settings",
     )
 
     def __init__(self, kernel: Kernel, settings: CpuSettings, master: DpMaster) -> None:
-        self._kernel = kernel
+        super().__init__(kernel, settings, master)
         self._engine: Engine | None = None
-        self._modules = ModuleTable()
         self._tasks: list[CyclicTask] = []
         self._scan_event: Event | None = None
-        self._life = 0
-        self._instant_ns = self._started_ns = self._quiet_until_ns = 0
-        self._peripheral_ns = settings.peripheral_ns
-        self.settings = settings
+        self._life = self._started_ns = 0
         self.master = master
         self.mode = CpuMode.STOP
-        self.now_ns = 0
-        self.inputs = bytearray(settings.memory_bytes)
-        self.outputs = bytearray(settings.memory_bytes)
-        self.markers = bytearray(settings.memory_bytes)
-        self.scans = self.access_errors = 0
+        self.scans = 0
         self.diagnostics: list[Diagnostic] = []
         self.after_scan: list[Callable[[], None]] = []
         self.on_mode: list[Callable[[CpuMode], None]] = []
-        self.link = MasterLink(master, kernel.random, settings.tear_probability)
-        self.consistent_data = ConsistentData(settings, self._modules, self.link, self.outputs)
-        self.instructions: dict[str, Instruction] = {}
-        if settings.family.consistent_instructions:
-            for name in ("DPRD_DAT", "SFC14"):
-                self.instructions[name] = self._dprd_dat
-            for name in ("DPWR_DAT", "SFC15"):
-                self.instructions[name] = self._dpwr_dat
         master.observers.append(self._station_changed)
 
     # --- building ---------------------------------------------------------------------------
-
-    def mount(self, mounting: Mounting) -> None:
-        """Tie a station of the master into the address space.
-
-        Raises DiagnosticError FB7402 for addresses that are taken or lie outside of the memory.
-        """
-        self._modules.mount(mounting, self.settings)
 
     def load(self, program: Program, factory: EngineFactory, limits: Limits | None = None) -> None:
         """Load a program; the CPU goes to STOP. Raises DiagnosticError FB7404 as `cyclic_tasks`."""
@@ -153,7 +104,7 @@ class Cpu:
         self.inputs[:] = bytes(len(self.inputs))
         keep = self.settings.remanent_marker_bytes if restart is Restart.WARM else 0
         self.markers[keep:] = bytes(len(self.markers) - keep)
-        self.now_ns = self._instant_ns = self._kernel.now_ns
+        self._begin()
         engine.reset(warm=restart is Restart.WARM)
         self.master.start()
         self._set_mode(CpuMode.STARTUP)
@@ -198,8 +149,7 @@ class Cpu:
             return
         self.master.operate()
         self._set_mode(CpuMode.RUN)
-        self.now_ns = self._instant_ns = self._kernel.now_ns
-        self._quiet_until_ns = 0
+        self._begin()
         for name in startup_blocks(self.engine.program):
             if not self._runs(name):
                 return
@@ -228,7 +178,7 @@ class Cpu:
             missing = {86, 85} if station in self._modules.image else {86}
             if missing - self.settings.error_obs:
                 number = max(missing - self.settings.error_obs)
-                self._crash(_missing_ob(number, f"station '{station.settings.name}' has failed"))
+                self._crash(missing_ob(number, f"station '{station.settings.name}' has failed"))
 
     # --- the scan ---------------------------------------------------------------------------
 
@@ -241,8 +191,8 @@ class Cpu:
         self._scan_event = self._kernel.at(due_ns if due_ns > free_ns else free_ns, self._scan)
 
     def _scan(self) -> None:
-        start_ns = self.now_ns = self._instant_ns = self._kernel.now_ns
-        self._quiet_until_ns = 0
+        self._begin()
+        start_ns = self.now_ns
         settings, image = self.settings, self._modules.image
         task = self._most_urgent(start_ns)
         for station in image:
@@ -288,114 +238,6 @@ class Cpu:
         for station in self._modules.image:
             at = station.settings.output_address
             self.link.write(station, 0, bytes(self.outputs[at : at + len(station.outputs)]))
-
-    # --- what the program sees (harness.engine.environment.Environment) -----------------------
-
-    def read_peripheral(self, byte: int, count: int) -> int:
-        """`count` bytes (1, 2, 4) straight from the master's image, big endian."""
-        instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
-        if instant_ns >= self._quiet_until_ns:
-            self._let_happen(instant_ns)
-        place = self._modules.inputs.get(byte)
-        if place is None:
-            return self._access_error(f"input byte {byte}")
-        station, offset = place
-        if station.failed:
-            return self._access_error(f"input byte {byte}")
-        if self.link.armed:
-            return int.from_bytes(self.link.read(station, offset, count), "big")
-        if count == 1:
-            return station.inputs[offset]
-        return int.from_bytes(station.inputs[offset : offset + count], "big")
-
-    def write_peripheral(self, byte: int, count: int, value: int) -> None:
-        """`count` bytes (1, 2, 4) straight to the master's image, big endian."""
-        instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
-        place = self._modules.outputs.get(byte)
-        if place is None or instant_ns >= self._quiet_until_ns or not place[0].queued:
-            self._let_happen(instant_ns)
-            self._quiet_until_ns = 0
-        if place is None or place[0].failed:
-            self._access_error(f"output byte {byte}")
-            return
-        station, offset = place
-        data = value.to_bytes(count, "big")
-        if self.link.armed:
-            self.link.write(station, offset, data)
-            self._quiet_until_ns = 0
-        else:
-            station.write(offset, data)
-        if station in self._modules.image:
-            self.outputs[byte : byte + count] = data
-
-    def _let_happen(self, instant_ns: int) -> None:
-        """Let the world go on up to an instant, and note how long nothing will happen then.
-
-        Within a scan only the program's own accesses can arrange for something new.
-        """
-        self._kernel.run_until(instant_ns)
-        next_ns = self._kernel.next_event_ns()
-        self._quiet_until_ns = _NEVER_NS if next_ns is None else next_ns
-
-    def instruction(self, name: str, arguments: Mapping[str, Scalar | Area], span: Span) -> Scalar:
-        """Carry out a system instruction and give its result.
-
-        Raises DiagnosticError FB7406 for one that this CPU does not have.
-        """
-        carry_out = self.instructions.get(name)
-        if carry_out is None:
-            raise error(
-                "FB7406",
-                f"a CPU of the family {self.settings.family.value} has no instruction {name}",
-                span,
-                f"it has {', '.join(sorted(self.instructions)) or 'none'}",
-            )
-        return carry_out(arguments, span)
-
-    def _dprd_dat(self, arguments: Mapping[str, Scalar | Area], span: Span) -> int:
-        laddr, record = self._consistent_access(arguments, span)
-        return _as_int(self.consistent_data.read(laddr, record))
-
-    def _dpwr_dat(self, arguments: Mapping[str, Scalar | Area], span: Span) -> int:
-        laddr, record = self._consistent_access(arguments, span)
-        return _as_int(self.consistent_data.write(laddr, record))
-
-    def _consistent_access(
-        self, arguments: Mapping[str, Scalar | Area], span: Span
-    ) -> tuple[int, Area]:
-        self._instant_ns += self.settings.instruction_ns
-        self._let_happen(self._instant_ns)
-        self._quiet_until_ns = 0
-        laddr, record = arguments["LADDR"], arguments["RECORD"]
-        if not isinstance(laddr, int) or isinstance(record, bool | int | float | str):
-            raise error(
-                "FB7407",
-                "LADDR must be a number and RECORD a variable",
-                span,
-                "give LADDR the module's address and RECORD an array of bytes",
-            )
-        return laddr, record
-
-    def _access_error(self, what: str) -> int:
-        """Nobody is there: OB122, or STOP on an S7-300/400 without it; otherwise 0 is read."""
-        self.access_errors += 1
-        if self.settings.family.classic and 122 not in self.settings.error_obs:
-            raise _missing_ob(122, f"{what} cannot be reached")
-        return 0
-
-
-def _as_int(ret_val: int) -> int:
-    """RET_VAL as INT: 80xx is negative."""
-    return ret_val - 0x10000 if ret_val & 0x8000 else ret_val
-
-
-def _missing_ob(number: int, why: str) -> DiagnosticError:
-    return error(
-        "FB7408",
-        f"{why}, and the CPU stops because OB{number} is missing",
-        None,
-        f"add OB{number} to the project; it may be empty",
-    )
 
 
 def _too_slow(task: str, took_ns: int, allowed_ns: int) -> DiagnosticError:

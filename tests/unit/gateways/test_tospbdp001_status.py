@@ -2,13 +2,18 @@
 
 import pytest
 
+from fbgen.catalog import load_catalog
+from fbgen.catalog.options import Option
 from fbgen.wire.toshiba import seal
 from harness.gateways.tospbdp001 import (
     ErrorCode,
     ErrorCounter,
     OfflineInputs,
+    OfflineOutputs,
     StartupLock,
     StatusToggle,
+    SubnetErrorLed,
+    tospbdp001_settings,
 )
 from harness.kernel import NS_PER_MS
 
@@ -223,3 +228,29 @@ def test_two_replies_that_collide_count_once(bench, scripted):
     other.say(seal(bytes.fromhex("0C47FE031234")), 2 * NS_PER_MS)
     bench.run_ms(30)
     assert bench.status & 0xFF == 1
+
+
+@pytest.mark.parametrize(
+    ("option", "value", "setting", "chosen"),
+    [
+        ("offline_outputs", "freeze", "offline_outputs", OfflineOutputs.FREEZE),
+        ("offline_inputs", "clear", "offline_inputs", OfflineInputs.CLEAR),
+        ("startup_lock", "data_valid", "startup_lock", StartupLock.DATA_VALID),
+        ("subnet_error_led", "subnet_status", "subnet_error_led", SubnetErrorLed.SUBNET_STATUS),
+    ],
+)
+def test_a_catalogue_that_knows_a_choice_sets_it(option, value, setting, chosen):
+    entry = load_catalog().gateway("tospbdp001")
+    known = Option(
+        id=option,
+        title="a choice",
+        type="choice",
+        default=value,
+        choices={value: "chosen"},
+        applies_to="device",
+        status="unverified",
+    )
+    others = tuple(item for item in entry.options if item.id != option)
+    changed = entry.model_copy(update={"options": (*others, known)})
+    settings = tospbdp001_settings(changed, changed.layout("gsd10"), {})
+    assert getattr(settings, setting) is chosen

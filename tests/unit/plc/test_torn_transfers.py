@@ -124,3 +124,14 @@ def test_addresses_behind_the_process_image_are_refused(make_rig):
     with pytest.raises(DiagnosticError) as caught:
         make_rig(memory_bytes=260)
     assert caught.value.diagnostics[0].code == "FB7402"
+
+
+@pytest.mark.parametrize("byte", [263, 700])
+def test_an_access_that_reaches_over_the_end_of_a_module_reads_0_and_writes_nothing(make_rig, byte):
+    rig = make_rig(process_image=False).start()
+    rig.slave.set_inputs(NEW[:8])
+    rig.run_ms(4)
+    assert rig.cpu.read_peripheral(byte, 2) == 0
+    rig.cpu.write_peripheral(byte + 2, 2, 0xFFFF)
+    assert rig.cpu.access_errors == 2
+    assert rig.station.outputs == bytes(10)

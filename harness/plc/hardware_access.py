@@ -1,0 +1,191 @@
+"""What the running program reaches of its CPU: memory, hardware, system instructions.
+
+An access to hardware in the middle of a scan has an instant of its own, and everything that happens
+up to that instant happens first, so that PROFIBUS cycles fall between two accesses of one scan.
+"""
+
+from collections.abc import Callable, Mapping
+
+from fbgen.diagnostics import DiagnosticError, error
+from fbgen.lang.types import Scalar
+from fbgen.source import Span
+from harness.engine.environment import Area
+from harness.fieldbus import DpMaster
+from harness.kernel import Kernel
+from harness.plc.consistent_data import ConsistentData
+from harness.plc.link import MasterLink
+from harness.plc.modules import ModuleTable, Mounting
+from harness.plc.settings import CpuSettings
+
+_NEVER_NS = 1 << 63
+
+Instruction = Callable[[Mapping[str, "Scalar | Area"], Span], Scalar]
+"""What carries out a system instruction: arguments by name, where it is called, RET_VAL."""
+
+
+class HardwareAccess:
+    """The environment of an engine (`harness.engine.environment.Environment`) on one CPU.
+
+    `now_ns` is the instant at which the scan began. `instructions` are the system instructions by
+    name. `access_errors` counts direct accesses that nobody answered.
+    """
+
+    __slots__ = (
+        "_instant_ns",
+        "_kernel",
+        "_modules",
+        "_peripheral_ns",
+        "_quiet_until_ns",
+        "access_errors",
+        "consistent_data",
+        "inputs",
+        "instructions",
+        "link",
+        "markers",
+        "now_ns",
+        "outputs",
+        "settings",
+    )
+
+    def __init__(self, kernel: Kernel, settings: CpuSettings, master: DpMaster) -> None:
+        self._kernel = kernel
+        self._modules = ModuleTable()
+        self._peripheral_ns = settings.peripheral_ns
+        self.settings = settings
+        self.inputs = bytearray(settings.memory_bytes)
+        self.outputs = bytearray(settings.memory_bytes)
+        self.markers = bytearray(settings.memory_bytes)
+        self.access_errors = 0
+        self.link = MasterLink(master, kernel.random, settings.tear_probability)
+        self.consistent_data = ConsistentData(settings, self._modules, self.link, self.outputs)
+        self.instructions: dict[str, Instruction] = {}
+        if settings.family.consistent_instructions:
+            for name in ("DPRD_DAT", "SFC14"):
+                self.instructions[name] = self._dprd_dat
+            for name in ("DPWR_DAT", "SFC15"):
+                self.instructions[name] = self._dpwr_dat
+        self._begin()
+
+    def mount(self, mounting: Mounting) -> None:
+        """Tie a station of the master into the address space.
+
+        Raises DiagnosticError FB7402 for addresses that are taken or lie outside of the memory.
+        """
+        self._modules.mount(mounting, self.settings)
+
+    def _begin(self) -> None:
+        """A scan, or a start-up, begins now."""
+        self.now_ns = self._instant_ns = self._kernel.now_ns
+        self._quiet_until_ns = 0
+
+    def read_peripheral(self, byte: int, count: int) -> int:
+        """`count` bytes (1, 2, 4) straight from the master's image, big endian."""
+        instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
+        if instant_ns >= self._quiet_until_ns:
+            self._let_happen(instant_ns)
+        place = self._modules.inputs.get(byte)
+        if place is None:
+            return self._access_error(f"input byte {byte}")
+        station, offset = place
+        if station.failed:
+            return self._access_error(f"input byte {byte}")
+        if count == 1:
+            return station.inputs[offset]
+        if offset + count > len(station.inputs):
+            return self._access_error(f"input byte {byte + count - 1}")
+        if self.link.armed:
+            return int.from_bytes(self.link.read(station, offset, count), "big")
+        return int.from_bytes(station.inputs[offset : offset + count], "big")
+
+    def write_peripheral(self, byte: int, count: int, value: int) -> None:
+        """`count` bytes (1, 2, 4) straight to the master's image, big endian."""
+        instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
+        place = self._modules.outputs.get(byte)
+        if place is None or instant_ns >= self._quiet_until_ns or not place[0].queued:
+            self._let_happen(instant_ns)
+            self._quiet_until_ns = 0
+        if place is None or place[0].failed:
+            self._access_error(f"output byte {byte}")
+            return
+        station, offset = place
+        if offset + count > len(station.outputs):
+            self._access_error(f"output byte {byte + count - 1}")
+            return
+        data = value.to_bytes(count, "big")
+        if self.link.armed:
+            self.link.write(station, offset, data)
+            self._quiet_until_ns = 0
+        else:
+            station.write(offset, data)
+        if station in self._modules.image:
+            self.outputs[byte : byte + count] = data
+
+    def _let_happen(self, instant_ns: int) -> None:
+        """Let the world go on up to an instant, and note how long nothing will happen then.
+
+        Within a scan only the program's own accesses can arrange for something new.
+        """
+        self._kernel.run_until(instant_ns)
+        next_ns = self._kernel.next_event_ns()
+        self._quiet_until_ns = _NEVER_NS if next_ns is None else next_ns
+
+    def instruction(self, name: str, arguments: Mapping[str, Scalar | Area], span: Span) -> Scalar:
+        """Carry out a system instruction and give its result.
+
+        Raises DiagnosticError FB7406 for one that this CPU does not have.
+        """
+        carry_out = self.instructions.get(name)
+        if carry_out is None:
+            raise error(
+                "FB7406",
+                f"a CPU of the family {self.settings.family.value} has no instruction {name}",
+                span,
+                f"it has {', '.join(sorted(self.instructions)) or 'none'}",
+            )
+        return carry_out(arguments, span)
+
+    def _dprd_dat(self, arguments: Mapping[str, Scalar | Area], span: Span) -> int:
+        laddr, record = self._consistent_access(arguments, span)
+        return _as_int(self.consistent_data.read(laddr, record))
+
+    def _dpwr_dat(self, arguments: Mapping[str, Scalar | Area], span: Span) -> int:
+        laddr, record = self._consistent_access(arguments, span)
+        return _as_int(self.consistent_data.write(laddr, record))
+
+    def _consistent_access(
+        self, arguments: Mapping[str, Scalar | Area], span: Span
+    ) -> tuple[int, Area]:
+        self._instant_ns += self.settings.instruction_ns
+        self._let_happen(self._instant_ns)
+        self._quiet_until_ns = 0
+        laddr, record = arguments["LADDR"], arguments["RECORD"]
+        if not isinstance(laddr, int) or isinstance(record, bool | int | float | str):
+            raise error(
+                "FB7407",
+                "LADDR must be a number and RECORD a variable",
+                span,
+                "give LADDR the module's address and RECORD an array of bytes",
+            )
+        return laddr, record
+
+    def _access_error(self, what: str) -> int:
+        """Nobody is there: OB122, or STOP on an S7-300/400 without it; otherwise 0 is read."""
+        self.access_errors += 1
+        if self.settings.family.classic and 122 not in self.settings.error_obs:
+            raise missing_ob(122, f"{what} cannot be reached")
+        return 0
+
+
+def _as_int(ret_val: int) -> int:
+    """RET_VAL as INT: 80xx is negative."""
+    return ret_val - 0x10000 if ret_val & 0x8000 else ret_val
+
+
+def missing_ob(number: int, why: str) -> DiagnosticError:
+    """FB7408: what an S7-300/400 does without the organization block for an error."""
+    return error(
+        "FB7408",
+        f"{why}, and the CPU stops because OB{number} is missing",
+        None,
+        f"add OB{number} to the project; it may be empty",
+    )
