@@ -100,29 +100,28 @@ class Expressions:
             case Unary():
                 operand = self.scalar(expression.operand, frame)
                 return unary(expression.operator, operand, expression.type)
-            case Binary():
+            case Binary() | Convert():
                 return self._chain(expression, frame)
-            case Convert():
-                operand = self.scalar(expression.operand, frame)
-                source, target = expression.operand.type, expression.type
-                return convert(operand, source, target, expression.rounding, expression.span)
             case StandardCall():
                 return self._standard_call(expression, frame)
             case SystemCall():
                 return self.system_call(expression, frame)
 
-    def _chain(self, expression: Binary, frame: Frame) -> Scalar:
-        """A left-deep tree, from the leftmost operand up."""
-        operations: list[Binary] = []
+    def _chain(self, expression: Binary | Convert, frame: Frame) -> Scalar:
+        """A left-deep tree, which may have conversions between its links, from the left up."""
+        links: list[Binary | Convert] = []
         leftmost: Expression = expression
-        while isinstance(leftmost, Binary):
-            operations.append(leftmost)
-            leftmost = leftmost.left
+        while isinstance(leftmost, Binary | Convert):
+            links.append(leftmost)
+            leftmost = leftmost.left if isinstance(leftmost, Binary) else leftmost.operand
         result = self.scalar(leftmost, frame)
-        for operation in reversed(operations):
-            right = self.scalar(operation.right, frame)
-            kind = operation.left.type
-            result = binary(operation.operator, result, right, kind, operation.span)
+        for link in reversed(links):
+            if isinstance(link, Convert):
+                source = link.operand.type
+                result = convert(result, source, link.type, link.rounding, link.span)
+            else:
+                right = self.scalar(link.right, frame)
+                result = binary(link.operator, result, right, link.left.type, link.span)
         return result
 
     def _standard_call(self, call: StandardCall, frame: Frame) -> Scalar:
