@@ -109,8 +109,8 @@ class DemoReport:
     def render(self) -> str:
         """The report for a person."""
         lines = [
-            f"Plant {self.plant}, layout {self.layout}, generated as {self.dialect} text and run on",
-            "the simulated PLC, PROFIBUS, gateway, RS-485 line and inverter.",
+            f"Plant {self.plant}, layout {self.layout}, generated as {self.dialect} text and run",
+            "on the simulated PLC, PROFIBUS, gateway, RS-485 line and inverter.",
             "The example of the TOSPBDP001 manual v1.1, section 8 G:",
         ]
         for number, telegram in enumerate(self.telegrams, start=1):

@@ -15,13 +15,13 @@ from typing import TypeVar
 from fbgen.catalog.drives import Drive
 from fbgen.catalog.gateways import Gateway
 from fbgen.catalog.located import validate
-from fbgen.catalog.nearest import nearest
 from fbgen.catalog.protocols import Protocol
 from fbgen.catalog.references import unresolved
 from fbgen.catalog.sequences import Sequence
 from fbgen.catalog.words import Word
 from fbgen.catalog.yaml_nodes import load_yaml
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
+from fbgen.nearest import nearest
 from fbgen.resources import shipped
 from fbgen.source import Source, Span
 

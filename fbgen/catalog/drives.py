@@ -7,12 +7,12 @@ from pydantic import Field
 
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
-from fbgen.catalog.nearest import nearest
 from fbgen.catalog.options import Option
 from fbgen.catalog.scalars import EntryId, Flag, HexWord, Number, Real, SnakeName, Text
 from fbgen.catalog.sourced import Duration, Sourced
 from fbgen.catalog.words import Word
 from fbgen.diagnostics import Diagnostic, error
+from fbgen.nearest import nearest
 
 Access = Literal["r", "w", "rw"]
 Storage = Literal["ram", "eeprom"]

@@ -8,12 +8,12 @@ from pydantic import Field
 from fbgen.catalog.layouts import Layout
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
-from fbgen.catalog.nearest import nearest
 from fbgen.catalog.options import Option
 from fbgen.catalog.scalars import Count, EntryId, Flag, HexByte, HexWord, SnakeName, Text
 from fbgen.catalog.sourced import Duration, Sourced
 from fbgen.catalog.words import Word
 from fbgen.diagnostics import Diagnostic
+from fbgen.nearest import nearest
 
 
 class Profibus(Sourced):

@@ -23,9 +23,9 @@ from pydantic import (
 )
 from pydantic_core import ErrorDetails, PydanticCustomError
 
-from fbgen.catalog.nearest import near_names, nearest
 from fbgen.catalog.yaml_nodes import Document, YamlFloat, YamlInt, YamlMapping, YamlSequence, locate
 from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.nearest import near_names, nearest
 from fbgen.source import Origin, Span
 
 

@@ -4,8 +4,8 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Protocol, TypeVar
 
 from fbgen.catalog.located import Located
-from fbgen.catalog.nearest import nearest
 from fbgen.diagnostics import Diagnostic, Note, error
+from fbgen.nearest import nearest
 
 
 class Named(Protocol):

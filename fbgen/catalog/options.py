@@ -5,10 +5,10 @@ from typing import Annotated, Literal
 
 from pydantic import BeforeValidator, Field, StrictBool, StrictInt
 
-from fbgen.catalog.nearest import nearest
 from fbgen.catalog.scalars import SnakeName, Text, Whole
 from fbgen.catalog.sourced import Sourced
 from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.nearest import nearest
 
 
 def _single(value: object) -> object:

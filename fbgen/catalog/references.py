@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING
 
 from fbgen.catalog.drives import Drive
 from fbgen.catalog.located import Located
-from fbgen.catalog.nearest import nearest
 from fbgen.catalog.sequences import DelayStep, Parameter, Result, Sequence, WriteStep
 from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.nearest import nearest
 
 if TYPE_CHECKING:
     from fbgen.catalog.catalog import Catalog

@@ -12,10 +12,10 @@ from pydantic import Discriminator, Field, Tag
 
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates
-from fbgen.catalog.nearest import nearest
 from fbgen.catalog.scalars import Count, EntryId, HexWord, SnakeName, Text
 from fbgen.catalog.sourced import Sourced
 from fbgen.diagnostics import Diagnostic
+from fbgen.nearest import nearest
 
 ValueType = Literal["BOOL", "INT", "WORD", "REAL", "TIME"]
 _DEFAULTS: dict[ValueType, str] = {

@@ -8,10 +8,10 @@ from typing import Literal
 from pydantic import Field
 
 from fbgen.catalog.located import Located
-from fbgen.catalog.nearest import nearest
 from fbgen.catalog.scalars import BitRange, HexWord, Number, SnakeName, Text
 from fbgen.catalog.sourced import Sourced, Status
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
+from fbgen.nearest import nearest
 
 Party = Literal["plc", "gateway", "drive"]
 

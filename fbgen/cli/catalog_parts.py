@@ -6,9 +6,9 @@ from pydantic import BaseModel
 
 from fbgen.catalog import Catalog, ComNo, Word
 from fbgen.catalog.catalog import Entry
-from fbgen.catalog.nearest import nearest
 from fbgen.catalog.scalars import BitRange
 from fbgen.diagnostics import error
+from fbgen.nearest import nearest
 
 
 def find_entry(catalog: Catalog, name: str) -> Entry:

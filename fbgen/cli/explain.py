@@ -19,8 +19,8 @@ def explain(
     ],
 ) -> None:
     """Explain a message by its code, with an example."""
-    from fbgen.catalog.nearest import nearest
     from fbgen.diagnostics import error
+    from fbgen.nearest import nearest
     from fbgen.resources import shipped
 
     pages = {page.stem: page for page in sorted(shipped("diagnostics").glob("FB*.md"))}

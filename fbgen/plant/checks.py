@@ -4,8 +4,8 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, TypeVar
 
 from fbgen.catalog import Catalog, Drive, Gateway, Layout, Located, Option, OptionValue
-from fbgen.catalog.nearest import nearest
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
+from fbgen.nearest import nearest
 from fbgen.plant.families import FAMILIES, Family
 from fbgen.plant.names import name_problems
 

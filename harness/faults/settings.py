@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 from pydantic import ValidationError
 
-from fbgen.catalog.nearest import nearest
 from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.nearest import nearest
 from fbgen.source import Span
 from harness.faults.fault import FaultSettings, FaultType
 

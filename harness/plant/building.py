@@ -9,9 +9,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from fbgen.catalog import Catalog, Drive, OptionValue, load_catalog
-from fbgen.catalog.nearest import nearest
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.emit.generator import GeneratedFile, generate
+from fbgen.nearest import nearest
 from fbgen.plant import Plant, PlantDrive, PlantGateway, load_plant
 from fbgen.source import Origin, Source
 from harness.drives import Inverter, InverterSettings, ReplyTime

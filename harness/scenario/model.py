@@ -113,7 +113,7 @@ class InjectStep(Located):
 
     inject: SnakeName
     on: Text | None = None
-    settings: dict[SnakeName, ScalarValue] = Field(default_factory=dict, alias="with")
+    settings: dict[SnakeName, ScalarValue] = Field(default_factory=dict)
 
 
 class ClearStep(Located):

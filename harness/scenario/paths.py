@@ -13,8 +13,8 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from fbgen.catalog import Catalog
-from fbgen.catalog.nearest import nearest
 from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.nearest import nearest
 from fbgen.source import Span
 from harness.drives import Inverter
 from harness.gateways.tospbdp001 import Tospbdp001
@@ -136,7 +136,7 @@ class Paths:
                 return lambda: drive.read_parameter(number)
             if kind == "word":
                 return lambda: drive.read_word(number)
-            return lambda: drive.registers.write_cycles[number]
+            return lambda: drive.registers.write_cycles.get(number, 0)
         _one_of(item, (*_DRIVE, "comno", "word", "writes"), "property of a drive", span)
         read = _DRIVE[item]
         return lambda: read(drive)

@@ -7,8 +7,8 @@ hold ends the scenario, with the telegrams that went before.
 from collections.abc import Mapping
 
 from fbgen.catalog import Catalog
-from fbgen.catalog.nearest import nearest
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
+from fbgen.nearest import nearest
 from fbgen.source import Span
 from harness.faults import FAULTS, Fault, Target
 from harness.faults.settings import fault_settings

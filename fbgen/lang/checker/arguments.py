@@ -6,7 +6,7 @@ from typing import TypeVar
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.spelling import nearest
+from fbgen.nearest import nearest
 
 _P = TypeVar("_P")
 

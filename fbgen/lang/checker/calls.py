@@ -29,7 +29,6 @@ from fbgen.lang.checker.conversions import keeps_representation
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, default_value, erroneous
 from fbgen.lang.checker.places import find_symbol, is_place
-from fbgen.lang.checker.spelling import nearest
 from fbgen.lang.checker.standard_blocks import TIMER_METHODS, standard_block
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.standard_functions import OPERATORS_BY_NAME, STANDARD_FUNCTIONS
@@ -42,6 +41,7 @@ from fbgen.lang.checker.system_instructions import (
 )
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.types import VOID, AnyType, BlockType, Elementary, StringType, Type
+from fbgen.nearest import nearest
 
 _PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)
 _ARROW = ast.ArgumentKind.OUTPUT

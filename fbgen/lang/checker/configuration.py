@@ -8,8 +8,8 @@ from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Block, Task
 from fbgen.lang.checker.constants import constant_of
 from fbgen.lang.checker.library import Library
-from fbgen.lang.checker.spelling import nearest
 from fbgen.lang.types import LTIME, UINT
+from fbgen.nearest import nearest
 from fbgen.source import Span
 
 _PROPERTIES = ("INTERVAL", "PRIORITY")

@@ -14,7 +14,6 @@ from fbgen.lang.checker.coercion import spelled
 from fbgen.lang.checker.constants import constant_of, whole_number
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import ERRONEOUS
-from fbgen.lang.checker.spelling import nearest
 from fbgen.lang.types import (
     ArrayInitial,
     ArrayType,
@@ -26,6 +25,7 @@ from fbgen.lang.types import (
     StructType,
     Type,
 )
+from fbgen.nearest import nearest
 from fbgen.source import Span
 
 if TYPE_CHECKING:

@@ -14,7 +14,6 @@ from fbgen.lang.checker.constants import constant_of
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.places import address_of
-from fbgen.lang.checker.spelling import nearest
 from fbgen.lang.checker.symbols import NamedConstant, PendingSymbol
 from fbgen.lang.types import (
     BlockType,
@@ -22,6 +21,7 @@ from fbgen.lang.types import (
     StringType,
     Type,
 )
+from fbgen.nearest import nearest
 
 if TYPE_CHECKING:
     from fbgen.lang.checker.library import Library

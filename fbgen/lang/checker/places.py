@@ -20,7 +20,6 @@ from fbgen.lang.checker.coercion import as_typed, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, erroneous
-from fbgen.lang.checker.spelling import nearest
 from fbgen.lang.checker.symbols import NamedConstant, Symbol
 from fbgen.lang.types import (
     BOOL,
@@ -35,6 +34,7 @@ from fbgen.lang.types import (
     StructType,
     Type,
 )
+from fbgen.nearest import nearest
 
 _SIZES = {"X": BOOL, "B": BYTE, "W": WORD, "D": DWORD, "L": LWORD}
 _PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)

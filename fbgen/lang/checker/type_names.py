@@ -8,7 +8,6 @@ from fbgen.lang import ast
 from fbgen.lang.checker.constants import whole_number
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import ERRONEOUS
-from fbgen.lang.checker.spelling import nearest
 from fbgen.lang.types import (
     ALIASES,
     ELEMENTARY,
@@ -22,6 +21,7 @@ from fbgen.lang.types import (
     StructType,
     Type,
 )
+from fbgen.nearest import nearest
 from fbgen.source import Span
 
 if TYPE_CHECKING:

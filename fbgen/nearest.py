@@ -5,6 +5,8 @@ from difflib import get_close_matches
 
 _LISTED = 12
 _NEAR = 3
+_SEARCHED = 300
+"""Looking for near names among more than this takes longer than it helps."""
 
 
 def near_names(name: str, known: Iterable[str]) -> list[str]:
@@ -13,6 +15,8 @@ def near_names(name: str, known: Iterable[str]) -> list[str]:
     Upper and lower case and the difference between `-` and `_` do not count as distance.
     """
     plain = {_plain(candidate): candidate for candidate in sorted(set(known))}
+    if len(plain) > _SEARCHED:
+        return []
     wanted = _plain(name)
     near = get_close_matches(wanted, plain, n=_NEAR, cutoff=0.6)
     if not near and len(wanted) > 1:
