@@ -11,7 +11,7 @@ from fbgen.cli.layers import JsonOption
 from fbgen.cli.output import report, result, result_json, say
 
 if TYPE_CHECKING:
-    from harness.scenario import ScenarioReport, ScenarioResult
+    from harness.scenario import ScenarioResult
 
 NS_PER_S = 1_000_000_000
 
@@ -22,8 +22,8 @@ def register(program: typer.Typer) -> None:
         "test",
         epilog=examples(
             "fbgen test",
-            "fbgen test scenarios/start.yaml",
-            "fbgen test scenarios -k 'start and not reverse'",
+            "fbgen test scenarios/start.scenario.yaml",
+            "fbgen test scenarios -k reset",
             "fbgen test scenarios --seed 7 --json",
         ),
     )(run_scenarios)
@@ -32,14 +32,21 @@ def register(program: typer.Typer) -> None:
 def run_scenarios(
     paths: Annotated[
         list[Path] | None,
-        typer.Argument(metavar="[PATHS]...", help="Scenario files or folders with them."),
+        typer.Argument(
+            metavar="[PATHS]...",
+            help="Scenario files, or folders with files *.scenario.yaml; else this folder.",
+        ),
     ] = None,
     select: Annotated[
-        str, typer.Option("-k", metavar="EXPR", help="Only scenarios whose names fit.")
+        str,
+        typer.Option(
+            "-k", metavar="EXPR", help="Only scenarios whose title, file or a tag contains this."
+        ),
     ] = "",
     seed: Annotated[
-        int, typer.Option("--seed", metavar="N", help="Seed of all that is random.")
-    ] = 0,
+        int | None,
+        typer.Option("--seed", metavar="N", min=0, help="This seed instead of the files' own."),
+    ] = None,
     as_json: JsonOption = False,
 ) -> None:
     """Run scenario files on simulated plants.
@@ -47,15 +54,20 @@ def run_scenarios(
     Each generates its plant, simulates it, does its steps and checks what they expect. The same
     seed gives the same run. Exit status 1 if a scenario fails.
     """
+    from fbgen.diagnostics import error
     from harness.scenario import run_paths
 
-    done = run_paths(paths or [Path()], seed=seed, select=select)
-    if as_json:
-        result_json(_as_json(done, seed))
-    else:
-        for scenario in done.results:
-            _show(scenario)
+    done = run_paths(
+        paths or [Path()],
+        seed=seed,
+        select=select,
+        finished=(lambda _: None) if as_json else _show,
+    )
+    if not done.results:
+        raise error("FB9006", f"no scenario fits -k '{select}'", help="fbgen test lists them all")
     failed = sum(not scenario.passed for scenario in done.results)
+    if as_json:
+        result_json({"scenarios": [scenario.as_json() for scenario in done.results]})
     say(f"{len(done.results) - failed} passed, {failed} failed")
     if failed:
         raise typer.Exit(FINDINGS)
@@ -64,20 +76,6 @@ def run_scenarios(
 def _show(scenario: "ScenarioResult") -> None:
     state = "passed" if scenario.passed else "FAILED"
     result(f"{state}  {scenario.virtual_ns / NS_PER_S:8.3f} s  {scenario.file}  {scenario.name}")
-    report(scenario.failures)
-
-
-def _as_json(done: "ScenarioReport", seed: int) -> dict[str, object]:
-    return {
-        "seed": seed,
-        "scenarios": [
-            {
-                "name": scenario.name,
-                "file": str(scenario.file),
-                "passed": scenario.passed,
-                "virtual_ns": scenario.virtual_ns,
-                "failures": [failure.as_json() for failure in scenario.failures],
-            }
-            for scenario in done.results
-        ],
-    }
+    if not scenario.passed:
+        report(scenario.failures)
+        say(f"run it again: fbgen test {scenario.file} --seed {scenario.seed}\n")

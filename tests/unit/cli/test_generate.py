@@ -41,6 +41,8 @@ def test_what_is_generated_passes_the_check(fbgen: Fbgen, plant: Path) -> None:
 
 
 def test_another_dialect_can_be_asked_for(fbgen: Fbgen, plant: Path) -> None:
+    text = plant.read_text(encoding="utf-8")
+    plant.write_text(text.replace("per_identifier", "process_image"), encoding="utf-8")
     out = plant.parent / "out"
     run = fbgen("generate", str(plant), "-o", str(out), "--dialect", "iec")
     assert run.status == 0, run.err

@@ -4,7 +4,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -20,11 +19,16 @@ COMMANDS = [
 ]
 
 
-def test_help_is_there_within_0_3_s() -> None:
+@pytest.mark.skipif(os.name == "nt", reason="Windows does not tell the processor time of children")
+def test_help_takes_less_than_0_3_s() -> None:
+    """Measured as processor time, which other work on the machine does not lengthen much."""
+
     def seconds() -> float:
-        start = time.perf_counter()
+        before = os.times()
         subprocess.run([*COMMAND, "--help"], check=True, stdout=subprocess.DEVNULL, cwd=ROOT)
-        return time.perf_counter() - start
+        after = os.times()
+        user = after.children_user - before.children_user
+        return user + after.children_system - before.children_system
 
     assert min(seconds() for _ in range(5)) < 0.3
 

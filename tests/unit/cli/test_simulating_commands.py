@@ -1,0 +1,99 @@
+"""`fbgen demo` and `fbgen test`: the commands that run the harness."""
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.unit.cli.running import Fbgen
+
+ROOT = Path(__file__).parents[3]
+SENT = ["E0 00 01 0B 50 FA 00 C4 00", "A0 00 02 0B 50 FA 01 13 88"]
+SCENARIO = """\
+version: 1
+title: The virtual clock runs
+plant: plant.yaml
+tags: [clock]
+steps:
+  - wait: 100 ms
+  - expect: {drive.EXAMPLE.frequency: 0.0}
+"""
+
+
+@pytest.fixture
+def scenarios(tmp_path: Path) -> Path:
+    """A folder with a plant and one scenario that passes."""
+    example = ROOT / "examples" / "manual_example" / "plant.yaml"
+    shutil.copy(example, tmp_path / "plant.yaml")
+    text = example.read_text(encoding="utf-8")
+    drive = text.partition("drives:")[2].partition("name:")[2].split()[0]
+    scenario = SCENARIO.replace("EXAMPLE", drive)
+    (tmp_path / "clock.scenario.yaml").write_text(scenario, encoding="utf-8")
+    return tmp_path
+
+
+def test_demo_shows_the_manuals_telegrams_and_succeeds(fbgen: Fbgen) -> None:
+    run = fbgen("demo")
+    assert (run.status, run.err) == (0, "")
+    for telegram in SENT:
+        assert telegram in run.out
+
+
+def test_demo_as_json_gives_the_same_as_data(fbgen: Fbgen) -> None:
+    run = fbgen("demo", "--json")
+    assert (run.status, run.err) == (0, "")
+    assert isinstance(json.loads(run.out), dict)
+    for telegram in SENT:
+        assert telegram in run.out
+
+
+def test_demo_is_status_1_when_a_byte_differs(
+    fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("harness.demo.DemoReport.matches", False)
+    assert fbgen("demo").status == 1
+    assert fbgen("demo", "--json").status == 1
+
+
+def test_a_passing_scenario_is_one_line_and_status_0(fbgen: Fbgen, scenarios: Path) -> None:
+    run = fbgen("test", str(scenarios))
+    assert (run.status, run.err) == (0, "1 passed, 0 failed\n")
+    file = (scenarios / "clock.scenario.yaml").as_posix()
+    assert run.out.split(maxsplit=4)[0] == "passed"
+    assert run.out.endswith(f"{file}  The virtual clock runs\n")
+
+
+def test_a_failing_scenario_shows_the_step_and_is_status_1(fbgen: Fbgen, scenarios: Path) -> None:
+    path = scenarios / "clock.scenario.yaml"
+    path.write_text(path.read_text("utf-8").replace("frequency: 0.0", "frequency: 1.0"), "utf-8")
+    run = fbgen("test", str(path))
+    assert run.status == 1
+    assert run.out.startswith("FAILED")
+    assert f"--> {path.as_posix()}:7:" in run.err
+    assert f"run it again: fbgen test {path.as_posix()} --seed 0" in run.err
+    assert run.err.endswith("0 passed, 1 failed\n")
+
+
+def test_results_as_json_leave_standard_output_to_json(fbgen: Fbgen, scenarios: Path) -> None:
+    run = fbgen("test", str(scenarios), "--seed", "7", "--json")
+    (scenario,) = json.loads(run.out)["scenarios"]
+    assert (run.status, scenario["passed"], scenario["seed"]) == (0, True, 7)
+    assert scenario["virtual_ns"] >= 100_000_000
+
+
+def test_scenarios_are_selected_by_title_file_or_tag(fbgen: Fbgen, scenarios: Path) -> None:
+    for text in ("VIRTUAL", "clock.sc", "clock"):
+        assert fbgen("test", str(scenarios), "-k", text).status == 0
+
+
+def test_selecting_nothing_is_fb9006(fbgen: Fbgen, scenarios: Path) -> None:
+    run = fbgen("test", str(scenarios), "-k", "zebra")
+    assert (run.status, run.out) == (1, "")
+    assert run.err.startswith("error[FB9006]: no scenario fits -k 'zebra'\n")
+
+
+def test_a_scenario_that_is_not_there_is_a_diagnostic(fbgen: Fbgen, tmp_path: Path) -> None:
+    run = fbgen("test", str(tmp_path / "missing.scenario.yaml"))
+    assert (run.status, run.out) == (1, "")
+    assert run.err.startswith("error[FB8007]: ")
