@@ -31,6 +31,7 @@ class HardwareAccess:
     """
 
     __slots__ = (
+        "_inputs_at",
         "_instant_ns",
         "_kernel",
         "_modules",
@@ -50,6 +51,7 @@ class HardwareAccess:
     def __init__(self, kernel: Kernel, settings: CpuSettings, master: DpMaster) -> None:
         self._kernel = kernel
         self._modules = ModuleTable()
+        self._inputs_at = self._modules.inputs
         self._peripheral_ns = settings.peripheral_ns
         self.settings = settings
         self.inputs = bytearray(settings.memory_bytes)
@@ -83,19 +85,20 @@ class HardwareAccess:
         instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
         if instant_ns >= self._quiet_until_ns:
             self._let_happen(instant_ns)
-        place = self._modules.inputs.get(byte)
-        if place is None:
+        place = self._inputs_at.get(byte)
+        if place is None or place[0].failed:
             return self._access_error(f"input byte {byte}")
         station, offset = place
-        if station.failed:
-            return self._access_error(f"input byte {byte}")
+        inputs = station.inputs
         if count == 1:
-            return station.inputs[offset]
-        if offset + count > len(station.inputs):
+            return inputs[offset]
+        if offset + count > len(inputs):
             return self._access_error(f"input byte {byte + count - 1}")
         if self.link.armed:
             return int.from_bytes(self.link.read(station, offset, count), "big")
-        return int.from_bytes(station.inputs[offset : offset + count], "big")
+        if count == 2:
+            return inputs[offset] << 8 | inputs[offset + 1]
+        return int.from_bytes(inputs[offset : offset + count], "big")
 
     def write_peripheral(self, byte: int, count: int, value: int) -> None:
         """`count` bytes (1, 2, 4) straight to the master's image, big endian."""
