@@ -6,8 +6,9 @@ installation.run_for(2 * NS_PER_S)
 assert installation.drives["pump"].running
 """
 
-from harness.plant.building import build_plant, generated_sources, plant
+from harness.plant.building import build_plant, plant
 from harness.plant.installation import Installation
+from harness.plant.programs import generated_program, generated_sources
 from harness.plant.setup import DriveConditions, PlantSetup
 
 __all__ = [
@@ -15,6 +16,7 @@ __all__ = [
     "Installation",
     "PlantSetup",
     "build_plant",
+    "generated_program",
     "generated_sources",
     "plant",
 ]

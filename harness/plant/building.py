@@ -10,10 +10,8 @@ from pathlib import Path
 
 from fbgen.catalog import Catalog, Drive, OptionValue, load_catalog
 from fbgen.diagnostics import DiagnosticError, error
-from fbgen.emit.generator import GeneratedFile, generate
 from fbgen.nearest import nearest
 from fbgen.plant import Plant, PlantDrive, PlantGateway, load_plant
-from fbgen.source import Origin, Source
 from harness.drives import Inverter, InverterSettings, ReplyTime
 from harness.drives.settings import TimeoutRestart
 from harness.engine.loading import engine_named, read_program
@@ -22,6 +20,7 @@ from harness.gateways.tospbdp001 import Tospbdp001, tospbdp001_settings
 from harness.kernel import NS_PER_MS, Kernel
 from harness.line import Line, Topology
 from harness.plant.installation import Installation
+from harness.plant.programs import generated_program
 from harness.plant.setup import DriveConditions, PlantSetup
 from harness.plc import Cpu, CpuFamily, CpuSettings, Mounting
 
@@ -64,23 +63,12 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
         for item in entry.drives:
             conditions = setup.drives.get(item.name, DriveConditions())
             drives[item.name] = _drive(kernel, catalog.drive(item.series), item, line, conditions)
-    sources = setup.sources if setup.sources is not None else generated_sources(plan, catalog)
-    cpu.load(read_program(sources, plan.dialect), engine_named(setup.engine))
+    if setup.sources is None:
+        program = generated_program(plan, catalog)
+    else:
+        program = read_program(setup.sources, plan.dialect)
+    cpu.load(program, engine_named(setup.engine))
     return Installation(plan, catalog, kernel, cpu, master, gateways, stations, lines, drives)
-
-
-def generated_sources(plan: Plant, catalog: Catalog) -> list[Source]:
-    """What fbgen generates for a plant, in the plant's dialect; lines know where they are from."""
-    return [Source(file.name, file.text, _origins(file)) for file in generate(plan, catalog).files]
-
-
-def _origins(file: GeneratedFile) -> tuple[tuple[int, Origin | None], ...]:
-    places: list[tuple[int, Origin | None]] = []
-    offset = 0
-    for line, origin in zip(file.text.splitlines(keepends=True), file.origins, strict=False):
-        places.append((offset, origin))
-        offset += len(line)
-    return tuple(places)
 
 
 def _cpu_settings(plan: Plant, times: CpuSettings) -> CpuSettings:
