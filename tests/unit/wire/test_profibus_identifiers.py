@@ -1,8 +1,6 @@
 """Configuration identifiers of PROFIBUS DP (EN 50170 volume 2, Chk_Cfg)."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from fbgen.wire.profibus import (
     Consistency,
@@ -16,9 +14,6 @@ from fbgen.wire.profibus import (
 )
 
 GSD = bytes.fromhex("30 30 20 30 30 70 20 70")
-extents = st.none() | st.builds(
-    Extent, st.integers(1, 64), st.sampled_from([1, 2]), st.sampled_from(Consistency)
-)
 
 
 def test_the_printed_gsd_of_the_tospbdp001_carries_10_bytes_out_and_8_in():
@@ -86,19 +81,3 @@ def test_missing_bytes_are_refused(code):
 def test_what_no_identifier_can_say_is_refused(extent):
     with pytest.raises(IdentifierError):
         encode_identifier(extent, None)
-
-
-@given(extents, extents, st.binary(max_size=14))
-def test_decoding_gives_back_what_was_encoded(outputs, inputs, manufacturer):
-    identifier = encode_identifier(outputs, inputs, manufacturer)
-    assert decode_identifiers(identifier.code) == (identifier,)
-    assert (identifier.outputs, identifier.inputs) == (outputs, inputs)
-
-
-@given(st.binary(max_size=40))
-def test_any_bytes_are_decoded_completely_or_refused(code):
-    try:
-        identifiers = decode_identifiers(code)
-    except IdentifierError:
-        return
-    assert b"".join(identifier.code for identifier in identifiers) == code
