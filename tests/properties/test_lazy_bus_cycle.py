@@ -1,4 +1,4 @@
-"""A bus cycle that is simulated only when something is new moves the same data as every cycle would.
+"""A bus cycle that is simulated only when something is new moves the same data as every cycle.
 
 The oracle polls in every single cycle and knows nothing of the master's queue.
 """
