@@ -2,6 +2,7 @@
 
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from fbgen.catalog import Catalog, load_catalog
 from fbgen.emit.generator import GeneratedSet, generate
@@ -13,9 +14,7 @@ EXAMPLES = Path(__file__).parents[3] / "examples"
 
 FIVE_DRIVES = (EXAMPLES / "five_drives" / "plant.yaml").read_text("utf-8")
 MANUAL_EXAMPLE = (EXAMPLES / "manual_example" / "plant.yaml").read_text("utf-8")
-ALL_SEQUENCES = FIVE_DRIVES.replace(
-    "  - start_forward\n", "  - manual_example\n  - start_forward\n"
-)
+ALL_SEQUENCES = FIVE_DRIVES.replace("sequences:\n", "sequences:\n  - manual_example\n")
 """The plant with five drives, and the manual's example among its sequences."""
 
 
@@ -37,6 +36,11 @@ def loaded(plant_text: str, engine: str) -> LoadedProgram:
     """The generated text on an engine. Tests share it: each makes instances of its own."""
     files = generated(plant_text, "tia").files
     return load_program([Source(file.name, file.text) for file in files], engine=engine)
+
+
+def block(program: LoadedProgram, name: str) -> Any:
+    """A block with its own state. Its variables have the types of the PLC text."""
+    return program.instance(name)
 
 
 def octets(*fields: tuple[int, int]) -> str:

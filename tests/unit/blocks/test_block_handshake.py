@@ -3,6 +3,7 @@
 import pytest
 
 from harness import LoadedProgram
+from tests.unit.blocks.programs import block
 
 STATUS_CHANGED = 0x8000
 COMMAND = 0x4000
@@ -14,7 +15,7 @@ DATA_VALID = 0x2000
 def test_the_four_states_of_undisturbed_operation_are_no_fault(
     program: LoadedProgram, status: int
 ) -> None:
-    handshake = program.instance("TOS_Handshake")
+    handshake = block(program, "TOS_Handshake")
     handshake(gatewayStatus=status)
     assert not handshake.fault
     assert (handshake.statusCode, handshake.errorCount) == (0x1F, 0)
@@ -35,7 +36,7 @@ def test_the_four_states_of_undisturbed_operation_are_no_fault(
 def test_everything_else_is_a_fault_with_code_and_counter(
     program: LoadedProgram, status: int, code: int, count: int
 ) -> None:
-    handshake = program.instance("TOS_Handshake")
+    handshake = block(program, "TOS_Handshake")
     handshake(gatewayStatus=status)
     assert handshake.fault
     assert (handshake.statusCode, handshake.errorCount) == (code, count)
@@ -43,7 +44,7 @@ def test_everything_else_is_a_fault_with_code_and_counter(
 
 @pytest.mark.fact("tos.sw.b14")
 def test_bit_14_toggles_once_per_new_command(program: LoadedProgram) -> None:
-    handshake = program.instance("TOS_Handshake")
+    handshake = block(program, "TOS_Handshake")
     seen = []
     for new in (False, True, True, False, True, False, False, True):
         handshake(newCommand=new, gatewayStatus=0x1F00)
@@ -54,7 +55,7 @@ def test_bit_14_toggles_once_per_new_command(program: LoadedProgram) -> None:
 def test_a_command_is_acknowledged_when_the_gateway_shows_the_same_bit_14(
     program: LoadedProgram,
 ) -> None:
-    handshake = program.instance("TOS_Handshake")
+    handshake = block(program, "TOS_Handshake")
     handshake(newCommand=True, gatewayStatus=0x1F00)
     assert not handshake.acknowledged
     handshake(newCommand=False, gatewayStatus=0x5F00)
@@ -69,7 +70,7 @@ def test_a_command_is_acknowledged_when_the_gateway_shows_the_same_bit_14(
 def test_bit_15_of_the_status_is_copied_and_its_change_reported_for_one_call(
     program: LoadedProgram,
 ) -> None:
-    handshake = program.instance("TOS_Handshake")
+    handshake = block(program, "TOS_Handshake")
     seen = []
     for status in (0x1F00, 0x9F00, 0x9F00, 0x1F00, 0x1F00):
         handshake(gatewayStatus=status)
@@ -78,7 +79,7 @@ def test_bit_15_of_the_status_is_copied_and_its_change_reported_for_one_call(
 
 
 def test_the_control_word_is_that_of_the_manuals_example(program: LoadedProgram) -> None:
-    handshake = program.instance("TOS_Handshake")
+    handshake = block(program, "TOS_Handshake")
     words = []
     status = 0x9F00
     for _ in range(4):
@@ -93,7 +94,7 @@ def test_the_control_word_is_that_of_the_manuals_example(program: LoadedProgram)
 def test_switched_off_it_leaves_the_control_word_at_0000_and_still_reads_the_status(
     program: LoadedProgram,
 ) -> None:
-    handshake = program.instance("TOS_Handshake")
+    handshake = block(program, "TOS_Handshake")
     for new, status in ((True, 0x9F00), (False, 0x8003), (True, 0x1F00)):
         handshake(enable=False, newCommand=new, gatewayStatus=status)
         assert handshake.control == 0
@@ -102,6 +103,6 @@ def test_switched_off_it_leaves_the_control_word_at_0000_and_still_reads_the_sta
 
 
 def test_switched_on_bit_13_is_set_as_in_the_manuals_example(program: LoadedProgram) -> None:
-    handshake = program.instance("TOS_Handshake")
+    handshake = block(program, "TOS_Handshake")
     handshake(gatewayStatus=0x1F00)
     assert handshake.control == DATA_VALID

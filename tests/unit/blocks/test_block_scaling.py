@@ -68,6 +68,7 @@ def test_a_set_point_is_limited_and_what_is_no_number_stops(
 def test_a_word_comes_back_from_hz_unchanged(engine: str, word: int) -> None:
     program = loaded(ALL_SEQUENCES, engine)
     hz = program.call("TOS_WordToHz", value=word)
+    assert isinstance(hz, float)
     assert program.call("TOS_HzToWord", hz=hz, maxFrequency=700.0) == word
 
 

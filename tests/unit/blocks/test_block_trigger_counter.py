@@ -3,10 +3,11 @@
 import pytest
 
 from harness import LoadedProgram
+from tests.unit.blocks.programs import block
 
 
 def test_it_shows_00_until_the_first_telegram(program: LoadedProgram) -> None:
-    counter = program.instance("TOS_TriggerCounter")
+    counter = block(program, "TOS_TriggerCounter")
     for _ in range(3):
         counter(advance=False)
         assert counter.trigger == 0
@@ -14,7 +15,7 @@ def test_it_shows_00_until_the_first_telegram(program: LoadedProgram) -> None:
 
 @pytest.mark.fact("tos.trig")
 def test_it_counts_01_to_ff_and_then_01_again_never_00(program: LoadedProgram) -> None:
-    counter = program.instance("TOS_TriggerCounter")
+    counter = block(program, "TOS_TriggerCounter")
     seen = []
     for _ in range(600):
         counter(advance=True)
@@ -25,7 +26,7 @@ def test_it_counts_01_to_ff_and_then_01_again_never_00(program: LoadedProgram) -
 
 
 def test_it_takes_one_step_per_edge_however_long_advance_stays(program: LoadedProgram) -> None:
-    counter = program.instance("TOS_TriggerCounter")
+    counter = block(program, "TOS_TriggerCounter")
     for _ in range(5):
         counter(advance=True)
     assert counter.trigger == 1
@@ -35,7 +36,7 @@ def test_it_takes_one_step_per_edge_however_long_advance_stays(program: LoadedPr
 
 
 def test_two_counters_do_not_share_their_count(program: LoadedProgram) -> None:
-    first, second = (program.instance("TOS_TriggerCounter") for _ in range(2))
+    first, second = (block(program, "TOS_TriggerCounter") for _ in range(2))
     first(advance=True)
     second(advance=False)
     assert (first.trigger, second.trigger) == (1, 0)

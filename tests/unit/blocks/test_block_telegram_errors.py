@@ -1,0 +1,195 @@
+"""TOS_Telegram when something goes wrong: refusals, retries, error codes, PLCopen rules."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from harness import LoadedProgram
+from harness.engine.loading import ENGINES
+from tests.unit.blocks.programs import ALL_SEQUENCES, loaded
+from tests.unit.blocks.telegram_bench import READ, WRITE, TelegramBench
+
+TIMEOUT_MS = 100
+
+
+def failing(program: LoadedProgram, retries: int = 0) -> TelegramBench:
+    """A job that waits for the reply of drive 11."""
+    bench = TelegramBench(program)
+    bench.send(11, READ, 0xFE03, timeout=TIMEOUT_MS, retries=retries)
+    return bench
+
+
+@pytest.mark.parametrize("inv_no", [0x40, 0x80, 0xFE])
+def test_an_inverter_number_that_no_drive_can_have_is_8201(
+    program: LoadedProgram, inv_no: int
+) -> None:
+    bench = TelegramBench(program)
+    bench.send(inv_no, READ, 0xFE03)
+    assert (bench.block.error, bench.block.status, bench.block.busy) == (True, 0x8201, False)
+    assert bench.sent == []
+
+
+@pytest.mark.parametrize("inv_no", [0x00, 0x3F, 0xFF])
+def test_the_first_and_the_last_number_and_the_broadcast_are_sent(
+    program: LoadedProgram, inv_no: int
+) -> None:
+    bench = TelegramBench(program)
+    bench.send(inv_no, READ, 0xFE03)
+    assert bench.block.busy
+
+
+@pytest.mark.parametrize("cmd", [0x00, 0x52, 0x4E, 0x67, 0x70, 0x77, 0xFF])
+def test_a_command_that_the_gateway_does_not_list_is_8201(program: LoadedProgram, cmd: int) -> None:
+    bench = TelegramBench(program)
+    bench.send(11, cmd, 0xFE03)
+    assert (bench.block.error, bench.block.status, bench.block.busy) == (True, 0x8201, False)
+    assert bench.sent == []
+
+
+def test_after_a_refusal_the_next_edge_sends(program: LoadedProgram) -> None:
+    bench = TelegramBench(program)
+    bench.send(0x40, READ, 0xFE03)
+    bench.send(11, READ, 0xFE03)
+    assert (bench.block.busy, bench.block.error) == (True, False)
+
+
+def test_silence_is_8401_when_the_time_is_over(program: LoadedProgram) -> None:
+    bench = failing(program)
+    cycles = bench.until_finished()
+    assert TIMEOUT_MS <= cycles * 10 <= TIMEOUT_MS + 20
+    assert (bench.block.error, bench.block.status) == (True, 0x8401)
+
+
+def test_silence_with_a_higher_error_counter_is_8402(program: LoadedProgram) -> None:
+    bench = failing(program)
+    bench.status = 0xDF01
+    bench.until_finished()
+    assert (bench.block.error, bench.block.status) == (True, 0x8402)
+    assert (bench.block.gatewayFault, bench.block.errorCount) == (True, 1)
+
+
+def test_silence_with_a_fault_of_the_gateway_is_8402(program: LoadedProgram) -> None:
+    bench = failing(program)
+    bench.status = 0x0000
+    bench.until_finished()
+    assert bench.block.status == 0x8402
+
+
+def test_the_reply_of_another_drive_is_8403(program: LoadedProgram) -> None:
+    bench = failing(program)
+    bench.receive(12, READ, 0xFE03, 1)
+    bench.until_finished()
+    assert (bench.block.error, bench.block.status) == (True, 0x8403)
+
+
+def test_a_broken_exchange_is_8404_whatever_else(program: LoadedProgram) -> None:
+    bench = failing(program)
+    bench.receive(12, READ, 0xFE03, 1)
+    bench.status = 0x0001
+    bench.call(ioError=True)
+    bench.until_finished()
+    assert (bench.block.error, bench.block.status) == (True, 0x8404)
+
+
+@pytest.mark.parametrize("retries", [0, 1, 2, 5])
+def test_each_retry_sends_the_same_telegram_with_the_next_trigger(
+    program: LoadedProgram, retries: int
+) -> None:
+    bench = failing(program, retries)
+    bench.until_finished()
+    assert [frame[6:] for frame in bench.sent] == [
+        f"{number:02X} 0B 47 FE 03 00 00" for number in range(1, retries + 2)
+    ]
+    assert bench.block.status == 0x8401
+
+
+def test_a_reply_to_the_second_attempt_ends_the_job(program: LoadedProgram) -> None:
+    bench = failing(program, retries=2)
+    while len(bench.sent) < 2:
+        bench.call()
+    bench.receive(11, READ, 0xFE03, 9)
+    assert (bench.block.done, bench.block.replyData) == (True, 9)
+    assert len(bench.sent) == 2
+
+
+def test_a_lost_spacer_is_tried_again_and_counts_as_an_attempt(program: LoadedProgram) -> None:
+    bench = TelegramBench(program)
+    bench.send(11, READ, 0xFE03)
+    bench.receive(11, READ, 0xFE03, 5)
+    bench.send(11, READ, 0xFE03, timeout=TIMEOUT_MS, retries=1)
+    bench.until_finished()
+    assert [frame[9:] for frame in bench.sent[1:]] == ["0B 47 FC 90 00 00"] * 2
+    assert bench.block.status == 0x8401
+
+
+def test_error_lasts_one_call_when_execute_was_taken_back(program: LoadedProgram) -> None:
+    bench = failing(program)
+    bench.call(execute=False)
+    bench.until_finished()
+    assert bench.block.error
+    bench.call()
+    assert (bench.block.error, bench.block.status) == (False, 0x7000)
+
+
+def test_after_an_error_the_next_edge_starts_anew(program: LoadedProgram) -> None:
+    bench = failing(program)
+    bench.until_finished()
+    bench.send(11, READ, 0xFE03)
+    assert (bench.block.busy, bench.block.error, bench.block.status) == (True, False, 0x7001)
+
+
+STEP = st.fixed_dictionaries(
+    {
+        "execute": st.booleans(),
+        "invNo": st.sampled_from([0, 11, 0x40, 0xFF]),
+        "cmd": st.sampled_from([READ, WRITE, 0x53, 0x52]),
+        "comNo": st.sampled_from([0xFA00, 0xFC90, 0xFD01]),
+        "data": st.sampled_from([0, 0xC400]),
+        "replyExpected": st.booleans(),
+        "ioError": st.booleans(),
+        "handshake": st.booleans(),
+    }
+)
+REPLY = st.tuples(
+    st.sampled_from([0, 11]),
+    st.sampled_from([READ, WRITE, READ | 0x20]),
+    st.sampled_from([0xFA00, 0xFC90, 0xFD01]),
+    st.sampled_from([0, 0xC400]),
+)
+CYCLE = st.tuples(STEP, st.none() | REPLY, st.sampled_from([0x1F00, 0x9F00, 0x0003]))
+
+
+@pytest.mark.parametrize("engine", sorted(ENGINES))
+@given(cycles=st.lists(CYCLE, min_size=1, max_size=60))
+@settings(max_examples=60, deadline=None)
+def test_whatever_happens_the_rules_of_plcopen_hold(
+    engine: str, cycles: list[tuple[dict[str, int], tuple[int, ...] | None, int]]
+) -> None:
+    """done, busy and error exclude each other; a job ends once; a trigger means a telegram."""
+    bench = TelegramBench(loaded(ALL_SEQUENCES, engine), retries=1, timeout=30)
+    block = bench.block
+    was_busy, executed = False, False
+    for inputs, reply, status in cycles:
+        before = len(bench.sent)
+        finished = block.done or block.error
+        bench.status = status
+        if reply is not None:
+            bench.reply = (reply[0], reply[1], reply[2], reply[3])
+        bench.call(**inputs)
+        assert block.busy + block.done + block.error <= 1
+        assert len(bench.sent) - before <= 1
+        edge = bool(inputs["execute"]) and not executed
+        if edge and not was_busy:
+            assert block.busy or block.status == 0x8201
+        if not was_busy and not edge:
+            assert not block.busy
+            assert (block.done or block.error) <= finished
+            assert len(bench.sent) == before
+        if was_busy and not block.busy:
+            assert block.done or block.error
+        assert block.error == (block.status >= 0x8000)
+        assert (block.status in (0x7001, 0x7002)) == block.busy
+        if not block.busy and bench.sent:
+            assert bench.frame()[12:] == "47 FC 90 00 00"
+        assert bench.sent == [] or block.frameOut.trigger != 0
+        was_busy, executed = bool(block.busy), bool(inputs["execute"])
