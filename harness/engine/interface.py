@@ -59,7 +59,11 @@ class Instance(Protocol):
         ...
 
     def call(self, inputs: Mapping[str, Value]) -> None:
-        """One call. Inputs and in-outs by name; what is not given keeps its value."""
+        """One call. Inputs and in-outs by name; what is not given keeps its value.
+
+        After a fault the variables hold whatever they held when it was found, and how far the
+        call had come is up to the engine.
+        """
         ...
 
     def get(self, path: str) -> Value:
