@@ -36,11 +36,11 @@ _KEYWORDS = words(
 )
 
 _PATTERN = (
-    r"(\s*+)("
+    r"([ \t\r\n]*+\s*+)("
     # raw lines come before names, they may hold anything
     r"{raw}"
     # names, and literals that begin with a type: T#5s, WORD#16#FF, D#2024-02-29, STRING#'x'
-    r"[^\W\d]\w*+(?:#(?:'(?:[^'$\r\n]|\$[^\r\n])*+'"
+    r"(?:[A-Za-z_][A-Za-z0-9_]*+\w*+|[^\W\d]\w*+)(?:#(?:'(?:[^'$\r\n]|\$[^\r\n])*+'"
     r"|[0-9]{{4}}-[0-9]{{1,2}}-[0-9]{{1,2}}(?:-[0-9:]++(?:\.[0-9_]++)?)?"
     r"|[0-9]{{1,2}}:[0-9][0-9:]*+(?:\.[0-9_]++)?"
     r"|[+-]?\w++(?:\#\w++)?(?:\.[0-9]\w*+(?:(?<=[eE])[+-][0-9]++)?)?))?+"
@@ -100,19 +100,24 @@ class Tokens:
 def tokenize(source: Source, dialect: Dialect) -> Tokens:
     """Cut a source into tokens. Never fails: what is no token has kind `character`."""
     pattern = _pattern(dialect.has(Feature.REGIONS), dialect.has(Feature.QUOTED_NAMES))
-    text = source.text
-    parts = pattern.split(text)
-    if "(*" in text and any(_may_nest(part) for part in parts[2::3]):
-        parts = _split_nested(pattern, text)
+    tokens = _cut(source, pattern.split(source.text), dialect)
+    if source.text.count("(*") > tokens.kinds.count("(*") and any(map(_may_nest, tokens.texts)):
+        tokens = _cut(source, _split_nested(pattern, source.text), dialect)
+    return _without_trivia(tokens)
+
+
+def _cut(source: Source, parts: list[str], dialect: Dialect) -> Tokens:
+    """Tokens from what `split` gives: nothing, white space, token, and so on by turns."""
+    del parts[0::3]
     offsets = list(accumulate(map(len, parts)))
-    starts, ends = offsets[1::3], offsets[2::3]
-    texts = parts[2::3]
+    starts, ends, texts = offsets[0::2], offsets[1::2], parts[1::2]
     kinds = list(map(_Kinds(dialect).__getitem__, texts))
-    starts.append(len(text))
-    ends.append(len(text))
+    length = len(source.text)
+    starts.append(length)
+    ends.append(length)
     texts.append("")
     kinds.append("end")
-    return _without_trivia(Tokens(source, kinds, texts, starts, ends, [], []))
+    return Tokens(source, kinds, texts, starts, ends, [], [])
 
 
 @cache
@@ -234,6 +239,8 @@ def _without_trivia(tokens: Tokens) -> Tokens:
         tokens.extras.append(Extra(k - removed, same_line, trivia))
         keep[k] = False
         removed += 1
+    if not removed:
+        return tokens
     return Tokens(
         source,
         list(compress(kinds, keep)),
@@ -248,7 +255,7 @@ def _without_trivia(tokens: Tokens) -> Tokens:
 def _trivia_places(kinds: list[str]) -> list[tuple[int, bool]]:
     """The numbers of all tokens that are trivia, each with True."""
     places: list[tuple[int, bool]] = []
-    for kind in _TRIVIA:
+    for kind in _TRIVIA.keys() & set(kinds):
         at = -1
         for _ in range(kinds.count(kind)):
             at = kinds.index(kind, at + 1)

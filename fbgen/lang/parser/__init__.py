@@ -43,11 +43,15 @@ def parse_recovering(source: Source, dialect: str) -> tuple[File, list[Diagnosti
 @contextmanager
 def _collector_at_rest() -> Iterator[None]:
     """Keep Python's cycle collector still: a tree has no cycles, and looking for them in millions
-    of new nodes would take longer than making them."""
+    of new nodes would take longer than making them. Freezing and unfreezing moves the new nodes to
+    the oldest generation, so that the next small collection does not look at all of them."""
     was_enabled = gc.isenabled()
     gc.disable()
     try:
         yield
     finally:
         if was_enabled:
+            if not gc.get_freeze_count():
+                gc.freeze()
+                gc.unfreeze()
             gc.enable()

@@ -5,6 +5,8 @@ declarations and units catch it, skip to where something new can begin, and go o
 at the same token is dropped, as it follows from the first.
 """
 
+from itertools import repeat
+
 from fbgen.diagnostics import Diagnostic, Note, Severity
 from fbgen.lang.ast import HeaderItem, Trivia, TriviaKind, TriviaList
 from fbgen.lang.depth import DEEPEST
@@ -16,6 +18,7 @@ MOST_FINDINGS = 500
 """Findings of one text that are reported; a text with more is hardly a PLC text."""
 
 _NEVER = 1 << 60
+_make = tuple.__new__
 
 
 class Unexpected(Exception):  # noqa: N818 - never leaves the parser
@@ -33,6 +36,9 @@ class Cursor:
         self.texts = tokens.texts
         self.starts = tokens.starts
         self.ends = tokens.ends
+        self.places: list[Span] = list(
+            map(tuple.__new__, repeat(Span), zip(repeat(source), tokens.starts, tokens.ends))
+        )
         self.at = 0
         self.depth = 0
         self._extras = tokens.extras
@@ -49,11 +55,11 @@ class Cursor:
 
     def span(self, first: int) -> Span:
         """From token number `first` to the last one that was read."""
-        return Span(self.source, self.starts[first], self.ends[self.at - 1])
+        return _make(Span, (self.source, self.starts[first], self.ends[self.at - 1]))
 
     def token_span(self, index: int) -> Span:
         """The place of one token."""
-        return Span(self.source, self.starts[index], self.ends[index])
+        return self.places[index]
 
     def starts_line(self, index: int) -> bool:
         """Whether a token is the first one in its line."""

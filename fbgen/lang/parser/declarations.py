@@ -214,22 +214,32 @@ class DeclarationParser(ExpressionParser):
             self.at += 1
 
     def _declaration(self) -> Declaration:
-        leading = self.take_leading() if self.extra_at <= self.at else ()
         first = self.at
+        kinds = self.kinds
+        leading = self.take_leading() if self.extra_at <= first else ()
         names = [self._declared_name()]
-        while self.accept(","):
+        while kinds[self.at] == ",":
+            self.at += 1
             names.append(self._declared_name())
         at: DirectAddress | Name | None = None
-        if self.kinds[self.at] == "name" and self.accept_word("AT"):
-            at = self.address() if self.kinds[self.at] == "address" else self.name()
-        self.expect(":", "':'", "a declaration looks like name : TYPE;")
-        type_attributes = self.pragma_text()
+        if kinds[self.at] != ":":
+            if self.accept_word("AT"):
+                at = self.address() if kinds[self.at] == "address" else self.name()
+            self.expect(":", "':'", "a declaration looks like name : TYPE;")
+        else:
+            self.at += 1
+        type_attributes = self.pragma_text() if self.extra_at <= self.at else ""
         type_spec = self.type_spec()
-        type_attributes = type_attributes or self.pragma_text()
+        if self.extra_at <= self.at:
+            type_attributes = type_attributes or self.pragma_text()
         initial: Expression | None = None
-        if self.accept(":="):
+        if kinds[self.at] == ":=":
+            self.at += 1
             initial = self.initial_value()
-        self._end_declaration(isinstance(type_spec, StructSpec))
+        if kinds[self.at] == ";":
+            self.at += 1
+        elif not isinstance(type_spec, StructSpec):
+            self.missing_semicolon("the declaration")
         span = self.span(first)
         trailing = None
         if self.extra_at <= self.at:
@@ -237,11 +247,6 @@ class DeclarationParser(ExpressionParser):
         return Declaration(
             span, tuple(names), type_spec, initial, at, type_attributes, leading, trailing
         )
-
-    def _end_declaration(self, is_struct: bool) -> None:
-        if self.accept(";") or is_struct:
-            return
-        self.missing_semicolon("the declaration")
 
     def missing_semicolon(self, what: str) -> None:
         """Report that there is no ';' behind the last token; skip the rest of its line's junk."""
@@ -259,16 +264,15 @@ class DeclarationParser(ExpressionParser):
     def _declared_name(self) -> DeclaredName:
         at = self.at
         kind = self.kinds[at]
-        if kind == '"':
-            name = self.name()
-        elif self.word(at) and kind not in ("END_VAR", "END_STRUCT"):
-            name = Name(self.token_span(at), self.texts[at])
+        if kind == "name" or (self.word(at) and kind not in ("END_VAR", "END_STRUCT")):
             self.at = at + 1
-        elif kind == "#":
-            name = self.name()
+            attributes = self.pragma_text() if self.extra_at <= self.at else ""
+            return DeclaredName(self.places[at], self.texts[at], False, attributes)
+        if kind not in NAMES:
+            raise self.failed("the name of a variable")
+        name = self.name()
+        if name.local:
             self.report(
                 "FB3001", "found '#' in a declaration", name.span, "declare the name without '#'"
             )
-        else:
-            raise self.failed("the name of a variable")
         return DeclaredName(name.span, name.name, name.quoted, self.pragma_text())

@@ -103,11 +103,14 @@ class ExpressionParser(Cursor):
         """A literal, a place, a call, something in parentheses, or one of these with a sign."""
         at = self.at
         kind = self.kinds[at]
-        place = _make(Span, (self.source, self.starts[at], self.ends[at]))
+        place = self.places[at]
         if kind == "name":
             name: Expression = Name(place, self.texts[at])
         elif kind == "literal":
-            return self._literal(place)
+            self.at = at + 1
+            text = self.texts[at]
+            value = self._literals.get(text) or self._new_literal(text, place)
+            return Literal(place, value.kind, value.value, text, value.type_name, value.base)
         elif kind == "#":
             name = Name(place, self.texts[at][1:], False, True)
             if Feature.LOCAL_MARKS not in self.dialect.features:
@@ -170,14 +173,6 @@ class ExpressionParser(Cursor):
         if address.area == "DB":
             self.need(Feature.DB_ADDRESSES, at)
         return address
-
-    def _literal(self, place: Span) -> Literal:
-        text = self.texts[self.at]
-        value = self._literals.get(text)
-        if value is None:
-            value = self._new_literal(text, place)
-        self.at += 1
-        return Literal(place, value.kind, value.value, text, value.type_name, value.base)
 
     def _new_literal(self, text: str, place: Span) -> LiteralValue:
         try:

@@ -89,40 +89,40 @@ class StatementParser(DeclarationParser):
 
     def _statements(self) -> tuple[Statement, ...]:
         statements: list[Statement] = []
-        kinds = self.kinds
+        kinds, depth, levels = self.kinds, self.depth, len(self._open)
         while True:
-            kind = kinds[self.at]
-            reader = _READERS.get(kind)
-            if reader is None:
-                if self._at_end(kind):
-                    return tuple(statements)
-                continue
-            self._read_into(statements, reader)
+            start = self.at
+            kind = kinds[start]
+            if kind in _READERS:
+                try:
+                    statements.append(_READERS[kind](self))
+                except Unexpected:
+                    self._recover(start, depth, levels)
+            elif self._at_end(kind):
+                return tuple(statements)
 
     def _arm_statements(self) -> tuple[Statement, ...]:
         """Statements up to the next label of the CASE, or its end."""
         statements: list[Statement] = []
+        kinds, depth, levels = self.kinds, self.depth, len(self._open)
         while True:
-            kind = self.kinds[self.at]
+            start = self.at
+            kind = kinds[start]
             if (kind in _LABEL_PARTS or kind in SOFT_KEYWORDS) and self._at_case_label():
                 return tuple(statements)
-            reader = _READERS.get(kind)
-            if reader is None:
-                if self._at_end(kind):
-                    return tuple(statements)
-                continue
-            self._read_into(statements, reader)
+            if kind in _READERS:
+                try:
+                    statements.append(_READERS[kind](self))
+                except Unexpected:
+                    self._recover(start, depth, levels)
+            elif self._at_end(kind):
+                return tuple(statements)
 
-    def _read_into(
-        self, statements: list[Statement], reader: "Callable[[StatementParser], Statement]"
-    ) -> None:
-        start, depth, levels = self.at, self.depth, len(self._open)
-        try:
-            statements.append(reader(self))
-        except Unexpected:
-            self.depth = depth
-            del self._open[levels:]
-            self._skip_statement(start)
+    def _recover(self, start: int, depth: int, levels: int) -> None:
+        """Go back to this level of nesting and on to the next statement."""
+        self.depth = depth
+        del self._open[levels:]
+        self._skip_statement(start)
 
     def _at_end(self, kind: str) -> bool:
         """Whether the list ends here. Anything that is neither end nor statement is skipped."""
@@ -364,9 +364,7 @@ class StatementParser(DeclarationParser):
             try:
                 arms.append(self._case_arm())
             except Unexpected:
-                self.depth = depth
-                del self._open[levels:]
-                self._skip_statement(start)
+                self._recover(start, depth, levels)
                 self._inside({"ELSE", "END_CASE"}, self._arm_statements)
         if self.kinds[self.at] == "ELSE":
             otherwise = self._else({"END_CASE"})
