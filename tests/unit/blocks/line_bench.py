@@ -55,7 +55,11 @@ class LineBench:
         self.cycles_to_reply = 2
         self.users: list[Any] = []
         self._inputs: list[dict[str, Value]] = []
-        self._line: Any = plain(block(program, "TOS_Seq_stop").line)
+        self._line: Any = {
+            "owner": 0,
+            "request": {"execute": False},
+            "reply": {"done": False, "error": False},
+        }
         self._waiting = 0
 
     def add(self, name: str, **inputs: Value) -> Any:
