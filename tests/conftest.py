@@ -8,13 +8,11 @@ why. `--update-golden` writes golden files anew instead of comparing with them.
 import os
 from collections import Counter
 from collections.abc import Callable, Generator
-from pathlib import Path
 
 import pytest
 
 from tests.fact_marks import FACTS
 
-GOLDEN = Path(__file__).parent / "golden"
 _REQUIRE_ALL = os.environ.get("FBGEN_REQUIRE_ALL") == "1"
 
 
@@ -84,9 +82,10 @@ def _reason(report: pytest.TestReport | pytest.CollectReport) -> str:
 def golden(request: pytest.FixtureRequest) -> Callable[[str, str], None]:
     """`golden(name, text)`: the text must be that of tests/golden/NAME, byte for byte."""
     update = bool(request.config.getoption("--update-golden"))
+    folder = request.config.rootpath / "tests" / "golden"
 
     def compare(name: str, text: str) -> None:
-        path = GOLDEN / name
+        path = folder / name
         if update:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(text.encode())

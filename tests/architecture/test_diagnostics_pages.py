@@ -34,12 +34,12 @@ def pages() -> list[Path]:
 
 
 def test_every_code_has_a_page() -> None:
-    missing = {
-        code: place
+    missing = [
+        f"{code} ({place})"
         for code, place in sorted(codes_in_use().items())
         if not (PAGES / f"{code}.md").is_file()
-    }
-    assert missing == {}
+    ]
+    assert not missing, f"no page in docs/reference/diagnostics: {', '.join(missing)}"
 
 
 def test_every_page_belongs_to_a_code_in_use() -> None:
@@ -53,7 +53,8 @@ def test_every_code_is_named_by_a_test() -> None:
         if path.is_relative_to(ROOT / "tests")
         for code in CODE.findall(path.read_text("utf-8", "replace"))
     } | {path.name[:6] for path in BAD_FILES.iterdir()}
-    assert sorted(set(codes_in_use()) - named) == []
+    unnamed = sorted(set(codes_in_use()) - named)
+    assert not unnamed, f"no test names: {', '.join(unnamed)}"
 
 
 def test_every_broken_input_is_named_after_a_code_in_use() -> None:
