@@ -165,43 +165,38 @@ def _write_init(listing: Listing, parts: Sequence[Part], initializer: Initialize
 
 def _write_call(context: BlockContext, listing: Listing, record: Record) -> None:
     """The method for calls from outside: checks the inputs, then runs the block."""
-    inputs = [
-        part for part in record.parts if part.kind is VariableKind.INPUT and is_scalar(part.type)
-    ]
     listing.add("")
-    parameters = "".join(f"{part.slot}=_keep, " for part in inputs)
-    listing.add(f"def _call(self, /, {parameters}**others):")
+    listing.add("def _call(self, inputs):")
     listing.indent += 4
     if context.facts.has_loops(context.block):
         listing.add("_cpu.passes = _cpu.most_passes")
     if context.facts.counts_depth(context.block):
         listing.add("_cpu.depth = 0")
-    for part in inputs:
-        listing.add(f"if {part.slot} is not _keep:")
-        accepted = f"_accept({part.name!r}, {_type_table(context, part)}, {part.slot})"
-        listing.add(f"    self.{part.slot} = {_accepted(part, accepted)}")
-    listing.add("if others: _set_others(self, others)")
+    listing.add("others = len(inputs)")
+    for part in record.parts:
+        if part.kind is not VariableKind.INPUT or not is_scalar(part.type):
+            continue
+        listing.add(f"if {part.name!r} in inputs:")
+        listing.add(f"    value = inputs[{part.name!r}]")
+        listing.add("    others -= 1")
+        listing.add(f"    self.{part.slot} = {_accepted(context, part)}")
+    listing.add("if others: _set_others(self, inputs)")
     if any(part.kind is VariableKind.IN_OUT for part in record.parts):
         listing.add("_connect(self)")
     listing.add("self._run()")
     listing.indent -= 4
 
 
-def _type_table(context: BlockContext, part: Part) -> str:
-    name = f"_{context.python_name}_{part.slot}_type"
-    context.tables[name] = part.type
-    return name
-
-
-def _accepted(part: Part, otherwise: str) -> str:
-    name = part.slot
+def _accepted(context: BlockContext, part: Part) -> str:
+    table = f"_{context.python_name}_{part.slot}_type"
+    context.tables[table] = part.type
+    accepted = f"_accept({part.name!r}, {table}, value)"
     if part.type == BOOL:
-        return f"{name} if {name} is True or {name} is False else {otherwise}"
+        return f"value if value is True or value is False else {accepted}"
     if is_counted(part.type):
         low, high = limits(part.type)
-        inside = f"{name}.__class__ is int and {low} <= {name} <= {high}"
-        return f"{name} if {inside} else {otherwise}"
-    return otherwise
+        return f"value if value.__class__ is int and {low} <= value <= {high} else {accepted}"
+    return accepted
 
 
 def write_structures(model: Model) -> Listing:

@@ -20,7 +20,7 @@ from fbgen.lang.checked import (
 )
 from fbgen.lang.types import ArrayType, Type
 from harness.engine.compiled.code import Code, deepest
-from harness.engine.compiled.evaluation import Write, value
+from harness.engine.compiled.evaluation import Write, stored, value
 from harness.engine.compiled.instructions import areas
 from harness.engine.compiled.model import is_scalar, run_method
 from harness.engine.compiled.places import assign, copy_into, element_position, pinned, place
@@ -256,7 +256,7 @@ def _store_inputs(procedure: Procedure, instance: str, node: InstanceCall) -> No
     for (variable, _), code in zip(node.inputs, codes, strict=True):
         target = f"{instance}.{record.by_key[variable.name.casefold()].slot}"
         if is_scalar(variable.type):
-            procedure.line(f"{target} = {code.text}")
+            procedure.line(f"{target} = {stored(code).text}")
         else:
             copy_into(procedure, target, variable.type, code.text)
 

@@ -184,7 +184,9 @@ class CompiledEngine:
         return self._instance(record, self._namespace[record.class_name]())
 
     def _instance(self, record: Record, data: Any) -> CompiledInstance:
-        return CompiledInstance(record, data, self._memory, self._call_of(record, data), self._run)
+        return CompiledInstance(
+            record, data, self._memory, self._call_of(record, data), self._stopped
+        )
 
     def _call_of(self, record: Record, data: Any) -> Callable[..., None]:
         if isinstance(record.block, Block):
@@ -193,7 +195,7 @@ class CompiledEngine:
         assert record.block is not None
         run = getattr(data, run_method(record.block))
 
-        def call_standard(**inputs: Value) -> None:
+        def call_standard(inputs: Mapping[str, Value]) -> None:
             self._set_others(data, inputs)
             run()
 
@@ -210,17 +212,11 @@ class CompiledEngine:
             raise wrong_kind_of_block(part.name, f"variable of type {part.type}", use)
         return self._instance(self._model.record_of(part.type), self._namespace[part.slot])
 
-    def _run(self, action: Callable[..., Any], /, *arguments: Any, **named: Any) -> Any:
-        """Run generated code; what stops it becomes a diagnostic."""
-        try:
-            return action(*arguments, **named)
-        except DiagnosticError:
-            raise
-        except Exception as exception:
-            diagnostic = self._stopper.diagnostic(exception)
-            if diagnostic is None:
-                raise
-            raise diagnostic from None
+    def _stopped(self, exception: Exception) -> Exception:
+        """What to raise for an exception of generated code: a diagnostic if there is one."""
+        if isinstance(exception, DiagnosticError):
+            return exception
+        return self._stopper.diagnostic(exception) or exception
 
     def _set_others(self, data: Any, inputs: Mapping[str, Value]) -> None:
         """Inputs and in-outs of an instance that its `_call` does not take itself."""
@@ -315,7 +311,13 @@ class CompiledEngine:
     def _start(self, action: Callable[..., Any], *arguments: Any) -> Any:
         self._cpu.passes = self._cpu.most_passes
         self._cpu.depth = 0
-        return self._run(action, *arguments)
+        try:
+            return action(*arguments)
+        except Exception as exception:
+            stopped = self._stopped(exception)
+            if stopped is exception:
+                raise
+            raise stopped from None
 
     def run_block(self, name: str) -> None:
         """Run an organization block, a PROGRAM or a FUNCTION without parameters and result.

@@ -43,6 +43,20 @@ def value(procedure: Procedure, node: Expression) -> Code:
     return code
 
 
+def condition(procedure: Procedure, node: Expression) -> str:
+    """The text of a condition; Python tests a whole number for zero by itself."""
+    code = value(procedure, node)
+    return code.text.removesuffix(" != 0") if code.level is Level.COMPARISON else code.text
+
+
+def stored(code: Code) -> Code:
+    """A value that is to be stored: a comparison is faster when it is asked than when kept."""
+    if code.level is not Level.COMPARISON or " is " in code.text:
+        return code
+    text = f"True if {code.text.removesuffix(' != 0')} else False"
+    return code._replace(text=text, level=Level.CONDITIONAL)
+
+
 def named(procedure: Procedure, code: Code) -> tuple[str, str]:
     """A text that has the value and keeps it, and a text for using it again behind that."""
     if code.simple:

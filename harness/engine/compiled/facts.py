@@ -23,7 +23,7 @@ from fbgen.lang.checked import (
     VariableRef,
     While,
 )
-from fbgen.lang.types import BlockType
+from fbgen.lang.types import ArrayType, BlockType, StructType, Type
 from harness.engine.compiled.instructions import areas
 from harness.engine.compiled.model import has_memory, is_scalar
 from harness.engine.compiled.walk import Node, every_node, root_of, written_places
@@ -103,6 +103,37 @@ class Facts:
             if callee is not None and self._found[callee].globals:
                 foreign = True
         return variable.kind in (VariableKind.TEMP, VariableKind.RESULT) or not foreign
+
+    def private(
+        self, variables: set[Variable], block: Block, body: Iterable[Statement]
+    ) -> set[Variable]:
+        """Those single values of the own block that only `body` itself writes while it runs."""
+        if any(self._refers(variable) for variable in block.variables):
+            return set()
+        private = variables - self.cells
+        for node in every_node(body):
+            callee = _callee(node)
+            if callee is not None and any(_has_blocks(v.type) for v in self._found[callee].globals):
+                return set()
+            if isinstance(node, FunctionCall | InstanceCall):
+                private -= {
+                    place.variable
+                    for parameter, place in node.in_outs
+                    if parameter in self.cells and isinstance(place, VariableRef)
+                }
+            elif isinstance(node, SystemCall):
+                private -= {
+                    place.variable
+                    for place in areas(node).values()
+                    if isinstance(place, VariableRef)
+                }
+        return private
+
+    def _refers(self, variable: Variable) -> bool:
+        """True for an in-out through which a block could reach its own variables."""
+        if variable.kind is not VariableKind.IN_OUT:
+            return False
+        return variable in self.cells or _has_blocks(variable.type)
 
     def _look(self, block: Block, body: tuple[Statement, ...]) -> list[_Site]:
         found = self._found[block]
@@ -186,7 +217,16 @@ class Facts:
             return not is_scalar(root.type)
         if root.kind in (VariableKind.TEMP, VariableKind.RESULT) or not has_memory(site.caller):
             return False
-        return any(isinstance(variable.type, BlockType) for variable in touched)
+        return any(_has_blocks(variable.type) for variable in touched)
+
+
+def _has_blocks(kind: Type) -> bool:
+    """True for types with an instance of a block inside."""
+    if isinstance(kind, ArrayType):
+        return _has_blocks(kind.element)
+    if isinstance(kind, StructType):
+        return any(_has_blocks(part.type) for part in kind.fields)
+    return isinstance(kind, BlockType)
 
 
 def _sites(

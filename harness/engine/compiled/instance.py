@@ -11,23 +11,23 @@ from harness.engine.paths import parse_path
 
 
 class CompiledInstance:
-    """One instance. `call` runs its generated method, `run` makes diagnostics of what stops it."""
+    """One instance. `call` runs its generated method, `stopped` says what to raise when it fails."""
 
-    __slots__ = ("_call", "_data", "_memory", "_record", "_run")
+    __slots__ = ("_call", "_data", "_memory", "_record", "_stopped")
 
     def __init__(
         self,
         record: Record,
         data: Any,
         memory: Memory,
-        call: Callable[..., None],
-        run: Callable[..., Any],
+        call: Callable[[Mapping[str, Value]], None],
+        stopped: Callable[[Exception], Exception],
     ) -> None:
         self._record = record
         self._data = data
         self._memory = memory
         self._call = call
-        self._run = run
+        self._stopped = stopped
 
     @property
     def block(self) -> AnyBlock:
@@ -37,7 +37,13 @@ class CompiledInstance:
 
     def call(self, inputs: Mapping[str, Value]) -> None:
         """One call. Inputs and in-outs by name; what is not given keeps its value."""
-        self._run(self._call, **inputs)
+        try:
+            self._call(inputs)
+        except Exception as exception:
+            stopped = self._stopped(exception)
+            if stopped is exception:
+                raise
+            raise stopped from None
 
     def get(self, path: str) -> Value:
         """The value of a variable or of a part of it; an in-out as the last call left it."""

@@ -21,7 +21,7 @@ from fbgen.lang.checked import (
 )
 from fbgen.lang.types import Elementary
 from harness.engine.compiled.code import Code, Level
-from harness.engine.compiled.evaluation import value
+from harness.engine.compiled.evaluation import condition, value
 from harness.engine.compiled.places import assign, pinned, place
 from harness.engine.compiled.procedure import Loop, Procedure
 from harness.engine.compiled.ranges import wrapped
@@ -56,7 +56,7 @@ def _body(
 def write_while(procedure: Procedure, node: While, write_body: WriteBody) -> None:
     """WHILE."""
     procedure.listing.span = node.condition.span
-    procedure.line(f"while {value(procedure, node.condition).text}:")
+    procedure.line(f"while {condition(procedure, node.condition)}:")
     procedure.listing.span = node.span
     _body(procedure, node.body, None, write_body, counted=True)
 
@@ -66,7 +66,7 @@ def write_repeat(procedure: Procedure, node: Repeat, write_body: WriteBody) -> N
 
     def until(procedure: Procedure) -> None:
         span, procedure.listing.span = procedure.listing.span, node.condition.span
-        procedure.line(f"if {value(procedure, node.condition).text}: break")
+        procedure.line(f"if {condition(procedure, node.condition)}: break")
         procedure.listing.span = span
 
     procedure.line("while True:")

@@ -20,7 +20,7 @@ from fbgen.lang.types import BOOL, ArrayType, BlockType, Elementary, StringType,
 from harness.engine.compiled.addresses import read_address, write_address
 from harness.engine.compiled.code import Code, Level
 from harness.engine.compiled.conversions import cut
-from harness.engine.compiled.evaluation import Write, named, value
+from harness.engine.compiled.evaluation import Write, named, stored, value
 from harness.engine.compiled.model import is_scalar
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits, wrapped
@@ -179,6 +179,9 @@ def assign(procedure: Procedure, target: Place, code: Code, source: Type) -> Non
         if isinstance(target.type, StringType) and isinstance(source, StringType):
             code = cut(code, source.length, target.type)
         text = place(procedure, target).text
+        code = stored(code)
+        if isinstance(target, VariableRef) and target.variable in procedure.aliases:
+            text = f"{procedure.text_of(target.variable)} = {text}"
         if code.text.startswith("_rounded(") and _closes_at_end(code.text):
             # Storing into the cell directly saves a call.
             procedure.line(f"_cell[0] = {code.text[len('_rounded(') : -1]}")

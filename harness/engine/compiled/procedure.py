@@ -79,6 +79,11 @@ class BlockContext:
         self._count += 1
         return f"_{self.python_name}_{what}_{self._count}"
 
+    def shared_table(self, name: str, content: object) -> str:
+        """The name of a module-level constant that is the same for all blocks."""
+        self.tables[name] = content
+        return name
+
     def table(self, what: str, content: object) -> str:
         """The name of a new module-level constant."""
         name = self.new_name(what)

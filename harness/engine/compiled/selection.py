@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 
 from fbgen.lang.checked import Branch, Case, CaseArm, If, Statement
 from harness.engine.compiled.code import Code
-from harness.engine.compiled.evaluation import value
+from harness.engine.compiled.evaluation import condition, value
 from harness.engine.compiled.procedure import Procedure
 
 LONGEST_CHAIN = 40
@@ -47,7 +47,7 @@ def _chain(procedure: Procedure, branches: Sequence[Branch], write_body: WriteBo
     keyword = "if"
     for branch in branches:
         procedure.listing.span = branch.condition.span
-        procedure.line(f"{keyword} {value(procedure, branch.condition).text}:")
+        procedure.line(f"{keyword} {condition(procedure, branch.condition)}:")
         write_body(procedure, branch.body, branch)
         keyword = "elif"
 

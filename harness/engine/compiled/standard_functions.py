@@ -129,6 +129,10 @@ def _constant_shift(procedure: Procedure, node: StandardCall, code: Code, places
         left = places % bits if name == "ROL" else -places % bits
         if left == 0:
             return code
+        if bits == 8:
+            table = tuple(byte << left & 255 | byte >> 8 - left for byte in range(256))
+            name = procedure.context.shared_table(f"_rotated_left_{left}", table)
+            return _all([code], f"{name}[{code.text}]", more_depth=2).within(0, 255)
         first, again = named(procedure, code)
         text = f"({first} << {left} | {again} >> {bits - left}) & {(1 << bits) - 1}"
         result = _all([code], text, Level.BIT_AND, 3)

@@ -21,6 +21,7 @@ from fbgen.lang.checked import (
     While,
 )
 from fbgen.source import Span
+from harness.engine.compiled.caching import worth_keeping
 from harness.engine.compiled.calls import (
     evaluate,
     function_statement,
@@ -29,11 +30,14 @@ from harness.engine.compiled.calls import (
 )
 from harness.engine.compiled.evaluation import value
 from harness.engine.compiled.loops import write_for, write_repeat, write_while
+from harness.engine.compiled.model import has_memory
 from harness.engine.compiled.places import assign
 from harness.engine.compiled.procedure import DEEPEST_INDENT, DEEPEST_LOOPS, Procedure
 from harness.engine.compiled.selection import write_case, write_if
 
 _GOES_ON, _RETURN, _EXIT, _CONTINUE = 0, 1, 2, 3
+DEEPEST_LOCALS = 20
+"""Indentation up to which branches look for variables to keep in locals."""
 LONGEST_FUNCTION = 4000
 """Statements of a block that Python compiles as one function."""
 
@@ -54,10 +58,32 @@ def write_body(
     before = len(listing.lines)
     if owner is not None:
         _probe(procedure, owner)
+    aliases = procedure.aliases
+    if owner is not None:
+        _keep_in_locals(procedure, body)
     write_statements(procedure, body)
+    procedure.aliases = aliases
     if len(listing.lines) == before:
         procedure.line("pass")
     listing.indent -= 4
+
+
+def _keep_in_locals(procedure: Procedure, body: Sequence[Statement]) -> None:
+    """Read often used attributes into locals; `procedure.aliases` becomes a new mapping."""
+    context = procedure.context
+    aliases = dict(procedure.aliases)
+    if (
+        has_memory(context.block)
+        and not context.framed
+        and procedure.listing.indent <= DEEPEST_LOCALS
+    ):
+        for variable, is_read_first in worth_keeping(body, context.block, context.facts):
+            if variable not in aliases:
+                name = context.names.of(variable.name)
+                if is_read_first:
+                    procedure.line(f"{name} = {procedure.text_of(variable)}")
+                aliases[variable] = name
+    procedure.aliases = aliases
 
 
 def _is_nested(body: Sequence[Statement]) -> bool:
@@ -202,6 +228,7 @@ def _split(procedure: Procedure, body: Sequence[Statement]) -> None:
 def write_long(procedure: Procedure, body: Sequence[Statement]) -> None:
     """The statements of a whole block; in several functions if there are very many."""
     if len(body) <= LONGEST_FUNCTION:
+        _keep_in_locals(procedure, body)
         write_statements(procedure, body)
         return
     for start in range(0, len(body), LONGEST_FUNCTION):

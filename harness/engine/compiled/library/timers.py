@@ -15,116 +15,119 @@ class Timer:
 
     __slots__ = ("ET", "IN", "PT", "Q", "R", "_before", "_collected", "_preset", "_start")
 
-    _environment: Environment
-    _latched: bool
-    _tick: int
-
     def __init__(self) -> None:
         self.IN = self.R = self.Q = self._before = False
         self.PT = self.ET = self._preset = self._collected = 0
         self._start: int | None = None
-
-    def _preset_now(self) -> int:
-        preset = self._preset if self._latched else self.PT
-        return preset if preset > 0 else 0
-
-    def _ton(self) -> None:
-        if not self.IN:
-            self.Q = False
-            self.ET = 0
-            self._start = None
-        elif not self.Q:
-            now = self._environment.now_ns
-            start = self._start
-            if start is None:
-                start = self._start = now
-                self._preset = self.PT
-            preset = self._preset_now()
-            passed = (now - start) // self._tick
-            if passed >= preset:
-                self.Q = True
-                self.ET = preset
-            else:
-                self.ET = passed
-
-    def _tof(self) -> None:
-        if self.IN:
-            self.Q = True
-            self.ET = 0
-            self._start = None
-        elif self.Q:
-            now = self._environment.now_ns
-            start = self._start
-            if start is None:
-                start = self._start = now
-                self._preset = self.PT
-            preset = self._preset_now()
-            passed = (now - start) // self._tick
-            if passed >= preset:
-                self.Q = False
-                self.ET = preset
-            else:
-                self.ET = passed
-
-    def _tp(self) -> None:
-        rising = self.IN and not self._before
-        self._before = self.IN
-        start = self._start
-        if start is not None:
-            preset = self._preset_now()
-            passed = (self._environment.now_ns - start) // self._tick
-            if passed < preset:
-                self.ET = passed
-                return
-            self.Q = False
-            self.ET = preset
-            self._start = None
-        if rising:
-            self._preset = self.PT
-            self.ET = 0
-            if self._preset > 0:
-                self.Q = True
-                self._start = self._environment.now_ns
-        elif not self.IN:
-            self.ET = 0
-
-    def _tonr(self) -> None:
-        if self.R:
-            self.Q = False
-            self.ET = self._collected = 0
-            self._start = None
-            return
-        if self.Q:
-            return
-        now = self._environment.now_ns
-        start = self._start
-        if start is not None:
-            self._collected += now - start
-        elif self.IN:
-            self._preset = self.PT
-        self._start = now if self.IN else None
-        if start is not None or self.IN:
-            preset = self._preset_now()
-            passed = self._collected // self._tick
-            if passed >= preset:
-                self.Q = True
-                self.ET = preset
-            else:
-                self.ET = passed
 
 
 METHODS = {"TON": "_ton", "TOF": "_tof", "TP": "_tp", "TONR": "_tonr"}
 """The method of each timer, by its canonical name."""
 
 
+def _running_timer(environment: Environment, tick: int, latched: bool) -> type[Timer]:
+    """The timers of one clock with ticks of `tick` nanoseconds.
+
+    The methods find the clock in this function's variables, because that is what Python reads
+    fastest.
+    """
+
+    class RunningTimer(Timer):
+        __slots__ = ()
+
+        def _ton(self) -> None:
+            if not self.IN:
+                self.Q = False
+                self.ET = 0
+                self._start = None
+            elif not self.Q:
+                now = environment.now_ns
+                start = self._start
+                if start is None:
+                    start = self._start = now
+                    self._preset = self.PT
+                passed = (now - start) // tick
+                preset = self._preset if latched else self.PT
+                if passed >= preset:
+                    self.Q = True
+                    self.ET = preset if preset > 0 else 0
+                else:
+                    self.ET = passed
+
+        def _tof(self) -> None:
+            if self.IN:
+                self.Q = True
+                self.ET = 0
+                self._start = None
+            elif self.Q:
+                now = environment.now_ns
+                start = self._start
+                if start is None:
+                    start = self._start = now
+                    self._preset = self.PT
+                passed = (now - start) // tick
+                preset = self._preset if latched else self.PT
+                if passed >= preset:
+                    self.Q = False
+                    self.ET = preset if preset > 0 else 0
+                else:
+                    self.ET = passed
+
+        def _tp(self) -> None:
+            rising = self.IN and not self._before
+            self._before = self.IN
+            start = self._start
+            if start is not None:
+                preset = self._preset if latched else self.PT
+                passed = (environment.now_ns - start) // tick
+                if passed < preset:
+                    self.ET = passed
+                    return
+                self.Q = False
+                self.ET = preset if preset > 0 else 0
+                self._start = None
+            if rising:
+                self._preset = self.PT
+                self.ET = 0
+                if self._preset > 0:
+                    self.Q = True
+                    self._start = environment.now_ns
+            elif not self.IN:
+                self.ET = 0
+
+        def _tonr(self) -> None:
+            if self.R:
+                self.Q = False
+                self.ET = self._collected = 0
+                self._start = None
+                return
+            if self.Q:
+                return
+            now = environment.now_ns
+            start = self._start
+            if start is not None:
+                self._collected += now - start
+            elif self.IN:
+                self._preset = self.PT
+            self._start = now if self.IN else None
+            if start is not None or self.IN:
+                preset = self._preset if latched else self.PT
+                passed = self._collected // tick
+                if passed >= preset:
+                    self.Q = True
+                    self.ET = preset if preset > 0 else 0
+                else:
+                    self.ET = passed
+
+    return RunningTimer
+
+
 def timer_classes(environment: Environment, dialect: str) -> dict[str, type[Timer]]:
     """The timers of one controller, by canonical name."""
-    latched = dialect == "tia"
     classes: dict[str, type[Timer]] = {}
     for suffix, tick in (("", _NS_PER_MS), ("_LTIME", 1)):
-        shared = {"_environment": environment, "_latched": latched, "_tick": tick}
+        base = _running_timer(environment, tick, latched=dialect == "tia")
         for name in METHODS:
-            members = {"__slots__": (), **shared}
-            classes[name + suffix] = type(name + suffix, (Timer,), members)
+            classes[name + suffix] = type(name + suffix, (base,), {"__slots__": ()})
     classes["IEC_TIMER"] = type("IEC_TIMER", (classes["TON"],), {"__slots__": ()})
     return classes

@@ -1,0 +1,133 @@
+"""Which attributes of `self` a stretch of statements may keep in Python locals, and should.
+
+Reading a local is faster than reading an attribute. A composite variable is never bound anew, so
+a local with it is always good. A single value may be kept while nobody but the statements
+themselves can write it: writes then go to both, so that the attribute is right at any time. What it
+saves is guessed from how often the variable is used: a loop counts for several passes, a branch
+for part of one.
+"""
+
+from collections.abc import Iterable, Sequence
+
+from fbgen.lang.checked import (
+    Assignment,
+    Block,
+    Case,
+    For,
+    If,
+    Repeat,
+    Statement,
+    Variable,
+    VariableKind,
+    VariableRef,
+    While,
+)
+from fbgen.lang.types import VOID
+from fbgen.source import Source, Span
+from harness.engine.compiled.facts import Facts
+from harness.engine.compiled.model import is_scalar
+from harness.engine.compiled.walk import Node, children, every_node, root_of
+
+_LOOP_WEIGHT = 6.0
+_BRANCH_WEIGHT = 0.4
+_WORTH = 2.5
+_WORTH_IF_WRITTEN = 1.8
+"""Weighted uses from which on a local pays; fewer if it need not be filled first."""
+
+_KEPT_KINDS = (
+    VariableKind.INPUT,
+    VariableKind.OUTPUT,
+    VariableKind.STATIC,
+    VariableKind.IN_OUT,
+)
+
+
+_NOBODY = Variable(Span(Source("", ""), 0, 0), "", VariableKind.TEMP, VOID)
+
+
+class _Uses:
+    """How often one variable is used; `arms` are the branches that the uses stand in."""
+
+    __slots__ = ("arms", "weight")
+
+    def __init__(self) -> None:
+        self.weight = 0.0
+        self.arms: set[object] = set()
+
+
+def _uses(body: Iterable[Statement]) -> dict[Variable, _Uses]:
+    found: dict[Variable, _Uses] = {}
+    stack: list[tuple[Node, float, object]] = [(statement, 1.0, None) for statement in body]
+    while stack:
+        node, weight, arm = stack.pop()
+        match node:
+            case VariableRef():
+                if node.variable.kind in _KEPT_KINDS:
+                    uses = found.setdefault(node.variable, _Uses())
+                    uses.weight += weight
+                    uses.arms.add(arm)
+            case For():
+                # The loop variable has a local of its own.
+                uses = found.setdefault(root_of(node.variable) or _NOBODY, _Uses())
+                uses.weight -= 1000
+                stack.extend((child, weight * _LOOP_WEIGHT, arm) for child in children(node))
+            case While() | Repeat():
+                stack.extend((child, weight * _LOOP_WEIGHT, arm) for child in children(node))
+            case If():
+                stack.append((node.branches[0].condition, weight, arm))
+                inner = weight * _BRANCH_WEIGHT
+                for branch in node.branches:
+                    if branch is not node.branches[0]:
+                        stack.append((branch.condition, inner, arm))
+                    stack.extend((one, inner, arm or branch) for one in branch.body)
+                stack.extend((one, inner, arm or node) for one in node.otherwise)
+            case Case():
+                stack.append((node.selector, weight, arm))
+                inner = weight * _BRANCH_WEIGHT
+                for case_arm in node.arms:
+                    stack.extend((one, inner, arm or case_arm) for one in case_arm.body)
+                stack.extend((one, inner, arm or node) for one in node.otherwise)
+            case _:
+                stack.extend((child, weight, arm) for child in children(node))
+    return found
+
+
+def _written_first(body: Sequence[Statement]) -> set[Variable]:
+    """The variables that get a value before anybody reads them."""
+    first: set[Variable] = set()
+    seen: set[Variable] = set()
+    for statement in body:
+        inside: list[Node] = [statement]
+        target = statement.target if isinstance(statement, Assignment) else None
+        if isinstance(statement, Assignment) and isinstance(target, VariableRef):
+            inside = [statement.value]
+        seen.update(one.variable for one in every_node(inside) if isinstance(one, VariableRef))
+        if isinstance(target, VariableRef) and target.variable not in seen:
+            first.add(target.variable)
+    return first
+
+
+def worth_keeping(
+    body: Sequence[Statement], block: Block, facts: Facts
+) -> list[tuple[Variable, bool]]:
+    """The variables of the own block that these statements should keep in locals.
+
+    With each one whether its local must be filled before. What is used in one branch only is left
+    to that branch.
+    """
+    found = _uses(body)
+    written_first = _written_first(body)
+    wanted = [
+        variable
+        for variable, uses in found.items()
+        if uses.weight >= (_WORTH_IF_WRITTEN if variable in written_first else _WORTH)
+        and (len(uses.arms) > 1 or None in uses.arms)
+        and variable.address is None
+    ]
+    singles = {variable for variable in wanted if is_scalar(variable.type)}
+    kept = facts.private(singles, block, body) if singles else set()
+    return [
+        (variable, variable not in written_first)
+        for variable in wanted
+        if variable in kept or variable not in singles
+    ]
