@@ -1,5 +1,23 @@
-"""The harness: runs PLC text scan by scan against simulated gateways and inverters."""
+"""The harness: runs PLC text scan by scan against simulated gateways and inverters.
+
+    program = load_program(["conveyor.scl"])          # blocks on their own
+    installation = plant("plant.yaml")                # a whole simulated plant
+"""
+
+from typing import TYPE_CHECKING
 
 from harness.engine.loading import LoadedProgram, load_program
 
-__all__ = ["LoadedProgram", "load_program"]
+if TYPE_CHECKING:
+    from harness.installation import plant
+
+__all__ = ["LoadedProgram", "load_program", "plant"]
+
+
+def __getattr__(name: str) -> object:
+    """`plant` is imported when it is asked for: blocks on their own need no gateways."""
+    if name == "plant":
+        from harness.installation import plant  # noqa: PLC0415
+
+        return plant
+    raise AttributeError(f"module 'harness' has no attribute '{name}'")

@@ -1,7 +1,7 @@
 """The CPU is in STOP, so the master sends zeros (CLEAR)."""
 
 from harness.faults.fault import FaultSettings, FaultType, Target
-from harness.plant import Installation
+from harness.installation import Installation
 
 
 class CpuStopped:

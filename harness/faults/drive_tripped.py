@@ -2,7 +2,7 @@
 
 from fbgen.catalog.scalars import Text
 from harness.faults.fault import FaultSettings, FaultType, Target
-from harness.plant import Installation
+from harness.installation import Installation
 
 
 class TripSettings(FaultSettings):

@@ -1,7 +1,7 @@
 """A drive has no supply."""
 
 from harness.faults.fault import FaultSettings, FaultType, Target
-from harness.plant import Installation
+from harness.installation import Installation
 
 
 class DriveUnpowered:

@@ -5,7 +5,7 @@ from enum import Enum
 from typing import Protocol
 
 from fbgen.catalog import Located
-from harness.plant import Installation
+from harness.installation import Installation
 
 
 class Target(Enum):

@@ -1,8 +1,8 @@
 """The line behind a gateway is broken in both directions."""
 
 from harness.faults.fault import FaultSettings, FaultType, Target
+from harness.installation import Installation
 from harness.line import Pair
-from harness.plant import Installation
 
 
 class LineBroken:

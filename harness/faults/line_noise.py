@@ -5,7 +5,7 @@ from typing import Annotated
 from pydantic import Field
 
 from harness.faults.fault import FaultSettings, FaultType, Target
-from harness.plant import Installation
+from harness.installation import Installation
 
 
 class NoiseSettings(FaultSettings):

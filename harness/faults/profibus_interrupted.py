@@ -1,7 +1,7 @@
 """PROFIBUS is interrupted: nothing passes between master and slaves."""
 
 from harness.faults.fault import FaultSettings, FaultType, Target
-from harness.plant import Installation
+from harness.installation import Installation
 
 
 class ProfibusInterrupted:

@@ -8,7 +8,7 @@ from fbgen.catalog import Catalog, load_catalog, load_yaml, validate
 from fbgen.catalog.catalog import read_source
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.plant import Plant, load_plant
-from harness.plant import Installation, PlantSetup, build_plant
+from harness.installation import Installation, PlantSetup, build_plant
 from harness.scenario.model import Scenario, Variation
 from harness.scenario.results import ScenarioReport, ScenarioResult
 from harness.scenario.runner import ScenarioRun

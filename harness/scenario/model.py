@@ -8,66 +8,51 @@
       - expect: {drive.pump.frequency: 50.0}
         within: 12 s
 
-Steps run one after the other. Names in `set` and `expect` are paths, see `references`.
+Steps run one after the other. Names in `set` and `expect` are paths, see `harness.scenario.paths`.
+The whole format stands in `docs/reference/scenario-files.md`.
 """
 
-import re
 from collections.abc import Iterable
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag
+from pydantic import Discriminator, Field, Tag
 from pydantic.json_schema import WithJsonSchema
 
 from fbgen.catalog import Located
-from fbgen.catalog.scalars import Count, SnakeName, Text
+from fbgen.catalog.scalars import Count, Real, SnakeName, Text
 from fbgen.diagnostics import Diagnostic
 from harness.drives import Load, LoadShape
-from harness.kernel import NS_PER_MS, NS_PER_S, NS_PER_US
-from harness.plant import DriveConditions
+from harness.faults import FAULTS
+from harness.installation import DriveConditions
+from harness.scenario.durations import DurationNs, PositiveDurationNs
+from harness.scenario.scalars import ScalarValue
 
-_UNITS = {
-    "us": NS_PER_US,
-    "ms": NS_PER_MS,
-    "s": NS_PER_S,
-    "min": 60 * NS_PER_S,
-    "h": 3600 * NS_PER_S,
-}
-_DURATION = re.compile(r"([0-9]+(?:\.[0-9]+)?) ?(us|ms|s|min|h)")
-
-
-def _duration(value: object) -> object:
-    match = _DURATION.fullmatch(value) if isinstance(value, str) else None
-    if match is None:
-        raise ValueError(
-            f"'{value}' is no time: write a number with its unit, such as 500 ms or 2 s"
-        )
-    return round(float(match[1]) * _UNITS[match[2]])
-
-
-DurationNs = Annotated[
-    int,
-    BeforeValidator(_duration),
-    WithJsonSchema({"type": "string", "pattern": f"^{_DURATION.pattern}$"}),
-]
-"""A time such as `500 ms`, as integer nanoseconds."""
-
-ScalarValue = bool | int | float | str
-
+_FAULT_NAME = WithJsonSchema({"enum": sorted(FAULTS), "description": "What goes wrong"})
+FaultName = Annotated[SnakeName, _FAULT_NAME]
+"""A fault of `harness.faults`; whether there is one is checked with the plant at hand."""
 
 class Range(Located):
-    """What a value must be. `tolerance` goes with `equals`; limits are included."""
+    """What a value must be; everything that is given must hold."""
 
-    equals: ScalarValue | None = None
-    tolerance: float = 0.0
-    min: float | None = None
-    max: float | None = None
-    differs_from: ScalarValue | None = None
-    bits: dict[SnakeName, int] | None = None
-    word: Text | None = None
+    equals: ScalarValue | None = Field(None, description="This value")
+    tolerance: Annotated[Real, Field(ge=0)] = Field(
+        0.0, description="How far off `equals` a number may be"
+    )
+    min: Real | None = Field(None, description="At least this number")
+    max: Real | None = Field(None, description="At most this number")
+    differs_from: ScalarValue | None = Field(None, description="Any value but this one")
+    bits: dict[SnakeName, ScalarValue] | None = Field(
+        None, description="Bits or fields of a word by the catalogue's names, each with its value"
+    )
+    word: Text | None = Field(
+        None,
+        description="The word that names the bits, such as vf-s11.status; needed only where the "
+        "path does not say it",
+    )
 
     def problems(self) -> Iterable[Diagnostic]:
-        """FB8002: nothing is demanded, or bits of an unnamed word."""
-        demands = (self.equals, self.min, self.max, self.differs_from, self.bits)
+        """FB8002: nothing is demanded, or what is demanded contradicts itself."""
+        demands = (self.equals, self.min, self.max, self.differs_from, self.bits or None)
         if all(item is None for item in demands):
             yield Diagnostic(
                 "FB8002",
@@ -75,115 +60,159 @@ class Range(Located):
                 self.span,
                 "give equals, min, max, differs_from or bits",
             )
-        if (self.bits is None) != (self.word is None):
+        if self.word is not None and self.bits is None:
             yield Diagnostic(
                 "FB8002",
-                "bits are named after a word of the catalogue, and bits and word go together",
-                self.span,
-                "write word: tospbdp001.status and bits: {status_changed: 1}",
+                "a word is named and none of its bits",
+                self.span_of("word"),
+                "write bits as well, such as bits: {status_changed: 1}",
+            )
+        if self.tolerance and not _is_number(self.equals):
+            yield Diagnostic(
+                "FB8002",
+                "a tolerance needs a number that the value may be off",
+                self.span_of("tolerance"),
+                "write equals: with a number, or min and max instead",
+            )
+        if self.min is not None and self.max is not None and self.min > self.max:
+            yield Diagnostic(
+                "FB8002",
+                f"no number is at least {self.min:g} and at most {self.max:g}",
+                self.span_of("min"),
+                "exchange min and max",
             )
 
 
-Expectation = ScalarValue | Range
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _kind_of_expectation(value: Any) -> str:
+    return "range" if isinstance(value, dict | Range) else "value"
+
+
+Expectation = Annotated[
+    Annotated[ScalarValue, Tag("value")] | Annotated[Range, Tag("range")],
+    Discriminator(_kind_of_expectation),
+]
+"""A value, or what it must be in more words."""
 
 
 class SetStep(Located):
-    """Write variables of the PLC, parameters or properties of the devices."""
+    """Write variables of the PLC or parameters of the drives, now and in the order written."""
 
-    set: dict[str, ScalarValue] = Field(min_length=1)
+    set: dict[str, ScalarValue] = Field(min_length=1, description="Path: value")
 
 
 class WaitStep(Located):
     """Let time pass."""
 
-    wait: DurationNs
+    wait: PositiveDurationNs = Field(description="How long, such as 500 ms")
 
 
 class ExpectStep(Located):
-    """Check now; with `within` as soon as it holds, at the latest after that time; with `stays_for`
-    it must hold from then on for that time."""
+    """All of it must hold at one instant: now, or at the latest after `within`."""
 
-    expect: dict[str, Expectation] = Field(min_length=1)
-    within: DurationNs | None = None
-    stays_for: DurationNs | None = None
+    expect: dict[str, Expectation] = Field(
+        min_length=1, description="Path: value, or path: {min: ..., max: ...} and the like"
+    )
+    within: DurationNs = Field(
+        0,
+        description="It need not hold at once but must at some instant of this time",
+        json_schema_extra={"default": "0 s"},
+    )
+    stays_for: DurationNs = Field(
+        0,
+        description="From the instant at which it holds it must go on holding for this time",
+        json_schema_extra={"default": "0 s"},
+    )
 
 
 class InjectStep(Located):
-    """Start a fault, on a device where it needs one. `clear` names it again."""
+    """Start a fault. It lasts until a step clears it."""
 
-    inject: SnakeName
-    on: Text | None = None
-    settings: dict[SnakeName, ScalarValue] = Field(default_factory=dict)
+    inject: FaultName
+    on: Text | None = Field(None, description="The gateway or drive that it happens to")
+    settings: dict[str, ScalarValue] = Field(
+        default_factory=dict, description="Settings of the fault; each has a default"
+    )
 
 
 class ClearStep(Located):
-    """End a fault."""
+    """End a fault that a step before has started."""
 
-    clear: SnakeName
-    on: Text | None = None
+    clear: FaultName
+    on: Text | None = Field(None, description="The gateway or drive, as where it was injected")
 
 
 class ExpectedTelegram(Located):
     """A telegram as it must have been: bytes in hexadecimal, `xx` for any."""
 
-    output: Text
-    input: Text | None = None
+    output: Text = Field(description="The 9 bytes to the gateway: control, trigger, telegram")
+    input: Text | None = Field(
+        None, description="The 8 bytes from it with the reply: status, telegram"
+    )
 
 
 class TelegramsStep(Located):
-    """The telegrams of a gateway since the start or the last such step, in order, no more, no less.
+    """A gateway's telegrams since the start or the last such step: these, in order, no others."""
 
-    `of_sequence` takes them from a sequence of the catalogue, such as `manual_example`.
-    """
-
-    telegrams: tuple[ExpectedTelegram, ...] | None = None
-    of_sequence: SnakeName | None = None
-    gateway: Text
-
-    def problems(self) -> Iterable[Diagnostic]:
-        """FB8002: no telegrams or two sets of them."""
-        if (self.telegrams is None) == (self.of_sequence is None):
-            yield Diagnostic(
-                "FB8002", "give either telegrams or of_sequence", self.span, "not both, not neither"
-            )
+    telegrams: tuple[ExpectedTelegram, ...]
+    gateway: Text = Field(description="Whose telegrams")
 
 
-_KEYS = {
-    "set": "set_step",
-    "wait": "wait_step",
-    "expect": "expect_step",
-    "inject": "inject_step",
-    "clear": "clear_step",
-    "telegrams": "telegrams_step",
-    "of_sequence": "telegrams_step",
+class SequenceStep(Located):
+    """A gateway's telegrams since the start or the last such step: those of a sequence."""
+
+    of_sequence: SnakeName = Field(description="A sequence of the catalogue, such as start_forward")
+    gateway: Text = Field(description="Whose telegrams")
+
+
+_KINDS: dict[str, type[Located]] = {
+    "set": SetStep,
+    "wait": WaitStep,
+    "expect": ExpectStep,
+    "inject": InjectStep,
+    "clear": ClearStep,
+    "telegrams": TelegramsStep,
+    "of_sequence": SequenceStep,
 }
 
 
-def _kind(step: Any) -> str | None:
-    for key, kind in _KEYS.items():
-        if isinstance(step, dict) and key in step:
-            return kind
-    return None
+def _kind_of_step(step: Any) -> str | None:
+    if isinstance(step, dict):
+        return next((key for key in _KINDS if key in step), None)
+    return next((key for key, kind in _KINDS.items() if isinstance(step, kind)), None)
 
 
 Step = Annotated[
-    Annotated[SetStep, Tag("set_step")]
-    | Annotated[WaitStep, Tag("wait_step")]
-    | Annotated[ExpectStep, Tag("expect_step")]
-    | Annotated[InjectStep, Tag("inject_step")]
-    | Annotated[ClearStep, Tag("clear_step")]
-    | Annotated[TelegramsStep, Tag("telegrams_step")],
-    Discriminator(_kind),
+    Annotated[SetStep, Tag("set")]
+    | Annotated[WaitStep, Tag("wait")]
+    | Annotated[ExpectStep, Tag("expect")]
+    | Annotated[InjectStep, Tag("inject")]
+    | Annotated[ClearStep, Tag("clear")]
+    | Annotated[TelegramsStep, Tag("telegrams")]
+    | Annotated[SequenceStep, Tag("of_sequence")],
+    Discriminator(
+        _kind_of_step,
+        custom_error_type="step",
+        custom_error_message="a step has one of the keys " + ", ".join(_KINDS),
+    ),
 ]
+"""One step; its first key says which."""
 
 
 class LoadSetup(Located):
-    """The driven machine: torque in percent of the rated torque, see `harness.drives.load`."""
+    """The driven machine."""
 
-    torque: float = 0.0
-    shape: Literal["constant", "linear", "quadratic"] = "constant"
-    at_hz: float = 50.0
-    inertia: float = 0.0
+    torque: Real = Field(0.0, description="In percent of the motor's rated torque, at `at_hz`")
+    shape: Literal["constant", "linear", "quadratic"] = Field(
+        "constant", description="How the torque depends on the speed"
+    )
+    at_hz: Annotated[Real, Field(gt=0)] = Field(50.0, description="The speed at which it is so")
+    inertia: Annotated[Real, Field(ge=0)] = Field(
+        0.0, description="Torque in percent that it takes to change the speed by 1 Hz in a second"
+    )
 
     def load(self) -> Load:
         """The same as the drive takes it."""
@@ -191,11 +220,16 @@ class LoadSetup(Located):
 
 
 class DriveSetup(Located):
-    """How a drive is set before the start: its load, its parameters by name or ComNo."""
+    """How a drive is set before the start."""
 
-    load: LoadSetup | None = None
-    parameters: dict[str, float] = Field(default_factory=dict)
-    reply_time: DurationNs | None = None
+    load: LoadSetup | None = Field(None, description="The driven machine; none if not given")
+    parameters: dict[str, Real] = Field(
+        default_factory=dict,
+        description="ComNo or its name: value in its unit, on top of those of the gateway's manual",
+    )
+    reply_time: DurationNs | None = Field(
+        None, description="Every reply after this time; else 10 to 20 ms, drawn by the seed"
+    )
 
     def conditions(self) -> DriveConditions:
         """The same as the plant takes it."""
@@ -207,25 +241,35 @@ class DriveSetup(Located):
 
 
 class Variation(Located):
-    """Changes to the plant file for this scenario: another dialect, layout, access way."""
+    """The scenario once more with changes to the plant file; {} is the plant as it is."""
 
-    dialect: Literal["tia", "iec"] | None = None
-    plc: Literal["s7-1200", "s7-1500", "s7-300", "s7-400", "iec"] | None = None
-    layout: Text | None = None
-    access: Literal["per_identifier", "dpxx_dat", "process_image"] | None = None
-    options: dict[SnakeName, ScalarValue] = Field(default_factory=dict)
+    dialect: Literal["tia", "iec"] | None = Field(None, description="Language of the text")
+    plc: Literal["s7-1200", "s7-1500", "s7-300", "s7-400", "iec"] | None = Field(
+        None, description="Family of the CPU"
+    )
+    layout: Text | None = Field(None, description="Cyclic data of all gateways")
+    access: Literal["per_identifier", "dpxx_dat", "process_image"] | None = Field(
+        None, description="How the program reaches the cyclic data of all gateways"
+    )
+    options: dict[SnakeName, ScalarValue] = Field(
+        default_factory=dict, description="Options of all gateways, by the catalogue's names"
+    )
 
 
 class Scenario(Located):
     """One scenario file."""
 
-    version: Literal[1]
-    title: Text
-    plant: Text
-    seed: Count = 0
-    engine: Literal["compiled", "reference"] = "compiled"
-    variations: tuple[Variation, ...] = ()
-    drives: dict[SnakeName, DriveSetup] = Field(default_factory=dict)
-    tags: tuple[SnakeName, ...] = ()
-    facts: tuple[Text, ...] = ()
-    steps: tuple[Step, ...] = Field(min_length=1)
+    version: Literal[1] = Field(description="Version of this format")
+    title: Text = Field(description="What is shown, in one sentence")
+    plant: Text = Field(description="The plant file, as seen from the folder of this file")
+    seed: Count = Field(0, description="Seed of everything random, such as reply times")
+    engine: Literal["compiled", "reference"] = Field(
+        "compiled", description="How the PLC text is run; both give the same"
+    )
+    variations: tuple[Variation, ...] = Field((), description="Run once for each of these")
+    drives: dict[str, DriveSetup] = Field(
+        default_factory=dict, description="Drives of the plant as they are set before the start"
+    )
+    tags: tuple[SnakeName, ...] = Field((), description="Names for `fbgen test -k`")
+    facts: tuple[Text, ...] = Field((), description="Ids of behaviour rows that this shows")
+    steps: tuple[Step, ...] = Field(min_length=1, description="What is done and expected")

@@ -18,7 +18,7 @@ from fbgen.nearest import nearest
 from fbgen.source import Span
 from harness.drives import Inverter
 from harness.gateways.tospbdp001 import Tospbdp001
-from harness.plant import Installation
+from harness.installation import Installation
 from harness.scenario.model import ScalarValue
 from harness.scenario.values import Found, plain
 

@@ -12,8 +12,8 @@ from fbgen.nearest import nearest
 from fbgen.source import Span
 from harness.faults import FAULTS, Fault, Target
 from harness.faults.settings import fault_settings
+from harness.installation import Installation
 from harness.kernel import NS_PER_MS, NS_PER_S
-from harness.plant import Installation
 from harness.report.telegrams import TelegramRecorder, one_line
 from harness.scenario.model import (
     ClearStep,

@@ -8,7 +8,7 @@ from tests.architecture.sources import Import, imports, modules, tree
 
 BASE = {"fbgen", "fbgen.diagnostics", "fbgen.nearest", "fbgen.resources", "fbgen.source"}
 DEVICES = {"harness.drives", "harness.fieldbus", "harness.gateways", "harness.line"}
-PLANT = {*DEVICES, "harness.engine", "harness.kernel", "harness.plant", "harness.plc"}
+PLANT = {*DEVICES, "harness.engine", "harness.kernel", "harness.installation", "harness.plc"}
 TEXT = {"fbgen.blocks", "fbgen.catalog", "fbgen.emit", "fbgen.lang", "fbgen.plant", "fbgen.wire"}
 
 MAY_IMPORT: dict[str, set[str]] = {
@@ -36,7 +36,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.plc": BASE
     | {"fbgen.lang", "fbgen.wire", "harness.engine", "harness.fieldbus", "harness.kernel"},
     "harness.report": BASE | TEXT | PLANT,
-    "harness.plant": BASE | TEXT | PLANT | {"harness.report"},
+    "harness.installation": BASE | TEXT | PLANT | {"harness.report"},
     "harness.faults": BASE | TEXT | PLANT | {"harness.report"},
     "harness.scenario": BASE | TEXT | PLANT | {"harness.faults", "harness.report"},
     "harness.demo": BASE | TEXT | PLANT | {"harness.report", "harness.scenario"},

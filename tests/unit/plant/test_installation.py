@@ -9,8 +9,8 @@ from fbgen.diagnostics import DiagnosticError
 from fbgen.plant import load_plant
 from fbgen.source import Source
 from harness.drives import Load
+from harness.installation import DriveConditions, PlantSetup, build_plant, generated_sources, plant
 from harness.kernel import NS_PER_MS, NS_PER_S
-from harness.plant import DriveConditions, PlantSetup, build_plant, generated_sources, plant
 from harness.plc import CpuMode
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

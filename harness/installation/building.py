@@ -17,11 +17,11 @@ from harness.drives.settings import TimeoutRestart
 from harness.engine.loading import engine_named, read_program
 from harness.fieldbus import DpMaster, Parameters, Station, StationSettings, watchdog_factors
 from harness.gateways.tospbdp001 import Tospbdp001, tospbdp001_settings
+from harness.installation.plant import Installation
+from harness.installation.programs import generated_program
+from harness.installation.setup import DriveConditions, PlantSetup
 from harness.kernel import NS_PER_MS, Kernel
 from harness.line import Line, Topology
-from harness.plant.installation import Installation
-from harness.plant.programs import generated_program
-from harness.plant.setup import DriveConditions, PlantSetup
 from harness.plc import Cpu, CpuFamily, CpuSettings, Mounting
 
 BAUD_RATE_19200 = 4

@@ -1,0 +1,22 @@
+"""The whole simulated plant, from a plant file and PLC text.
+
+    installation = plant("plant.yaml", PlantSetup(seed=1))
+    installation.start()
+    installation.run_for(2 * NS_PER_S)
+    assert installation.drives["pump"].running
+"""
+
+from harness.installation.building import build_plant, plant
+from harness.installation.plant import Installation
+from harness.installation.programs import generated_program, generated_sources
+from harness.installation.setup import DriveConditions, PlantSetup
+
+__all__ = [
+    "DriveConditions",
+    "Installation",
+    "PlantSetup",
+    "build_plant",
+    "generated_program",
+    "generated_sources",
+    "plant",
+]
