@@ -1,0 +1,196 @@
+"""Expressions: literals, names, operations, calls, initial values."""
+
+from enum import Enum
+from typing import TypeAlias
+
+from fbgen.lang.ast.node import Trivia, TriviaList, node
+from fbgen.source import Span
+
+
+class LiteralKind(Enum):
+    """How a literal was written; its type may follow from where it stands."""
+
+    BOOL = "BOOL"
+    INTEGER = "integer"
+    REAL = "real"
+    DURATION = "duration"
+    DATE = "date"
+    TIME_OF_DAY = "time of day"
+    DATE_AND_TIME = "date and time"
+    STRING = "string"
+    WSTRING = "wide string"
+
+
+@node
+class Literal:
+    """A constant as written in `text`, with its `value`.
+
+    `value`: bool, int, float or str (without quotes, escapes resolved); durations in nanoseconds;
+    dates in days since 1990-01-01, times of day in nanoseconds since midnight, date and time in
+    nanoseconds since 1970-01-01. `type_name` is the prefix of `WORD#16#FF` or `T#5s` as a
+    canonical type name ("WORD", "TIME"), else "". `base` is 2, 8, 10 or 16.
+    """
+
+    span: Span
+    kind: LiteralKind
+    value: bool | int | float | str
+    text: str
+    type_name: str = ""
+    base: int = 10
+
+
+@node
+class Name:
+    """A name: `x`, `#x` (`local`), `"x"` (`quoted`), `#"x"` (both)."""
+
+    span: Span
+    name: str
+    quoted: bool = False
+    local: bool = False
+
+
+@node
+class Member:
+    """`base.name`."""
+
+    span: Span
+    base: "Expression"
+    name: str
+    quoted: bool = False
+
+
+@node
+class Index:
+    """`base[i]` or `base[i, j]`."""
+
+    span: Span
+    base: "Expression"
+    indices: tuple["Expression", ...]
+
+
+@node
+class Slice:
+    """`base.%X0`, `.%B1`, `.%W0`, `.%D0`; `size` is "X", "B", "W" or "D". IEC `w.3`: "X"."""
+
+    span: Span
+    base: "Expression"
+    size: str
+    index: int
+
+
+@node
+class DirectAddress:
+    """`%IB256`, `%QW4:P`, `%MX0.3`, `%DB100.DW4`: an absolute address.
+
+    `area` is "I", "Q", "M" or "DB"; `size` is "X", "B", "W", "D" or "L"; `bit` only with "X";
+    `db` only with area "DB"; `peripheral` for `:P` and for the classic PIB/PQB spelling.
+    """
+
+    span: Span
+    area: str
+    size: str
+    byte: int
+    bit: int = 0
+    db: int = 0
+    peripheral: bool = False
+
+
+class ArgumentKind(Enum):
+    """How an argument was written."""
+
+    POSITIONAL = ""
+    INPUT = ":="
+    OUTPUT = "=>"
+
+
+@node
+class Argument:
+    """One argument of a call; `name` is "" for a positional one, `value` None for `name =>`."""
+
+    span: Span
+    kind: ArgumentKind
+    name: str
+    value: "Expression | None"
+    leading: TriviaList = ()
+    trailing: Trivia | None = None
+
+
+@node
+class Call:
+    """`f(a, b)`, `"FB_DB"(x := 1, y => z)`, `#inst(...)`: a call of whatever it is."""
+
+    span: Span
+    callee: "Expression"
+    arguments: tuple[Argument, ...]
+
+
+@node
+class Unary:
+    """`NOT x`, `-x`, `+x`; `operator` is upper case."""
+
+    span: Span
+    operator: str
+    operand: "Expression"
+
+
+@node
+class Binary:
+    """Two operands; `operator` is upper case: OR XOR AND = <> < > <= >= + - * / MOD DIV **.
+
+    `&` is read as AND.
+    """
+
+    span: Span
+    operator: str
+    left: "Expression"
+    right: "Expression"
+
+
+@node
+class Parenthesized:
+    """`(x)`: kept, so that text comes back as it was written."""
+
+    span: Span
+    inner: "Expression"
+
+
+@node
+class ArrayLiteral:
+    """`[1, 2, 3(0)]`: initial values of an array."""
+
+    span: Span
+    items: tuple["Repeated | Expression", ...]
+
+
+@node
+class Repeated:
+    """`3(0)` inside an array literal; `value` None for empty brackets, `count` a constant."""
+
+    span: Span
+    count: "Expression"
+    value: "Expression | None"
+
+
+@node
+class StructLiteral:
+    """`(a := 1, b := 2)`: initial values of a structure or an instance."""
+
+    span: Span
+    fields: tuple[Argument, ...]
+
+
+Expression: TypeAlias = (
+    Literal
+    | Name
+    | Member
+    | Index
+    | Slice
+    | DirectAddress
+    | Call
+    | Unary
+    | Binary
+    | Parenthesized
+    | ArrayLiteral
+    | Repeated
+    | StructLiteral
+)
