@@ -25,7 +25,7 @@ from fbgen.lang.checked import (
 from fbgen.lang.types import VOID
 from fbgen.source import Source, Span
 from harness.engine.compiled.facts import Facts
-from harness.engine.compiled.model import is_scalar
+from harness.engine.compiled.model import is_scalar, may_be_unconnected
 from harness.engine.compiled.walk import Node, children, every_node, root_of
 
 _LOOP_WEIGHT = 6.0
@@ -100,9 +100,12 @@ def _written_first(body: Sequence[Statement]) -> set[Variable]:
         inside: list[Node] = [statement]
         target = statement.target if isinstance(statement, Assignment) else None
         if isinstance(statement, Assignment) and isinstance(target, VariableRef):
-            inside = [statement.value]
+            # A composite one is not bound anew, it is copied into: that reads it.
+            inside = [statement.value] if is_scalar(target.type) else [statement]
         seen.update(one.variable for one in every_node(inside) if isinstance(one, VariableRef))
-        if isinstance(target, VariableRef) and target.variable not in seen:
+        if not isinstance(target, VariableRef) or not is_scalar(target.type):
+            continue
+        if target.variable not in seen:
             first.add(target.variable)
     return first
 
@@ -123,6 +126,7 @@ def worth_keeping(
         if uses.weight >= (_WORTH_IF_WRITTEN if variable in written_first else _WORTH)
         and (len(uses.arms) > 1 or None in uses.arms)
         and variable.address is None
+        and not may_be_unconnected(variable, block)
     ]
     singles = {variable for variable in wanted if is_scalar(variable.type)}
     kept = facts.private(singles, block, body) if singles else set()

@@ -11,7 +11,7 @@ from harness.engine.paths import parse_path
 
 
 class CompiledInstance:
-    """One instance. `call` runs its generated method, `stopped` says what to raise when it fails."""
+    """One instance. `call` runs its generated method, `stopped` says what to raise if it fails."""
 
     __slots__ = ("_call", "_data", "_memory", "_record", "_stopped")
 

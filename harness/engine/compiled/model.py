@@ -38,6 +38,11 @@ def has_memory(block: Block) -> bool:
     return block.kind in MEMORY_KINDS
 
 
+def may_be_unconnected(variable: Variable, block: Block) -> bool:
+    """True for an in-out that the block may find unconnected: nobody calls a PROGRAM with one."""
+    return variable.kind is VariableKind.IN_OUT and block.kind is BlockKind.PROGRAM
+
+
 @dataclass(frozen=True, slots=True)
 class Part:
     """One attribute of a record: a field of a structure or a variable of a block."""

@@ -1,10 +1,12 @@
 """What generated code can name: the library, the controller, cells, and a few functions of ours."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from math import inf, nan
 from typing import Any
 
-from fbgen.lang.checked import Address, AddressRef, SystemCall, VariableRef
+from fbgen.diagnostics import DiagnosticError
+from fbgen.lang.checked import Address, AddressRef, Place, SystemCall, VariableRef
 from fbgen.lang.types import Scalar
 from harness.engine.compiled.areas import BlockBytes, VariableArea
 from harness.engine.compiled.cells import AttributeCell, Cell, ElementCell, ValueCell
@@ -14,6 +16,7 @@ from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.model import Model, is_scalar
 from harness.engine.environment import Environment
 from harness.engine.interface import Limits
+from harness.engine.layout import size_bits
 from harness.engine.values import accept_scalar
 
 
@@ -130,7 +133,9 @@ def hardware(
             place = places.get(name)
             if place is None:
                 by_name[name] = argument
-            elif is_scalar(place.type):
+                continue
+            _check_layout(place)
+            if is_scalar(place.type):
                 by_name[name] = VariableArea(memory, _cell_location(place.type, argument))
             else:
                 by_name[name] = VariableArea(memory, _fixed(place.type, argument))
@@ -165,6 +170,16 @@ def _address(node: AddressRef | VariableRef) -> Address:
     address = node.address if isinstance(node, AddressRef) else node.variable.address
     assert address is not None
     return address
+
+
+def _check_layout(place: Place) -> None:
+    """Raises FB6013, with the place, if the variable has no layout in memory."""
+    try:
+        size_bits(place.type)
+    except DiagnosticError as problem:
+        raise DiagnosticError(
+            replace(diagnostic, span=place.span) for diagnostic in problem.diagnostics
+        ) from None
 
 
 def _fixed(kind: Any, data: Any) -> Location:

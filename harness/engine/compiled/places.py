@@ -21,7 +21,7 @@ from harness.engine.compiled.addresses import read_address, write_address
 from harness.engine.compiled.code import Code, Level
 from harness.engine.compiled.conversions import cut
 from harness.engine.compiled.evaluation import Write, named, stored, value
-from harness.engine.compiled.model import is_scalar
+from harness.engine.compiled.model import is_scalar, may_be_unconnected
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits, wrapped
 
@@ -35,6 +35,9 @@ def _variable(procedure: Procedure, node: VariableRef) -> Code:
     alias = procedure.aliases.get(variable)
     text = alias or procedure.text_of(variable)
     simple = alias is not None or "." not in text
+    if may_be_unconnected(variable, procedure.context.block):
+        procedure.site(text, node)
+        return Code(text, Level.ATOM, low, high, safe=False)
     return Code(text, Level.ATOM, low, high, simple=simple)
 
 
