@@ -72,5 +72,5 @@ def source_text(entry: Located, source: str | None) -> SclText:
 def one_line(text: str) -> str:
     """A text for a comment: one line, ASCII, and nothing in it that could end the comment."""
     flat = " ".join(text.split())
-    ascii_text = flat.encode("ascii", "replace").decode("ascii")
+    ascii_text = "".join(char if " " <= char <= "~" else "?" for char in flat)
     return ascii_text.replace("*)", "* )").replace("(*", "( *").replace("*/", "* /")

@@ -1,5 +1,6 @@
 """The Jinja environment: sandboxed, strict about undefined names, and marking what it renders."""
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -14,13 +15,15 @@ from jinja2 import (
 )
 from jinja2.exceptions import SecurityError
 from jinja2.ext import Extension
-from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from fbgen.blocks.literals import SclText
-from fbgen.diagnostics import Diagnostic, DiagnosticError, error
+from fbgen.diagnostics import DiagnosticError, error
 from fbgen.emit.marks import OriginTable, is_marked, without_marks
+from fbgen.emit.sandbox import TemplateSandbox
 from fbgen.resources import shipped
 from fbgen.source import Origin, Source, Span
+
+_TAG = re.compile(r"\{#.*?#\}|\{%.*?%\}|\{\{.*?\}\}", re.DOTALL)
 
 
 class LineMarks(Extension):
@@ -28,17 +31,24 @@ class LineMarks(Extension):
 
     def preprocess(self, source: str, name: str | None, filename: str | None = None) -> str:
         table: OriginTable = self.environment.origin_table  # type: ignore[attr-defined]
+        source = without_marks(source)
+        inside = _places_inside_tags(source)
         lines = source.split("\n")
-        in_comment = False
+        start = 0
         for number, line in enumerate(lines, start=1):
             content = line.lstrip()
-            begins_comment = content.startswith("{#")
-            if content and not in_comment and not content.startswith(("{%", "{#")):
+            at = start + len(line) - len(content)
+            if content and at not in inside and not content.startswith(("{%", "{#")):
                 template = Origin("template", f"templates/{name}", number)
                 indent = line[: len(line) - len(content)]
                 lines[number - 1] = f"{indent}{table.line_mark(template)}{content}"
-            in_comment = (in_comment or begins_comment) and "#}" not in content
+            start += len(line) + 1
         return "\n".join(lines)
+
+
+def _places_inside_tags(source: str) -> set[int]:
+    """The offsets behind the first character of a tag, an expression or a comment of Jinja's."""
+    return {offset for tag in _TAG.finditer(source) for offset in range(tag.start() + 1, tag.end())}
 
 
 class TemplateRenderer:
@@ -46,7 +56,7 @@ class TemplateRenderer:
 
     def __init__(self, extra: Sequence[Path] = ()) -> None:
         self.table = OriginTable()
-        folders = [*reversed(extra), shipped("templates")]
+        self._folders = [*reversed(extra), shipped("templates")]
         for folder in extra:
             if not folder.is_dir():
                 raise error(
@@ -54,8 +64,8 @@ class TemplateRenderer:
                     f"the template folder {folder} is not there",
                     help="give --templates a folder with blocks/, types/, access/ or data/ in it",
                 )
-        self._environment = ImmutableSandboxedEnvironment(
-            loader=ChoiceLoader([FileSystemLoader(folder) for folder in folders]),
+        self._environment = TemplateSandbox(
+            loader=ChoiceLoader([FileSystemLoader(folder) for folder in self._folders]),
             undefined=StrictUndefined,
             trim_blocks=True,
             lstrip_blocks=True,
@@ -67,30 +77,33 @@ class TemplateRenderer:
 
     def render(self, template: str, context: dict[str, object]) -> str:
         """The template as marked text. Raises DiagnosticError FB5003 or FB5004."""
+        self._environment.refill()
         try:
             return self._environment.get_template(template).render(context)
         except TemplateNotFound as missing:
-            raise error(
-                "FB5003",
-                f"there is no template {missing.name}",
-                help="templates are looked for in the --templates folders, then in the shipped one",
-            ) from None
+            raise self._missing(missing) from None
         except TemplateSyntaxError as wrong:
             raise self._failure(
                 f"the template cannot be read: {wrong.message}",
                 wrong.name or template,
                 wrong.lineno,
             ) from None
-        except (UndefinedError, SecurityError, TemplateError, ArithmeticError) as wrong:
+        except (UndefinedError, SecurityError, TemplateError) as wrong:
             raise self._failure(
-                f"the template cannot be filled in: {wrong}", *_where(wrong, template)
+                f"the template cannot be filled in: {wrong}", *self._where(wrong, template)
             ) from None
-        except (TypeError, ValueError, AttributeError, LookupError, RecursionError) as wrong:
-            if isinstance(wrong, DiagnosticError):
-                raise
+        except DiagnosticError:
+            raise
+        except OSError as problem:
+            reason = problem.strerror or type(problem).__name__
+            raise self._unreadable(template, reason) from None
+        except UnicodeDecodeError:
+            raise self._unreadable(template, "it is not UTF-8") from None
+        except Exception as wrong:
+            # whatever an expression in a template can raise, and Python's limits for nesting
             raise self._failure(
                 f"the template cannot be filled in: {type(wrong).__name__}: {wrong}",
-                *_where(wrong, template),
+                *self._where(wrong, template),
             ) from None
 
     def names(self) -> list[str]:
@@ -101,7 +114,13 @@ class TemplateRenderer:
         """The template itself, for the hash of the inputs."""
         loader = self._environment.loader
         assert loader is not None
-        return loader.get_source(self._environment, template)[0]
+        try:
+            return loader.get_source(self._environment, template)[0]
+        except OSError as problem:
+            reason = problem.strerror or type(problem).__name__
+            raise self._unreadable(template, reason) from None
+        except UnicodeDecodeError:
+            raise self._unreadable(template, "it is not UTF-8") from None
 
     def _finalize(self, value: object) -> str:
         if isinstance(value, SclText):
@@ -109,32 +128,47 @@ class TemplateRenderer:
         text = str(value)
         return text if is_marked(text) else without_marks(text)
 
-    def _failure(self, message: str, template: str, line: int) -> DiagnosticError:
-        span = None
-        try:
-            source = Source(f"templates/{template}", self.text_of(template))
-        except TemplateNotFound:
-            pass
-        else:
-            start = sum(len(text) + 1 for text in source.text.split("\n")[: line - 1])
-            span = Span(source, start, start + len(source.line_text(line)))
-        return DiagnosticError(
-            [
-                Diagnostic(
-                    "FB5004", message, span, "compare it with the shipped template of that name"
-                )
-            ]
+    def _missing(self, problem: TemplateNotFound) -> DiagnosticError:
+        place = self._where(problem, "")
+        return error(
+            "FB5003",
+            f"there is no template {problem.name}",
+            self._span(*place) if place[0] else None,
+            "templates are looked for in the --templates folders, then in the shipped one",
         )
 
+    def _unreadable(self, template: str, reason: str) -> DiagnosticError:
+        return error(
+            "FB5003",
+            f"the template {template} cannot be read: {reason}",
+            help="templates are text files in UTF-8 that you may read",
+        )
 
-def _where(problem: BaseException, template: str) -> tuple[str, int]:
-    """The template line on which a problem came up: the innermost frame that is a template."""
-    name, line = template, 1
-    trace = problem.__traceback__
-    while trace is not None:
-        code = trace.tb_frame.f_code
-        if ".jinja" in code.co_filename:
-            parts = Path(code.co_filename).parts
-            name, line = "/".join(parts[-2:]), trace.tb_lineno
-        trace = trace.tb_next
-    return name, line
+    def _failure(self, message: str, template: str, line: int) -> DiagnosticError:
+        return error(
+            "FB5004",
+            message,
+            self._span(template, line),
+            "compare it with the shipped template of that name",
+        )
+
+    def _span(self, template: str, line: int) -> Span | None:
+        """A line of a template."""
+        try:
+            source = Source(f"templates/{template}", self.text_of(template))
+        except (TemplateNotFound, DiagnosticError):
+            return None
+        start = sum(len(text) + 1 for text in source.text.split("\n")[: line - 1])
+        return Span(source, start, start + len(source.line_text(line)))
+
+    def _where(self, problem: BaseException, template: str) -> tuple[str, int]:
+        """The template line on which a problem came up: the innermost frame that is a template."""
+        name, line = template, 1
+        trace = problem.__traceback__
+        while trace is not None:
+            file = Path(trace.tb_frame.f_code.co_filename)
+            for folder in self._folders:
+                if file.is_relative_to(folder):
+                    name, line = file.relative_to(folder).as_posix(), trace.tb_lineno
+            trace = trace.tb_next
+        return name, line

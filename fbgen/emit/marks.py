@@ -9,6 +9,7 @@ from fbgen.lang.origins import END, START, mark, strip_marks
 from fbgen.source import Origin, Source
 
 _MARK = re.compile(f"{START}([0-9]*){END}")
+_LONGEST_INDEX = 9
 
 
 class OriginTable:
@@ -30,11 +31,16 @@ class OriginTable:
         return f"{mark(self._index(origin))}{text}{mark(None)}" if origin is not None else text
 
     def source(self, name: str, marked: str) -> Source:
-        """The clean text with its origins; behind a value its template line goes on."""
+        """The clean text with its origins; behind a value its template line goes on.
+
+        A mark that a template made up itself counts as the end of a value.
+        """
         line = ""
 
         def back_to_line(found: re.Match[str]) -> str:
             nonlocal line
+            if len(found[1]) > _LONGEST_INDEX or int(found[1] or 0) >= len(self._origins):
+                return line
             if found[1] and int(found[1]) in self._lines:
                 line = found[0]
             return found[0] if found[1] else line
