@@ -14,6 +14,7 @@ TIGHT = Limits(loop_passes=1000, call_depth=2)
 PLACES = {
     "FB6002_index_out_of_range": (9, 11, "the index is 4, the array has 1..3"),
     "FB6002_second_index": (7, 5, "index 2 is -2, the array has -1..1"),
+    "FB6002_in_argument": (9, 50, "the index is 43, the array has 1..3"),
     "FB6003_division_by_zero": (9, 9, "division by zero"),
     "FB6003_remainder_of_zero": (7, 15, "division by zero"),
     "FB6004_endless_while": (7, 5, "'WHILE NOT #done DO': more than 1000 loop passes"),

@@ -70,3 +70,9 @@ def test_while_may_not_run_and_repeat_runs_once_and_continue_goes_to_until(load:
     block = load("for_loop.scl").instance("Others")
     block()
     assert (block.whilePasses, block.repeatPasses, block.untilSeen) == (0, 1, 2)
+
+
+def test_a_loop_between_constants_that_is_not_entered_sets_its_variable(load: Load) -> None:
+    block = load("for_loop.scl").instance("NeverEntered")
+    block()
+    assert (block.up, block.down, block.leftEarly) == (5, -3, 1)
