@@ -40,7 +40,10 @@ def register(program: typer.Typer) -> None:
     ),
 )
 def list_entries(
-    kind: Annotated[Kind | None, typer.Argument(help="Only entries of this kind.")] = None,
+    kind: Annotated[
+        Kind | None,
+        typer.Argument(metavar="KIND", help="drives, gateways, protocols, sequences or words."),
+    ] = None,
     catalog: CatalogOption = None,
     as_json: JsonOption = False,
 ) -> None:

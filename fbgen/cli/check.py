@@ -41,7 +41,7 @@ def register(program: typer.Typer) -> None:
 def check(
     files: Annotated[
         list[Path],
-        typer.Argument(metavar="FILES...", help="Files, or folders with .scl, .udt, .db or .st."),
+        typer.Argument(metavar="FILES", help="Files, or folders with .scl, .udt, .db or .st."),
     ],
     dialect: DialectOption = None,
     syntax_only: Annotated[

@@ -30,7 +30,7 @@ def encode(
     ],
     bits: Annotated[
         list[str],
-        typer.Argument(metavar="BIT...", help="Names of bits that are 1, or name=value."),
+        typer.Argument(metavar="BIT", help="Names of bits that are 1, or name=value."),
     ],
     catalog: CatalogOption = None,
     as_json: JsonOption = False,

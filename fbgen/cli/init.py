@@ -20,7 +20,7 @@ def register(program: typer.Typer) -> None:
 
 def init(
     folder: Annotated[
-        Path, typer.Argument(metavar="[DIR]", help="The folder; made if it is not there.")
+        Path, typer.Argument(metavar="DIR", help="The folder; made if it is not there.")
     ] = Path(),
     force: Annotated[
         bool, typer.Option("--force", help="Overwrite a plant file that is already there.")

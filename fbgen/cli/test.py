@@ -33,14 +33,14 @@ def run_scenarios(
     paths: Annotated[
         list[Path] | None,
         typer.Argument(
-            metavar="[PATHS]...",
+            metavar="PATHS",
             help="Scenario files, or folders with files *.scenario.yaml; else this folder.",
         ),
     ] = None,
     select: Annotated[
         str,
         typer.Option(
-            "-k", metavar="EXPR", help="Only scenarios whose title, file or a tag contains this."
+            "-k", metavar="TEXT", help="Only scenarios whose title, file or a tag contains this."
         ),
     ] = "",
     seed: Annotated[

@@ -1,0 +1,47 @@
+"""What README shows works as it stands there."""
+
+import re
+import shlex
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.unit.cli.running import Fbgen
+
+ROOT = Path(__file__).parents[3]
+
+
+def commands() -> list[list[str]]:
+    """The lines of README that begin with `fbgen`, without their comments."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    return [shlex.split(line, comments=True)[1:] for line in re.findall(r"^fbgen .+$", text, re.M)]
+
+
+def test_every_command_of_the_readme_succeeds_in_its_order(
+    fbgen: Fbgen, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for folder in ("examples", "tests/scenarios"):
+        shutil.copytree(ROOT / folder, tmp_path / folder)
+    monkeypatch.chdir(tmp_path)
+    assert {"init", "generate", "check", "test"} <= {command[0] for command in commands()}
+    for command in commands():
+        run = fbgen(*command)
+        assert run.status == 0, f"fbgen {shlex.join(command)}\n{run.out}{run.err}"
+
+
+def test_every_make_target_of_the_pages_exists() -> None:
+    targets = set(re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text("utf-8"), re.M))
+    for page in ("README.md", "CONTRIBUTING.md"):
+        named = re.findall(
+            r"^\W*make ([a-z]+)|`make ([a-z]+)", (ROOT / page).read_text("utf-8"), re.M
+        )
+        used = {first or second for first, second in named}
+        assert used
+        assert used <= targets, page
+
+
+def test_every_link_of_the_pages_leads_somewhere() -> None:
+    for page in (ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "docs/decisions/README.md"):
+        for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8")):
+            assert (page.parent / target).exists(), f"{page.name}: {target}"
