@@ -14,8 +14,8 @@ from fbgen.resources import shipped
 from harness.kernel import NS_PER_MS
 from harness.report.meaning import telegram_meaning
 from harness.report.telegrams import LineFrame, TelegramRecord
-from harness.scenario.files import load_scenario, prepare
-from harness.scenario.values import bytes_match
+from harness.scenario import prepare, scenario_cases
+from harness.scenario.telegram_patterns import bytes_match
 
 EXAMPLE = "manual_example"
 
@@ -131,7 +131,7 @@ def run_demo() -> DemoReport:
     """Generate the example plant, run the manual's example on the generated text, compare."""
     catalog = load_catalog()
     path = shipped("examples") / EXAMPLE / f"{EXAMPLE}.scenario.yaml"
-    run = prepare(load_scenario(path), path, catalog)
+    run = prepare(scenario_cases(path)[0], catalog)
     findings: tuple[Diagnostic, ...] = ()
     try:
         run.run()

@@ -78,4 +78,4 @@ def _show(scenario: "ScenarioResult") -> None:
     result(f"{state}  {scenario.virtual_ns / NS_PER_S:8.3f} s  {scenario.file}  {scenario.name}")
     if not scenario.passed:
         report(scenario.failures)
-        say(f"run it again: fbgen test {scenario.file} --seed {scenario.seed}\n")
+        say(f"run it again: {scenario.replay}\n")

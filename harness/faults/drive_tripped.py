@@ -12,12 +12,13 @@ class TripSettings(FaultSettings):
 
 
 class DriveTripped:
-    """A trip of one drive."""
+    """A trip of one drive. FB7102 for a display that its series does not have."""
 
     def __init__(self, plant: Installation, on: str, settings: FaultSettings) -> None:
         assert isinstance(settings, TripSettings)
         self._drive = plant.drives[on]
         self._display = settings.display
+        self._drive.trips.code_of(settings.display)
 
     def inject(self) -> None:
         """The trip comes."""

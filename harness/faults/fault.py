@@ -1,5 +1,6 @@
 """What a fault is: something that begins, goes on and ends, at one place of the plant."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
 from typing import Protocol
@@ -11,9 +12,15 @@ from harness.installation import Installation
 class Target(Enum):
     """What a fault happens to. `WHOLE` needs no name."""
 
-    WHOLE = "the plant"
-    GATEWAY = "a gateway"
-    DRIVE = "a drive"
+    WHOLE = "plant"
+    GATEWAY = "gateway"
+    DRIVE = "drive"
+
+    def places(self, plant: Installation) -> Mapping[str, object]:
+        """What has a name in the plant and can have such a fault; empty for the whole plant."""
+        if self is Target.GATEWAY:
+            return plant.gateways
+        return plant.drives if self is Target.DRIVE else {}
 
 
 class FaultSettings(Located):
@@ -33,7 +40,11 @@ class Fault(Protocol):
 
 
 class FaultMaker(Protocol):
-    """Makes the fault for a place; `on` is "" for the whole plant."""
+    """Makes the fault for a place; `on` is "" for the whole plant.
+
+    Making it does nothing to the plant. Raises DiagnosticError for settings that the place at hand
+    does not allow.
+    """
 
     def __call__(self, plant: Installation, on: str, settings: FaultSettings) -> Fault:
         """The fault, not yet injected."""

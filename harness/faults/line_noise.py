@@ -4,6 +4,7 @@ from typing import Annotated
 
 from pydantic import Field
 
+from fbgen.catalog.scalars import Real
 from harness.faults.fault import FaultSettings, FaultType, Target
 from harness.installation import Installation
 
@@ -11,7 +12,7 @@ from harness.installation import Installation
 class NoiseSettings(FaultSettings):
     """`bit_error_rate` is the probability for each bit, both directions."""
 
-    bit_error_rate: Annotated[float, Field(gt=0, le=1)] = 0.01
+    bit_error_rate: Annotated[Real, Field(gt=0, le=1)] = 0.01
 
 
 class LineNoise:

@@ -3,29 +3,54 @@
 from collections.abc import Mapping
 
 from pydantic import ValidationError
+from pydantic_core import ErrorDetails
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.nearest import nearest
 from fbgen.source import Span
 from harness.faults.fault import FaultSettings, FaultType
 
+_LIMITS = {
+    "greater_than": "more than {gt}",
+    "greater_than_equal": "at least {ge}",
+    "less_than": "less than {lt}",
+    "less_than_equal": "at most {le}",
+}
+
 
 def fault_settings(
-    kind: FaultType, values: Mapping[str, bool | int | float | str], span: Span | None
+    kind: FaultType,
+    values: Mapping[str, bool | int | float | str],
+    places: Mapping[str, Span | None],
 ) -> FaultSettings:
-    """The settings of a fault. Raises DiagnosticError FB8004 for unknown or wrong ones."""
-    known = tuple(kind.settings.model_fields)
+    """The settings of a fault. `places` has the place of each value.
+
+    Raises DiagnosticError FB8004 with everything that is unknown or wrong.
+    """
     try:
         return kind.settings.model_validate(dict(values))
     except ValidationError as wrong:
-        found = [
-            Diagnostic(
-                "FB8004",
-                f"the setting '{details['loc'][0]}' of the fault '{kind.name}' is wrong: "
-                f"{details['msg'].lower()}",
-                span,
-                nearest(str(details["loc"][0]), known) if known else "it has no settings",
-            )
-            for details in wrong.errors()
-        ]
+        found = [_explain(kind, details, places) for details in wrong.errors()]
     raise DiagnosticError(found)
+
+
+def _explain(
+    kind: FaultType, details: ErrorDetails, places: Mapping[str, Span | None]
+) -> Diagnostic:
+    name = str(details["loc"][0])
+    if details["type"] == "extra_forbidden":
+        known = tuple(kind.settings.model_fields)
+        message = f"the fault '{kind.name}' has no setting '{name}'"
+        advice = nearest(name, known) if known else "it has none: leave out settings"
+        return Diagnostic("FB8004", message, places.get(name), advice)
+    limit = _LIMITS.get(details["type"])
+    if limit is not None:
+        expected = limit.format(**details.get("ctx", {}))
+    else:
+        expected = "a text" if details["type"].startswith("string") else "a number"
+    return Diagnostic(
+        "FB8004",
+        f"the setting '{name}' of the fault '{kind.name}' is never {details['input']!r}",
+        places.get(name),
+        f"it is {expected}",
+    )

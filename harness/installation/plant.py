@@ -51,6 +51,7 @@ class Installation:
                 self.lines[entry.name],
                 self.gateways[entry.name].port,
                 self.catalog.gateway(entry.type).layout(entry.layout),
+                processing_ns=self.gateways[entry.name].settings.processing_ns,
             )
             for entry in self.plan.gateways
         }

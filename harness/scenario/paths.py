@@ -1,171 +1,223 @@
 """Names in scenario files: what `drive.pump.running` and `plc.TOS_Plant...` stand for.
 
-plc.PATH            a global variable of the PLC, `plc.TOS_Plant.gw1.pump.stop.execute`
-cpu.NAME            mode, scans
-bus.NAME            mode (STOP, CLEAR, OPERATE)
-gateway.NAME.ITEM   status, control, trigger, reply, powered, telegrams, led.LAMP
-drive.NAME.ITEM     running, frequency, set_point, direction, current, torque, tripped, trip,
-                    trip_code, network_command, network_frequency, powered, and by the
-                    catalogue comno.FE03 (in its unit), word.FD01 (raw), parameter.ACC name
+plc.VARIABLE        a variable of the PLC, `plc.TOS_Plant.gw1.pump.stop.execute`, `plc.List[2].ok`
+cpu.ITEM, bus.ITEM  the CPU and the DP master
+gateway.NAME.ITEM   a gateway, `gateway.gw1.led.device_status`
+drive.NAME.ITEM     a drive, `drive.pump.frequency`, `drive.pump.comno.FE03`
+
+`docs/reference/scenario-files.md` has the whole list.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from types import MappingProxyType
 
 from fbgen.catalog import Catalog
-from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.diagnostics import DiagnosticError, error
 from fbgen.nearest import nearest
 from fbgen.source import Span
 from harness.drives import Inverter
-from harness.gateways.tospbdp001 import Tospbdp001
+from harness.engine.interface import Value
+from harness.fieldbus import MasterMode
+from harness.gateways.tospbdp001 import Light, Tospbdp001
 from harness.installation import Installation
-from harness.scenario.model import ScalarValue
-from harness.scenario.values import Found, plain
+from harness.plc import CpuMode
+from harness.scenario.kinds import (
+    COUNT,
+    FLAG,
+    NUMBER,
+    Found,
+    ValueKind,
+    choice_kind,
+    coded_kind,
+    octets_kind,
+    word_kind,
+)
+from harness.scenario.plc_variables import variable_kind
 
-Getter = Callable[[], Found]
+ROOTS = ("plc", "cpu", "bus", "gateway", "drive")
 
-_DRIVE: Mapping[str, Callable[[Inverter], Found]] = MappingProxyType(
+
+@dataclass(frozen=True, slots=True)
+class Readable:
+    """What a path gives: `get` the value now, `kind` what sort of value."""
+
+    kind: ValueKind
+    get: Callable[[], Found]
+
+
+@dataclass(frozen=True, slots=True)
+class Writable:
+    """What a path can be set to. `set` may raise DiagnosticError for a device that refuses."""
+
+    kind: ValueKind
+    set: Callable[[Found], None]
+
+
+_DRIVE: Mapping[str, tuple[ValueKind, Callable[[Inverter], Found]]] = MappingProxyType(
     {
-        "running": lambda drive: drive.running,
-        "frequency": lambda drive: drive.frequency_hz,
-        "set_point": lambda drive: drive.set_point_hz,
-        "direction": lambda drive: drive.direction,
-        "current": lambda drive: drive.current_percent,
-        "torque": lambda drive: drive.torque_percent,
-        "tripped": lambda drive: drive.tripped,
-        "trip": lambda drive: drive.trip_display,
-        "trip_code": lambda drive: drive.trip_code,
-        "network_command": lambda drive: drive.network_command,
-        "network_frequency": lambda drive: drive.network_frequency,
-        "powered": lambda drive: drive.powered,
+        "running": (FLAG, lambda drive: drive.running),
+        "frequency": (NUMBER, lambda drive: drive.frequency_hz),
+        "set_point": (NUMBER, lambda drive: drive.set_point_hz),
+        "direction": (choice_kind(("forward", "reverse")), lambda drive: drive.direction),
+        "current": (NUMBER, lambda drive: drive.current_percent),
+        "torque": (NUMBER, lambda drive: drive.torque_percent),
+        "tripped": (FLAG, lambda drive: drive.tripped),
+        "network_command": (FLAG, lambda drive: drive.network_command),
+        "network_frequency": (FLAG, lambda drive: drive.network_frequency),
+        "powered": (FLAG, lambda drive: drive.powered),
     }
 )
-_GATEWAY: Mapping[str, Callable[[Tospbdp001], Found]] = MappingProxyType(
+DRIVE_ITEMS = (*_DRIVE, "trip", "trip_code")
+"""What a drive has by itself."""
+COMNO_ITEMS = ("comno", "word", "writes")
+"""What a drive has by ComNo: value in its unit, raw word, write cycles of the EEPROM cell."""
+_GATEWAY: Mapping[str, tuple[ValueKind, Callable[[Tospbdp001], Found]]] = MappingProxyType(
     {
-        "status": lambda gateway: gateway.status.word,
-        "outputs": lambda gateway: gateway.slave.outputs,
-        "inputs": lambda gateway: gateway.slave.inputs,
-        "powered": lambda gateway: gateway.powered,
-        "online": lambda gateway: gateway.slave.online,
-        "telegrams": lambda gateway: gateway.telegrams,
-        "overwritten": lambda gateway: gateway.overwritten,
+        "powered": (FLAG, lambda gateway: gateway.powered),
+        "online": (FLAG, lambda gateway: gateway.slave.online),
+        "telegrams": (COUNT, lambda gateway: gateway.telegrams),
+        "overwritten": (COUNT, lambda gateway: gateway.overwritten),
     }
 )
+GATEWAY_ITEMS = (*_GATEWAY, "status", "outputs", "inputs")
+"""What a gateway has, beside its lamps."""
+_LIGHT = choice_kind(tuple(str(light.value) for light in Light))
+_CPU_MODE = choice_kind(tuple(mode.name for mode in CpuMode))
+_BUS_MODE = choice_kind(tuple(mode.name for mode in MasterMode))
 
 
 class Paths:
-    """Resolves the names of one running plant. Errors are FB8003 with the nearest names."""
+    """Resolves the names of one plant. Errors are FB8003 with the nearest names."""
 
     def __init__(self, plant: Installation, catalog: Catalog) -> None:
         self._plant = plant
         self._catalog = catalog
 
-    def getter(self, path: str, span: Span | None) -> Getter:
-        """A function that gives the value of a path now."""
+    def readable(self, path: str, span: Span | None) -> Readable:
+        """What a path gives. Raises DiagnosticError FB8003."""
         root, _, rest = path.partition(".")
+        plant = self._plant
         if root == "plc":
-            engine = self._plant.cpu.engine
-            with _Located(span):
-                engine.global_value(rest)
-            return lambda: engine.global_value(rest)
+            kind = self._variable(rest, span)
+            return Readable(kind, lambda: plant.cpu.engine.global_value(rest))
         if root == "cpu":
-            return self._cpu(rest, span)
+            _one_of(rest, ("mode", "scans"), "property of the CPU", span)
+            if rest == "scans":
+                return Readable(COUNT, lambda: plant.cpu.scans)
+            return Readable(_CPU_MODE, lambda: plant.cpu.mode.name)
         if root == "bus":
             _one_of(rest, ("mode",), "property of the bus", span)
-            return lambda: self._plant.master.mode.name
+            return Readable(_BUS_MODE, lambda: plant.master.mode.name)
         name, _, item = rest.partition(".")
         if root == "gateway":
-            gateways = self._plant.gateways
-            _one_of(name, gateways, "gateway", span)
-            return self._gateway(gateways[name], item, span)
+            _one_of(name, plant.gateways, "gateway", span)
+            return self._gateway(plant.gateways[name], item, span)
         if root == "drive":
-            drives = self._plant.drives
-            _one_of(name, drives, "drive", span)
-            return self._drive(drives[name], item, span)
-        raise _unknown(root, ("plc", "cpu", "bus", "gateway", "drive"), "kind of thing", span)
+            _one_of(name, plant.drives, "drive", span)
+            return _drive(plant.drives[name], item, span)
+        raise _unknown(root, ROOTS, "kind of thing", span)
 
-    def set(self, path: str, value: ScalarValue, span: Span | None) -> None:
-        """Write a variable of the PLC or a parameter of a drive."""
+    def writable(self, path: str, span: Span | None) -> Writable:
+        """What a path can be set to. Raises DiagnosticError FB8003."""
         root, _, rest = path.partition(".")
         if root == "plc":
-            with _Located(span):
-                self._plant.cpu.engine.set_global(rest, plain(value))
-            return
+            kind = self._variable(rest, span)
+            engine = self._plant.cpu.engine
+            return Writable(kind, lambda value: engine.set_global(rest, _no_bytes(value)))
         name, _, item = rest.partition(".")
-        kind, _, key = item.partition(".")
-        if root == "drive" and kind == "parameter" and isinstance(value, int | float):
-            _one_of(name, self._plant.drives, "drive", span)
-            with _Located(span):
-                self._plant.drives[name].set_parameter(key, float(value))
-            return
-        raise DiagnosticError(
-            [
-                Diagnostic(
-                    "FB8003",
-                    f"'{path}' cannot be set",
-                    span,
-                    "set plc.<variable>, or drive.<name>.parameter.<ComNo> to a number",
-                )
-            ]
-        )
+        what, _, key = item.partition(".")
+        if root != "drive" or what != "comno":
+            _one_of(root, ROOTS, "kind of thing", span)
+            raise error(
+                "FB8003",
+                f"'{path}' cannot be set",
+                span,
+                "set plc.<variable>, or drive.<name>.comno.<parameter> as at its panel",
+            )
+        _one_of(name, self._plant.drives, "drive", span)
+        drive = self._plant.drives[name]
+        number = _comno(drive, key, span)
+        if "w" not in drive.series.comno(number).access:
+            advice = "it can only be read: expect it"
+            raise error("FB8003", f"'{path}' cannot be set", span, advice)
+        return Writable(NUMBER, lambda value: drive.set_parameter(number, _number(value)))
 
-    def _cpu(self, item: str, span: Span | None) -> Getter:
-        cpu = self._plant.cpu
-        getters: dict[str, Getter] = {
-            "mode": lambda: cpu.mode.name,
-            "scans": lambda: cpu.scans,
-        }
-        _one_of(item, getters, "property of the CPU", span)
-        return getters[item]
+    def _variable(self, path: str, span: Span | None) -> ValueKind:
+        engine = self._plant.cpu.engine
+        try:
+            engine.global_value(path)
+        except DiagnosticError as wrong:
+            first = wrong.diagnostics[0]
+            raise error("FB8003", f"in the PLC {first.message}", span, first.help) from None
+        return variable_kind(engine.program, path)
 
-    def _gateway(self, gateway: Tospbdp001, item: str, span: Span | None) -> Getter:
+    def _gateway(self, gateway: Tospbdp001, item: str, span: Span | None) -> Readable:
         kind, _, lamp = item.partition(".")
         if kind == "led":
-            _one_of(lamp, gateway.leds._fields, "lamp", span)
-            return lambda: str(getattr(gateway.leds, lamp).value)
-        _one_of(item, _GATEWAY, "property of a gateway", span)
-        read = _GATEWAY[item]
-        return lambda: read(gateway)
-
-    def _drive(self, drive: Inverter, item: str, span: Span | None) -> Getter:
-        kind, _, key = item.partition(".")
-        if kind in ("comno", "word", "writes"):
-            with _Located(span):
-                number = drive.series.comno(key).number
-            if kind == "comno":
-                return lambda: drive.read_parameter(number)
-            if kind == "word":
-                return lambda: drive.read_word(number)
-            return lambda: drive.registers.write_cycles.get(number, 0)
-        _one_of(item, (*_DRIVE, "comno", "word", "writes"), "property of a drive", span)
-        read = _DRIVE[item]
-        return lambda: read(drive)
+            _one_of(lamp, gateway.leds._fields, "lamp of a gateway", span)
+            return Readable(_LIGHT, lambda: str(getattr(gateway.leds, lamp).value))
+        _one_of(item, (*GATEWAY_ITEMS, "led"), "property of a gateway", span)
+        if item == "status":
+            entry = next(entry for entry in self._plant.plan.gateways if entry.name == gateway.name)
+            word = self._catalog.gateway(entry.type).status_word
+            return Readable(word_kind(word), lambda: gateway.status.word)
+        if item == "outputs":
+            length = gateway.settings.layout.output_length
+            return Readable(octets_kind(length), lambda: gateway.slave.outputs)
+        if item == "inputs":
+            length = gateway.settings.layout.input_length
+            return Readable(octets_kind(length), lambda: gateway.slave.inputs)
+        value_kind, read = _GATEWAY[item]
+        return Readable(value_kind, lambda: read(gateway))
 
 
-class _Located:
-    """Gives findings without a place the place in the scenario file."""
+def _drive(drive: Inverter, item: str, span: Span | None) -> Readable:
+    what, _, key = item.partition(".")
+    if what in COMNO_ITEMS:
+        number = _comno(drive, key, span)
+        if what == "comno":
+            return Readable(NUMBER, lambda: drive.read_parameter(number))
+        if what == "writes":
+            return Readable(COUNT, lambda: drive.registers.write_cycles.get(number, 0))
+        name = drive.series.comno(number).word
+        word = drive.series.word(name) if name is not None else None
+        return Readable(word_kind(word), lambda: drive.read_word(number))
+    _one_of(item, (*DRIVE_ITEMS, *COMNO_ITEMS), "property of a drive", span)
+    trips = drive.series.trips
+    if item == "trip":
+        displays = choice_kind(("", *(trip.display for trip in trips)))
+        return Readable(displays, lambda: drive.trip_display)
+    if item == "trip_code":
+        meanings = coded_kind({trip.code: trip.display for trip in trips})
+        return Readable(meanings, lambda: drive.trip_code)
+    kind, read = _DRIVE[item]
+    return Readable(kind, lambda: read(drive))
 
-    def __init__(self, span: Span | None) -> None:
-        self._span = span
 
-    def __enter__(self) -> None:
-        pass
-
-    def __exit__(self, kind: object, failure: BaseException | None, trace: object) -> None:
-        if isinstance(failure, DiagnosticError):
-            raise DiagnosticError(
-                Diagnostic("FB8003", found.message, self._span, found.help)
-                for found in failure.diagnostics
-            ) from None
+def _comno(drive: Inverter, key: str, span: Span | None) -> int:
+    try:
+        return drive.series.comno(key).number
+    except DiagnosticError as wrong:
+        first = wrong.diagnostics[0]
+        raise error("FB8003", first.message, span, first.help) from None
 
 
-def _one_of(
-    name: str, known: Mapping[str, object] | tuple[str, ...], what: str, span: Span | None
-) -> None:
+def _one_of(name: str, known: Iterable[str], what: str, span: Span | None) -> None:
     if name not in known:
         raise _unknown(name, tuple(known), what, span)
 
 
 def _unknown(name: str, known: tuple[str, ...], what: str, span: Span | None) -> DiagnosticError:
-    message = f"there is no {what} '{name}' in this plant"
-    return DiagnosticError([Diagnostic("FB8003", message, span, nearest(name, known))])
+    message = f"there is no {what} '{name}'" if name else f"a {what} must be named"
+    return error("FB8003", message, span, nearest(name, known))
+
+
+def _number(value: Found) -> float:
+    assert isinstance(value, int | float), "NUMBER has read it"
+    return float(value)
+
+
+def _no_bytes(value: Found) -> Value:
+    assert not isinstance(value, bytes), "the kinds of PLC variables give none"
+    return value

@@ -1,5 +1,6 @@
 """What came of a scenario."""
 
+import shlex
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -8,7 +9,10 @@ from fbgen.diagnostics import Diagnostic, render
 
 @dataclass(frozen=True, slots=True)
 class ScenarioResult:
-    """One run of one scenario. `virtual_ns` is how long it took in the plant's own time."""
+    """One run of one scenario. `virtual_ns` is how long it took in the plant's own time.
+
+    `changes` is what the variation changes, in brackets.
+    """
 
     name: str
     file: str
@@ -17,6 +21,15 @@ class ScenarioResult:
     failures: tuple[Diagnostic, ...] = ()
     virtual_ns: int = 0
     checks: int = 0
+    changes: str = ""
+
+    @property
+    def replay(self) -> str:
+        """The command that runs just this again, for a shell."""
+        command = ["fbgen", "test", self.file, "--seed", str(self.seed)]
+        if self.changes:
+            command += ["-k", f'"{self.changes}"']
+        return shlex.join(command)
 
     def as_json(self) -> dict[str, object]:
         """The result as plain data."""
@@ -27,13 +40,14 @@ class ScenarioResult:
             "passed": self.passed,
             "checks": self.checks,
             "virtual_ns": self.virtual_ns,
+            "replay": self.replay,
             "failures": [failure.as_json() for failure in self.failures],
         }
 
     def render(self) -> str:
         """The failures for a person, with how to run the scenario again."""
         lines = [render(failure) for failure in self.failures]
-        lines.append(f"run it again: fbgen test {self.file} --seed {self.seed}")
+        lines.append(f"run it again: {self.replay}")
         return "\n".join(lines)
 
 

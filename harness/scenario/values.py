@@ -1,59 +1,83 @@
-"""Values of scenario files against values of the running plant."""
+"""What a scenario demands of a value, read for the path it belongs to, against what is found."""
 
-from collections.abc import Mapping
-from typing import TypeAlias
+from collections.abc import Iterator
+from dataclasses import dataclass
 
-from fbgen.catalog import Catalog
-from fbgen.lang.ast import LiteralKind
-from fbgen.lang.literals import BadLiteralError, read_literal
-from harness.engine.interface import Value
-from harness.kernel import NS_PER_MS
-from harness.scenario.model import Expectation, Range, ScalarValue
-
-Found: TypeAlias = Value | bytes
-"""What a path gives."""
+from fbgen.catalog import BitField, Catalog, Word
+from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.nearest import nearest
+from fbgen.source import Span
+from harness.scenario.kinds import Found, ValueKind, WrongValueError, whole
+from harness.scenario.model import Expectation, Range
+from harness.scenario.places import at, key_span, value_span
+from harness.scenario.scalars import Scalar
 
 _SINGLE_PRECISION = 1e-6
 """A REAL of the PLC has 24 bits, so 43.28 comes back as 43.279998779..."""
 
 
-def plain(value: ScalarValue) -> ScalarValue:
-    """A value of the file as the engines count: `16#FF` as a number, `T#2s` in milliseconds."""
-    if not isinstance(value, str) or "#" not in value:
-        return value
-    try:
-        literal = read_literal(value)
-    except BadLiteralError:
-        return value
-    if literal.kind is LiteralKind.DURATION and isinstance(literal.value, int):
-        return literal.value // NS_PER_MS
-    return literal.value
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """What a value of one kind must be; None is not demanded. `bits` belong to `word`."""
 
+    kind: ValueKind
+    equals: Found | None = None
+    tolerance: float = 0.0
+    minimum: Found | None = None
+    maximum: Found | None = None
+    differs_from: Found | None = None
+    word: Word | None = None
+    bits: tuple[tuple[BitField, int], ...] = ()
 
-def holds(expected: Expectation, found: Found, catalog: Catalog) -> bool:
-    """Whether a found value is what was demanded. Raises DiagnosticError for an unknown bit."""
-    if not isinstance(expected, Range):
-        return _equal(plain(expected), found, 0.0)
-    if expected.equals is not None and not _equal(
-        plain(expected.equals), found, expected.tolerance
-    ):
-        return False
-    if expected.differs_from is not None and _equal(plain(expected.differs_from), found, 0.0):
-        return False
-    number = float(found) if isinstance(found, int | float) else None
-    if expected.min is not None and (number is None or number < expected.min):
-        return False
-    if expected.max is not None and (number is None or number > expected.max):
-        return False
-    if expected.bits is not None and expected.word is not None:
-        word = catalog.word(expected.word)
-        return isinstance(found, int) and all(
-            word.field(name).extract(found) == value for name, value in expected.bits.items()
+    def holds(self, found: Found) -> bool:
+        """Whether a found value is what is demanded."""
+        if self.equals is not None and not _equal(self.equals, found, self.tolerance):
+            return False
+        if self.differs_from is not None and _equal(self.differs_from, found, 0.0):
+            return False
+        if self.minimum is not None and not _at_most(self.minimum, found):
+            return False
+        if self.maximum is not None and not _at_most(found, self.maximum):
+            return False
+        return not self.bits or (
+            isinstance(found, int) and all(bit.extract(found) == value for bit, value in self.bits)
         )
-    return True
+
+    def describe(self) -> str:
+        """What is demanded, for a message."""
+        show = self.kind.show
+        parts = []
+        if self.equals is not None:
+            about = f" +- {self.tolerance:g}" if self.tolerance else ""
+            parts.append(f"{show(self.equals)}{about}")
+        if self.differs_from is not None:
+            parts.append(f"other than {show(self.differs_from)}")
+        if self.minimum is not None:
+            parts.append(f"at least {show(self.minimum)}")
+        if self.maximum is not None:
+            parts.append(f"at most {show(self.maximum)}")
+        if self.bits:
+            parts.append(", ".join(f"{bit.name}={value}" for bit, value in self.bits))
+        return " and ".join(parts)
+
+    def decoded(self, found: Found) -> str:
+        """The fields of a found word by name, where the kind or the demand has names for them.
+
+        Bits that are not set are left out, but for those that are demanded.
+        """
+        word = self.word or self.kind.word
+        if word is None or not isinstance(found, int):
+            return ""
+        asked = {bit.name for bit, _ in self.bits}
+        shown = [
+            f"{item.field.name}={item.value}" + (f" ({item.meaning})" if item.meaning else "")
+            for item in word.decode(found)
+            if item.value or item.field.name in asked
+        ]
+        return ", ".join(shown) or "no bit is set"
 
 
-def _equal(expected: ScalarValue, found: Found, tolerance: float) -> bool:
+def _equal(expected: Found, found: Found, tolerance: float) -> bool:
     if isinstance(expected, bool) or isinstance(found, bool):
         return expected is found
     if isinstance(expected, int | float) and isinstance(found, int | float):
@@ -61,62 +85,123 @@ def _equal(expected: ScalarValue, found: Found, tolerance: float) -> bool:
             abs(expected) * _SINGLE_PRECISION if isinstance(found, float) else 0.0
         )
         return abs(expected - found) <= slack
-    if isinstance(found, bytes):
-        return isinstance(expected, str) and bytes_match(expected, found)
     return expected == found
 
 
-def bytes_match(pattern: str, data: bytes | None) -> bool:
-    """Whether bytes are as written in hexadecimal, `xx` standing for any byte."""
-    parts = pattern.split()
-    return (
-        data is not None
-        and len(parts) == len(data)
-        and all(
-            part == "xx" or part.upper() == f"{byte:02X}"
-            for part, byte in zip(parts, data, strict=True)
-        )
+def _at_most(lower: Found, upper: Found) -> bool:
+    return isinstance(lower, int | float) and isinstance(upper, int | float) and lower <= upper
+
+
+def demand(
+    path: str, expected: Expectation, kind: ValueKind, place: Span | None, catalog: Catalog
+) -> Demand:
+    """What a scenario demands of a path.
+
+    Raises DiagnosticError FB8002, FB8009 and FB8010 with everything that is wrong in it. `place`
+    is where the expectation stands.
+    """
+    found: list[Diagnostic] = []
+    if not isinstance(expected, Range):
+        equals = _read(path, kind, expected, place, found)
+        _raise(found)
+        return Demand(kind, equals=equals)
+    word, bits = _bits(path, expected, kind, catalog, found)
+    values = {
+        name: _read(path, kind, value, expected.span_of(name), found)
+        for name in ("equals", "differs_from", "min", "max")
+        if (value := getattr(expected, name)) is not None
+    }
+    for name in ("min", "max"):
+        if name in values and not kind.is_number:
+            message = f"{path} is {kind.title}, which has no {name}"
+            found.append(
+                Diagnostic("FB8009", message, expected.span_of(name), "write equals instead")
+            )
+    low, high = values.get("min"), values.get("max")
+    if low is not None and high is not None and kind.is_number and not _at_most(low, high):
+        message = f"nothing is at least {kind.show(low)} and at most {kind.show(high)}"
+        found.append(Diagnostic("FB8002", message, expected.span_of("min"), "exchange min and max"))
+    _raise(found)
+    return Demand(
+        kind,
+        values.get("equals"),
+        expected.tolerance,
+        low,
+        high,
+        values.get("differs_from"),
+        word,
+        bits,
     )
 
 
-def demanded(expected: Expectation) -> str:
-    """What was demanded, for a message."""
-    if not isinstance(expected, Range):
-        return describe(expected)
-    parts = []
-    if expected.equals is not None:
-        about = f" +- {expected.tolerance:g}" if expected.tolerance else ""
-        parts.append(f"{describe(expected.equals)}{about}")
-    if expected.differs_from is not None:
-        parts.append(f"other than {describe(expected.differs_from)}")
-    if expected.min is not None:
-        parts.append(f"at least {expected.min:g}")
-    if expected.max is not None:
-        parts.append(f"at most {expected.max:g}")
-    if expected.bits is not None:
-        bits = ", ".join(f"{name}={value}" for name, value in expected.bits.items())
-        parts.append(f"{expected.word} with {bits}")
-    return " and ".join(parts)
+def _raise(found: list[Diagnostic]) -> None:
+    if found:
+        raise DiagnosticError(found)
 
 
-def describe(value: Found) -> str:
-    """A value for a message."""
+def _read(
+    path: str, kind: ValueKind, value: Scalar, place: Span | None, found: list[Diagnostic]
+) -> Found | None:
+    try:
+        return kind.read(value)
+    except WrongValueError as wrong:
+        found.append(wrong_value(path, kind, value, place, wrong))
+        return None
+
+
+def wrong_value(
+    path: str, kind: ValueKind, value: Scalar, place: Span | None, wrong: WrongValueError
+) -> Diagnostic:
+    """FB8009: a value that a path can neither be set to nor ever have."""
     if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, bytes):
-        return value.hex(" ").upper()
-    if isinstance(value, int):
-        return f"{value} (16#{value:04X})" if value > 9 else str(value)
-    if isinstance(value, float):
-        return f"{value:.6g}"
-    if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{name}: {describe(part)}" for name, part in value.items()) + "}"
-    return str(value)
+        shown = str(value).lower()
+    else:
+        shown = f"'{value}'" if isinstance(value, str) else f"{value}"
+    return Diagnostic("FB8009", f"{path} is {kind.title} and never {shown}", place, wrong.help)
 
 
-def decoded(expected: Expectation, found: Found, catalog: Catalog) -> str:
-    """The found word bit by bit, where the expectation names a word; else empty."""
-    if not (isinstance(expected, Range) and expected.word and isinstance(found, int)):
-        return ""
-    fields = catalog.word(expected.word).decode(found)
-    return ", ".join(f"{item.field.name}={item.value}" for item in fields)
+def _bits(
+    path: str, expected: Range, kind: ValueKind, catalog: Catalog, found: list[Diagnostic]
+) -> tuple[Word | None, tuple[tuple[BitField, int], ...]]:
+    if expected.bits is None:
+        return None, ()
+    word = kind.word
+    if expected.word is not None:
+        try:
+            word = catalog.word(expected.word)
+        except DiagnosticError as unknown:
+            for item in at(expected.span_of("word"), unknown.diagnostics):
+                found.append(Diagnostic("FB8010", item.message, item.span, item.help))
+            return None, ()
+    if not kind.is_number:
+        message = f"{path} is {kind.title} and has no bits"
+        found.append(Diagnostic("FB8010", message, expected.span_of("bits"), "write equals"))
+    if word is None:
+        message = f"nothing says how the bits of {path} are called"
+        advice = "name the word of the catalogue as well: word: tospbdp001.status"
+        found.append(Diagnostic("FB8010", message, expected.span_of("bits"), advice))
+        return None, ()
+    return word, tuple(_fields(expected, expected.bits, word, found))
+
+
+def _fields(
+    expected: Range, wanted: dict[str, Scalar], word: Word, found: list[Diagnostic]
+) -> Iterator[tuple[BitField, int]]:
+    by_name = {field.name: field for field in word.bits}
+    for name, value in wanted.items():
+        if name not in by_name:
+            message = f"the word '{word.name}' has no '{name}'"
+            place = key_span(expected, "bits", name)
+            found.append(Diagnostic("FB8010", message, place, nearest(name, by_name)))
+            continue
+        field = by_name[name]
+        try:
+            number = int(value) if isinstance(value, bool) else whole(value)
+        except WrongValueError:
+            number = -1
+        if not 0 <= number <= field.maximum:
+            place = value_span(expected, "bits", name)
+            message = f"'{name}' (bit {field.bit}) is never {value}"
+            found.append(Diagnostic("FB8010", message, place, f"write 0 to {field.maximum}"))
+        else:
+            yield field, number

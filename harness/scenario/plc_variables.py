@@ -1,0 +1,155 @@
+"""Variables of the PLC in scenario files: which type a path has, and which values that takes.
+
+Values are written as YAML has them: true and false for BOOL, numbers, texts for STRING and CHAR.
+Bit strings and integers may also be written as the PLC languages write them (16#8401, 2#1010);
+times and dates always are (T#2s, D#2024-02-29), because a bare number would hide its unit.
+"""
+
+from fbgen.diagnostics import DiagnosticError
+from fbgen.lang.ast import LiteralKind
+from fbgen.lang.checked import Program
+from fbgen.lang.literals import BadLiteralError, LiteralValue, read_literal
+from fbgen.lang.types import (
+    LTIME,
+    TIME_OF_DAY,
+    AnyType,
+    ArrayType,
+    BlockType,
+    Elementary,
+    Family,
+    StringType,
+    StructType,
+    Type,
+)
+from harness.engine.interface import Value
+from harness.engine.paths import Step, parse_path
+from harness.engine.values import accept_scalar
+from harness.kernel import NS_PER_MS
+from harness.scenario.kinds import Found, ValueKind, WrongValueError, show
+from harness.scenario.scalars import Scalar
+
+_NUMBERS = (Family.BITS, Family.SIGNED, Family.UNSIGNED, Family.REAL)
+_KINDS_OF_LITERALS = {
+    "TIME": LiteralKind.DURATION,
+    "LTIME": LiteralKind.DURATION,
+    "DATE": LiteralKind.DATE,
+    "TIME_OF_DAY": LiteralKind.TIME_OF_DAY,
+    "LTIME_OF_DAY": LiteralKind.TIME_OF_DAY,
+    "DATE_AND_TIME": LiteralKind.DATE_AND_TIME,
+    "LDT": LiteralKind.DATE_AND_TIME,
+}
+_SPELLINGS = {
+    LiteralKind.DURATION: "T#2s or T#1m30s",
+    LiteralKind.DATE: "D#2024-02-29",
+    LiteralKind.TIME_OF_DAY: "TOD#23:59:59",
+    LiteralKind.DATE_AND_TIME: "DT#2024-02-29-23:59:59",
+}
+
+
+def type_at(program: Program, path: str) -> Type:
+    """The type of what stands at a path that the engine can read."""
+    first, *rest = parse_path(path)
+    key = str(first).casefold()
+    kind: Type
+    if key in program.globals:
+        kind = program.globals[key].type
+    else:
+        kind = BlockType(program.blocks[key].name)
+    for step in rest:
+        kind = _part(program, kind, step)
+    return kind
+
+
+def _part(program: Program, kind: Type, step: Step) -> Type:
+    if isinstance(kind, ArrayType):
+        return kind.element
+    key = str(step).casefold()
+    if isinstance(kind, StructType):
+        return next(field.type for field in kind.fields if field.name.casefold() == key)
+    assert isinstance(kind, BlockType), "the engine has read the path"
+    variables = program.block_of(kind.name).variables
+    return next(item.type for item in variables if item.name.casefold() == key)
+
+
+def variable_kind(program: Program, path: str) -> ValueKind:
+    """What the variable at a path can be set to and compared with."""
+    kind = type_at(program, path)
+
+    def read(value: Scalar) -> Found:
+        return _read(program, path, kind, value)
+
+    number = isinstance(kind, Elementary) and kind.family in (*_NUMBERS, Family.DURATION)
+    return ValueKind(f"a {kind}", read, lambda found: _show(kind, found), number)
+
+
+def _read(program: Program, path: str, kind: Type, value: Scalar) -> Value:
+    if not isinstance(kind, Elementary | StringType):
+        raise WrongValueError(_name_a_part(program, path, kind))
+    try:
+        return accept_scalar(path, kind, _as_python(kind, value))
+    except DiagnosticError as refused:
+        raise WrongValueError(_spelling(kind)) from refused
+
+
+def _as_python(kind: Elementary | StringType, value: Scalar) -> Scalar:
+    if isinstance(kind, StringType) or kind.family in (Family.BOOL, Family.CHAR):
+        return value
+    wanted = _KINDS_OF_LITERALS.get(kind.name)
+    if wanted is not None:
+        literal = _literal(value)
+        if literal is None or literal.kind is not wanted or not isinstance(literal.value, int):
+            raise WrongValueError(_spelling(kind))
+        in_ms = kind is TIME_OF_DAY or (wanted is LiteralKind.DURATION and kind is not LTIME)
+        return literal.value // NS_PER_MS if in_ms else literal.value
+    literal = _literal(value)
+    if literal is not None and literal.kind in (LiteralKind.INTEGER, LiteralKind.REAL):
+        return literal.value
+    return value
+
+
+def _literal(value: Scalar) -> LiteralValue | None:
+    """A literal of the PLC languages with its prefix; None for anything else."""
+    if not isinstance(value, str) or "#" not in value:
+        return None
+    try:
+        return read_literal(value)
+    except BadLiteralError as wrong:
+        raise WrongValueError(wrong.help) from None
+
+
+def _spelling(kind: Elementary | StringType) -> str:
+    if isinstance(kind, StringType):
+        return f"write a text of {kind.length} characters at most, in quotes if it looks a number"
+    if kind.family is Family.BOOL:
+        return "write true or false"
+    if kind.family is Family.CHAR:
+        return "write one character in quotes"
+    if kind.family is Family.REAL:
+        return "write a number"
+    if wanted := _KINDS_OF_LITERALS.get(kind.name):
+        return f"write it as the PLC does, such as {_SPELLINGS[wanted]}"
+    based = f", also as 16#{kind.maximum:X}" if kind.family is Family.BITS else ""
+    return f"write a whole number from {kind.minimum} to {kind.maximum}{based}"
+
+
+def _name_a_part(program: Program, path: str, kind: Type) -> str:
+    if isinstance(kind, ArrayType):
+        indices = ", ".join(str(first) for first, _ in kind.bounds)
+        return f"name one of its elements, such as {path}[{indices}]"
+    if isinstance(kind, StructType):
+        names = [field.name for field in kind.fields]
+    elif isinstance(kind, AnyType):
+        names = []
+    else:
+        assert isinstance(kind, BlockType)
+        names = [variable.name for variable in program.block_of(kind.name).variables]
+    return f"name one of its parts: {', '.join(names[:12])}{', ...' if len(names) > 12 else ''}"
+
+
+def _show(kind: Type, found: Found) -> str:
+    if isinstance(kind, Elementary) and isinstance(found, int) and not isinstance(found, bool):
+        if kind.family is Family.BITS:
+            return f"16#{found:0{kind.bits // 4}X} ({found})"
+        if kind.family is Family.DURATION:
+            return f"T#{found}ms" if kind is not LTIME else f"LT#{found}ns"
+    return show(found)
