@@ -1,10 +1,12 @@
 """One gateway of the plant as templates see it: its cyclic layout on this PLC, its drives."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from fbgen.blocks.literals import SclText, byte, milliseconds, real
 from fbgen.blocks.sequences import SequenceView
 from fbgen.catalog import Catalog, CyclicField, Gateway, Layout, origin
+from fbgen.diagnostics import Diagnostic
 from fbgen.plant import Plant, PlantDrive, PlantGateway
 
 _MEMBERS = {
@@ -17,6 +19,11 @@ _MEMBERS = {
     "data": "data",
 }
 """Field of the catalogue's layout -> member of typeTosOutput and typeTosInput."""
+
+_TELEGRAM = {"inv_no": 1, "cmd": 1, "comno": 2, "data": 2}
+_OUTPUTS = {"control": 2, "trigger": 1, **_TELEGRAM}
+_INPUTS = {"status": 2, **_TELEGRAM}
+"""The fields of both directions with their lengths in bytes, as the members are declared."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,6 +138,28 @@ def gateway_view(
             for index, drive in enumerate(gateway.drives)
         ),
     )
+
+
+def missing_fields(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
+    """FB5008: layouts whose fields are not those that the blocks know, each with its length."""
+    layouts = {
+        (item.type, item.layout): catalog.gateway(item.type).layout(item.layout)
+        for item in plant.gateways
+    }
+    for layout in layouts.values():
+        for area, fields, wanted in (
+            ("output", layout.output, _OUTPUTS),
+            ("input", layout.input, _INPUTS),
+        ):
+            found = {item.name: item.length for item in fields if not item.pad}
+            if found != wanted:
+                listed = ", ".join(f"{name} ({size})" for name, size in wanted.items())
+                yield Diagnostic(
+                    "FB5008",
+                    f"the {area} fields of layout '{layout.name}' are not those of TOS_Telegram",
+                    layout.span_of(area),
+                    f"the fields, with their lengths in bytes, are {listed}; all else is a pad",
+                )
 
 
 def reply_timeout_ms(plant: Plant, gateway: Gateway, reply_max_ms: float) -> float:

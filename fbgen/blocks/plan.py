@@ -3,8 +3,9 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from fbgen.blocks.gateways import GatewayView, gateway_view
+from fbgen.blocks.gateways import GatewayView, gateway_view, missing_fields
 from fbgen.blocks.literals import SclText, byte, comno, one_line, source_text
+from fbgen.blocks.names import name_conflicts
 from fbgen.blocks.sequences import SequenceView, sequence_view
 from fbgen.blocks.words import WordView
 from fbgen.catalog import Catalog, ComNo, Drive, Gateway, WriteStep, origin
@@ -44,6 +45,9 @@ class PlantView:
 
 def plan_blocks(plant: Plant, catalog: Catalog) -> BlockPlan:
     """Which blocks the plant needs. Raises DiagnosticError for what cannot be generated."""
+    known = [catalog.sequence(name) for name in plant.sequences]
+    if found := [*name_conflicts(plant, known), *missing_fields(plant, catalog)]:
+        raise DiagnosticError(found)
     drives = _series(plant, catalog)
     sequences = tuple(_sequence(name, drives, catalog) for name in plant.sequences)
     gateways = tuple(gateway_view(plant, item, sequences, catalog) for item in plant.gateways)

@@ -152,7 +152,7 @@ class _Steps:
             return [SclText(f"#line.request.data := {word(step.literal)};", place)]
         if step.parameter is not None:
             parameter = next(p for p in self.sequence.parameters if p.name == step.parameter)
-            return [SclText(f"#line.request.data := {self._sent(parameter)};", place)]
+            return [SclText(line, place) for line in self._sent(parameter)]
         bits = self.drive.word(target.word or "")
         lines = [SclText(f"#line.request.data := {word(bits.encode(step.bits or ()))};", place)]
         for bit, name in step.bits_from.items():
@@ -164,24 +164,33 @@ class _Steps:
             ]
         return lines
 
-    def _sent(self, parameter: Parameter) -> str:
+    def _sent(self, parameter: Parameter) -> list[str]:
+        """The lines that put a parameter into the telegram."""
         latched = f"#stat_{parameter.name}"
         if parameter.type == "WORD":
-            return latched
+            return [f"#line.request.data := {latched};"]
         if parameter.type == "INT":
-            return f"INT_TO_WORD({latched})"
+            return [f"#line.request.data := INT_TO_WORD({latched});"]
         if parameter.scaled_by is None:
-            return f"DWORD_TO_WORD(DINT_TO_DWORD(REAL_TO_DINT({latched})))"
-        scale = self.drive.comno(parameter.scaled_by)
+            return self._limited(latched, 0.0, 65535.0, 1.0)
         if self._is_setpoint(parameter.name):
-            return f'"TOS_HzToWord"(hz := {latched}, maxFrequency := #maxFrequency)'
-        low = real(scale.to_value(scale.minimum_word))
-        high = real(scale.to_value(scale.maximum_word))
-        limited = f"LIMIT(MN := {low}, IN := {latched}, MX := {high})"
-        return (
-            "DWORD_TO_WORD(DINT_TO_DWORD(REAL_TO_DINT("
-            f"{limited} * {real(round(1 / scale.resolution, 6))})))"
-        )
+            value = f'"TOS_HzToWord"(hz := {latched}, maxFrequency := #maxFrequency)'
+            return [f"#line.request.data := {value};"]
+        scale = self.drive.comno(parameter.scaled_by)
+        low, high = scale.to_value(scale.minimum_word), scale.to_value(scale.maximum_word)
+        return self._limited(latched, low, high, round(1 / scale.resolution, 6))
+
+    def _limited(self, name: str, low: float, high: float, factor: float) -> list[str]:
+        """A REAL as a word. What is no number fails every comparison and becomes the minimum."""
+        return [
+            f"IF NOT ({name} >= {real(low)}) THEN",
+            f"   {name} := {real(low)};",
+            f"ELSIF {name} > {real(high)} THEN",
+            f"   {name} := {real(high)};",
+            "END_IF;",
+            "#line.request.data := "
+            f"DWORD_TO_WORD(DINT_TO_DWORD(REAL_TO_DINT({name} * {real(factor)})));",
+        ]
 
     def _received(self, result: Result) -> str:
         data = "#line.reply.data"

@@ -1,0 +1,93 @@
+"""Names of the catalogue and the plant that meet in the PLC program.
+
+Each of them is sound by itself. Here stands what only shows when they come together: a sequence's
+parameter that is called like a variable of its block, two units with one name, a reserved word.
+PLC names do not depend on case, and neither do file names on Windows.
+"""
+
+from collections.abc import Iterable, Iterator
+
+from fbgen.catalog import Parameter, Result, Sequence
+from fbgen.diagnostics import Diagnostic, Note
+from fbgen.lang.dialects import DIALECTS
+from fbgen.plant import Plant, PlantGateway
+from fbgen.source import Span
+
+_OF_SEQUENCE_BLOCK = frozenset(
+    (
+        *("execute", "invno", "slot", "maxfrequency", "line"),
+        *("done", "busy", "error", "active", "status", "stepnumber", "failedstep"),
+        *("instdelay", "statdelaying", "statdelay", "statexecute"),
+        *("tempstart", "tempsend", "tempreleased"),
+    )
+)
+"""What templates/blocks/TOS_Seq.scl.jinja and templates/types/typeTosSeq.udt.jinja declare."""
+
+_OF_DRIVE_TYPE = frozenset({"polled"})
+"""What templates/types/typeTosDrive.udt.jinja declares beside the sequences."""
+
+
+def name_conflicts(plant: Plant, sequences: Iterable[Sequence]) -> Iterator[Diagnostic]:
+    """FB5007: names that cannot stand beside each other in the generated blocks."""
+    known = tuple(sequences)
+    for sequence in known:
+        yield from _sequence(sequence)
+    for gateway in plant.gateways:
+        yield from _instances(gateway, known)
+    yield from _units(plant)
+
+
+def _sequence(sequence: Sequence) -> Iterator[Diagnostic]:
+    place = sequence.span_of("id")
+    if sequence.id in _OF_DRIVE_TYPE:
+        yield _taken(f"the sequence is called '{sequence.id}' like a member of typeTosDrive", place)
+    elif _is_reserved(sequence.id):
+        yield _taken(f"the sequence's id '{sequence.id}' is a reserved word", place)
+    interface: tuple[Parameter | Result, ...] = (*sequence.parameters, *sequence.results)
+    for item in interface:
+        if item.name in _OF_SEQUENCE_BLOCK or item.name.startswith("stat_"):
+            message = f"'{item.name}' is called like a variable of the block itself"
+            yield _taken(message, item.span_of("name"))
+        elif _is_reserved(item.name):
+            yield _taken(f"'{item.name}' is a reserved word", item.span_of("name"))
+
+
+def _instances(gateway: PlantGateway, sequences: tuple[Sequence, ...]) -> Iterator[Diagnostic]:
+    """Drive a with sequence b_c and drive a_b with sequence c give one name."""
+    seen: dict[str, str] = {}
+    for drive in gateway.drives:
+        for sequence in sequences:
+            name = f"inst_{drive.name}_{sequence.id}".casefold()
+            if name in seen:
+                yield Diagnostic(
+                    "FB5007",
+                    f"drive '{drive.name}' with sequence '{sequence.id}' and drive {seen[name]} "
+                    f"give one name, inst_{drive.name}_{sequence.id}",
+                    drive.span_of("name"),
+                    "call the drive otherwise",
+                )
+            seen.setdefault(name, f"'{drive.name}' with sequence '{sequence.id}'")
+
+
+def _units(plant: Plant) -> Iterator[Diagnostic]:
+    """A gateway x has the block TOS_Gateway_x and the data block TOS_Gateway_x_DB."""
+    seen = {gateway.name.casefold(): gateway for gateway in plant.gateways}
+    for gateway in plant.gateways:
+        other = seen.get(f"{gateway.name}_db".casefold())
+        if other is not None:
+            yield Diagnostic(
+                "FB5007",
+                f"the data block of gateway '{gateway.name}' and the block of gateway "
+                f"'{other.name}' have one name, TOS_Gateway_{other.name}",
+                other.span_of("name"),
+                "call one of the gateways otherwise",
+                (Note("the other gateway", gateway.span_of("name")),),
+            )
+
+
+def _taken(message: str, place: Span | None) -> Diagnostic:
+    return Diagnostic("FB5007", message, place, "choose another name in the catalogue entry")
+
+
+def _is_reserved(name: str) -> bool:
+    return any(name.upper() in dialect.reserved for dialect in DIALECTS.values())
