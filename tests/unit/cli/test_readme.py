@@ -13,9 +13,11 @@ ROOT = Path(__file__).parents[3]
 
 
 def commands() -> list[list[str]]:
-    """The lines of README that begin with `fbgen`, without their comments."""
+    """The console lines of README that begin with `fbgen`, without their comments."""
     text = (ROOT / "README.md").read_text(encoding="utf-8")
-    return [shlex.split(line, comments=True)[1:] for line in re.findall(r"^fbgen .+$", text, re.M)]
+    console = "".join(re.findall(r"^```console\n(.+?)^```$", text, re.M | re.S))
+    lines = re.findall(r"^fbgen .+$", console, re.M)
+    return [shlex.split(line, comments=True)[1:] for line in lines]
 
 
 def test_every_command_of_the_readme_succeeds_in_its_order(
