@@ -67,7 +67,11 @@ class Instance(Protocol):
         ...
 
     def get(self, path: str) -> Value:
-        """The value of a variable or of a part of it; an in-out as the last call left it."""
+        """The value of a variable or of a part of it; an in-out as the last call left it.
+
+        For an instance that the program calls, an engine may show instead what the variable behind
+        the in-out holds by now.
+        """
         ...
 
     def set(self, path: str, value: Value) -> None:

@@ -134,9 +134,20 @@ class Calls:
             self.run_standard(instance, call.block)
         else:
             self.run_instance(instance, call.span)
+        self._disconnect(instance)
         for variable, place in call.outputs:
             value = instance.parts[variable.name.casefold()].read()
             self._places.find(place, frame).write(value)
+
+    def _disconnect(self, instance: InstanceStorage) -> None:
+        """Behind a call an in-out shows what the call left, whatever the caller does with it."""
+        for key, storage in instance.connections.items():
+            left = self._allocator.of_type(storage.kind)
+            if isinstance(storage, InstanceStorage):
+                left.restore(storage.snapshot())
+            else:
+                left.write(storage.read())
+            instance.connections[key] = left
 
     def _index(self, expression: Expression, frame: Frame) -> int:
         return self._expressions.integer(expression, frame)

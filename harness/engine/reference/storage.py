@@ -169,8 +169,9 @@ class Array(Storage):
 class InstanceStorage(Storage):
     """The variables of a function block, PROGRAM or organization block that outlive a call.
 
-    `connections` has the storages that the last call connected to the in-outs; they are not part
-    of the state. `standard` is the memory of a standard block that is not visible as a variable.
+    `connections` has the storages that are connected to the in-outs during a call, and copies of
+    them behind it; they are not part of the state. `standard` is the memory of a standard block
+    that is not visible as a variable.
     """
 
     __slots__ = ("_kind", "_variables", "block", "connections", "parts", "standard")
