@@ -224,7 +224,11 @@ class _Preparing:
         if self._fault_type(step.clear, step.span_of("clear")) is None:
             return
         if key not in self._faults:
-            there = ", ".join(f"{name} on {on}" if on else name for name, on in self._faults)
+            there = ", ".join(
+                f"{name} on {on}" if on else name
+                for (name, on), fault in self._faults.items()
+                if fault is not None
+            )
             self._report(
                 "FB8005",
                 f"there is no fault '{step.clear}'"
@@ -251,9 +255,9 @@ class _Preparing:
             telegrams = step.telegrams
             self.found += [item for each in telegrams for item in pattern_problems(each)]
         else:
-            known = self._catalog.sequences
+            known = {name: item for name, item in self._catalog.sequences.items() if item.telegrams}
             if step.of_sequence not in known:
-                message = f"there is no sequence '{step.of_sequence}'"
+                message = f"there is no sequence '{step.of_sequence}' with telegrams"
                 advice = nearest(step.of_sequence, known)
                 self._report("FB8004", message, step.span_of("of_sequence"), advice)
                 return

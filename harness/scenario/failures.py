@@ -40,8 +40,10 @@ class Failures:
         shown = check.source.kind.show(value)
         message = f"{check.path} is {shown}{when}, expected {check.demand.describe()}"
         notes = [Note(f"at {seconds(self._plant.kernel.now_ns)} of the plant's time")]
-        if fields := check.demand.decoded(value):
-            notes.append(Note(f"{shown} means: {fields}"))
+        wanted = check.demand.equals
+        for word in (value, wanted) if wanted is not None else (value,):
+            if fields := check.demand.decoded(word):
+                notes.append(Note(f"{check.source.kind.show(word)} means: {fields}"))
         return Diagnostic("FB8001", message, check.place, notes=tuple(notes))
 
     def waited(self, within_ns: int) -> str:

@@ -122,10 +122,10 @@ def choice_kind(known: tuple[str, ...]) -> ValueKind:
 
     def read(value: Scalar) -> str:
         if value not in known:
-            raise WrongValueError(nearest(str(value), known))
+            raise WrongValueError(nearest(str(value), filter(None, known)))
         return str(value)
 
-    return ValueKind("a text", read, show)
+    return ValueKind("one of a few texts", read, show)
 
 
 def coded_kind(meanings: Mapping[int, str]) -> ValueKind:

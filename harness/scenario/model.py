@@ -21,6 +21,7 @@ from pydantic.json_schema import WithJsonSchema
 from fbgen.catalog import Located
 from fbgen.catalog.scalars import Count, Real, SnakeName, Text
 from fbgen.diagnostics import Diagnostic
+from fbgen.nearest import near_names
 from harness.drives import Load, LoadShape
 from harness.faults import FAULTS
 from harness.installation import DriveConditions
@@ -28,7 +29,7 @@ from harness.scenario.durations import DurationNs, PositiveDurationNs
 from harness.scenario.scalars import ScalarValue
 
 _FAULT_NAME = WithJsonSchema({"enum": sorted(FAULTS), "description": "What goes wrong"})
-FaultName = Annotated[SnakeName, _FAULT_NAME]
+FaultName = Annotated[Text, _FAULT_NAME]
 """A fault of `harness.faults`; whether there is one is checked with the plant at hand."""
 
 
@@ -83,11 +84,11 @@ def _is_number(value: object) -> bool:
 
 
 def _kind_of_expectation(value: Any) -> str:
-    return "range" if isinstance(value, dict | Range) else "value"
+    return "a range" if isinstance(value, dict | Range) else "a value"
 
 
 Expectation = Annotated[
-    Annotated[ScalarValue, Tag("value")] | Annotated[Range, Tag("range")],
+    Annotated[ScalarValue, Tag("a value")] | Annotated[Range, Tag("a range")],
     Discriminator(_kind_of_expectation),
 ]
 """A value, or what it must be in more words."""
@@ -177,23 +178,28 @@ _KINDS: dict[str, type[Located]] = {
 
 
 def _kind_of_step(step: Any) -> str | None:
+    """The tag of a step; tags have blanks, so that none is a key. A misspelt key counts as meant,
+    so that the finding names it."""
     if isinstance(step, dict):
-        return next((key for key in _KINDS if key in step), None)
-    return next((key for key, kind in _KINDS.items() if isinstance(step, kind)), None)
+        keys = [key for key in _KINDS if key in step]
+        keys = keys or [near for key in step for near in near_names(str(key), _KINDS)][:1]
+    else:
+        keys = [key for key, kind in _KINDS.items() if isinstance(step, kind)]
+    return f"{keys[0]} step" if len(keys) == 1 else None
 
 
 Step = Annotated[
-    Annotated[SetStep, Tag("set")]
-    | Annotated[WaitStep, Tag("wait")]
-    | Annotated[ExpectStep, Tag("expect")]
-    | Annotated[InjectStep, Tag("inject")]
-    | Annotated[ClearStep, Tag("clear")]
-    | Annotated[TelegramsStep, Tag("telegrams")]
-    | Annotated[SequenceStep, Tag("of_sequence")],
+    Annotated[SetStep, Tag("set step")]
+    | Annotated[WaitStep, Tag("wait step")]
+    | Annotated[ExpectStep, Tag("expect step")]
+    | Annotated[InjectStep, Tag("inject step")]
+    | Annotated[ClearStep, Tag("clear step")]
+    | Annotated[TelegramsStep, Tag("telegrams step")]
+    | Annotated[SequenceStep, Tag("of_sequence step")],
     Discriminator(
         _kind_of_step,
         custom_error_type="step",
-        custom_error_message="a step has one of the keys " + ", ".join(_KINDS),
+        custom_error_message="a step has exactly one of the keys " + ", ".join(_KINDS),
     ),
 ]
 """One step; its first key says which."""

@@ -145,6 +145,13 @@ class Paths:
 
     def _variable(self, path: str, span: Span | None) -> ValueKind:
         engine = self._plant.cpu.engine
+        if not path:
+            raise _unknown(
+                "",
+                tuple(item.name for item in engine.program.globals.values()),
+                "variable of the PLC",
+                span,
+            )
         try:
             engine.global_value(path)
         except DiagnosticError as wrong:

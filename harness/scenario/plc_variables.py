@@ -79,7 +79,7 @@ def variable_kind(program: Program, path: str) -> ValueKind:
         return _read(program, path, kind, value)
 
     number = isinstance(kind, Elementary) and kind.family in (*_NUMBERS, Family.DURATION)
-    return ValueKind(f"a {kind}", read, lambda found: _show(kind, found), number)
+    return ValueKind(f"of type {kind}", read, lambda found: _show(kind, found), number)
 
 
 def _read(program: Program, path: str, kind: Type, value: Scalar) -> Value:

@@ -106,19 +106,17 @@ def demand(
         _raise(found)
         return Demand(kind, equals=equals)
     word, bits = _bits(path, expected, kind, catalog, found)
-    values = {
-        name: _read(path, kind, value, expected.span_of(name), found)
-        for name in ("equals", "differs_from", "min", "max")
-        if (value := getattr(expected, name)) is not None
-    }
-    for name in ("min", "max"):
-        if name in values and not kind.is_number:
+    values: dict[str, Found | None] = {}
+    for name in ("equals", "differs_from", "min", "max"):
+        value = getattr(expected, name)
+        place = expected.span_of(name)
+        if value is not None and name in ("min", "max") and not kind.is_number:
             message = f"{path} is {kind.title}, which has no {name}"
-            found.append(
-                Diagnostic("FB8009", message, expected.span_of(name), "write equals instead")
-            )
+            found.append(Diagnostic("FB8009", message, place, "write equals instead"))
+        elif value is not None:
+            values[name] = _read(path, kind, value, place, found)
     low, high = values.get("min"), values.get("max")
-    if low is not None and high is not None and kind.is_number and not _at_most(low, high):
+    if low is not None and high is not None and not _at_most(low, high):
         message = f"nothing is at least {kind.show(low)} and at most {kind.show(high)}"
         found.append(Diagnostic("FB8002", message, expected.span_of("min"), "exchange min and max"))
     _raise(found)
