@@ -87,9 +87,9 @@ class Listing:
         self.lines.append(" " * self.indent + text)
         self.spans.append(self.span)
 
-    def note(self, site: Site) -> None:
-        """The line that comes next may stop at this site."""
-        self.sites.setdefault(len(self.lines) + 1, []).append(site)
+    def note(self, sites: list[Site]) -> None:
+        """The line that comes next may stop at one of these sites."""
+        self.sites[len(self.lines) + 1] = sites
 
     def append(self, other: "Listing") -> None:
         """All lines of another listing behind these, as they are."""

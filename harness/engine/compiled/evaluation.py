@@ -37,9 +37,9 @@ def expression(procedure: Procedure, node: Expression) -> Code:
 def value(procedure: Procedure, node: Expression) -> Code:
     """The Python for an expression, with its value inside of its type."""
     code = expression(procedure, node)
-    if is_counted(node.type):
-        assert isinstance(node.type, Elementary)
-        return wrapped(code, node.type, procedure.temporary)
+    kind = node.type
+    if isinstance(kind, Elementary) and is_counted(kind):
+        return wrapped(code, kind, procedure.temporary)
     return code
 
 

@@ -115,7 +115,12 @@ class Facts:
             callee = _callee(node)
             if callee is not None and any(_has_blocks(v.type) for v in self._found[callee].globals):
                 return set()
-            if isinstance(node, FunctionCall | InstanceCall):
+            if isinstance(node, FunctionCall):
+                # A call inside of an expression may write in a function of its own.
+                private -= {
+                    one.variable for one in written_places(node) if isinstance(one, VariableRef)
+                }
+            elif isinstance(node, InstanceCall):
                 private -= {
                     place.variable
                     for parameter, place in node.in_outs
@@ -139,15 +144,16 @@ class Facts:
         found = self._found[block]
         sites: list[_Site] = []
         for node in every_node(body):
-            found.written.update(
-                root for place in written_places(node) if (root := root_of(place)) is not None
-            )
+            for place in written_places(node):
+                root = root_of(place)
+                if root is not None:
+                    found.written.add(root)
             match node:
-                case For() | While() | Repeat():
-                    found.loops = True
                 case VariableRef():
                     if node.variable.kind is VariableKind.GLOBAL:
                         found.globals.add(node.variable)
+                case For() | While() | Repeat():
+                    found.loops = True
                 case FunctionCall():
                     found.callees.add(node.function)
                     sites += _sites(block, node.function, node.in_outs, [])

@@ -168,7 +168,7 @@ def _write_range_loop(
         procedure.listing.indent -= 4
     known, aliases = dict(procedure.known), dict(procedure.aliases)
     procedure.known[variable.variable] = interval
-    if not is_local and not procedure.context.framed:
+    if not is_local:
         procedure.aliases[variable.variable] = local
     _body(procedure, node.body, None, write_body, counted=_leaves_early(node.body))
     procedure.known, procedure.aliases = known, aliases

@@ -39,6 +39,7 @@ def _chain(procedure: Procedure, node: Binary | Convert) -> Code:
         code = _link(part, link, code)
         if number % LONGEST_CHAIN == 0 and number < len(links):
             part.line(f"value = {code.text}")
+            part.forget_sites()
             code = code._replace(text="value", level=Level.ATOM, depth=1, safe=True, simple=True)
     part.line(f"return {code.text}")
     safe = pure = False

@@ -6,6 +6,7 @@ of its own. Then the temporary variables of the block live in an object, the fra
 functions share; such a block is written a second time with `framed` set.
 """
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import TypeAlias
 
@@ -14,7 +15,7 @@ from fbgen.lang import checked
 from fbgen.lang.checked import Block, Variable, VariableKind
 from fbgen.lang.types import Type
 from fbgen.source import Span
-from harness.engine.compiled.code import Code, Listing, Site
+from harness.engine.compiled.code import Code, Level, Listing, Site
 from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.model import GLOBALS, Model, has_memory, is_scalar
@@ -43,7 +44,7 @@ class BlockContext:
 
     __slots__ = (
         *("block", "facts", "framed", "image_sizes", "initializer", "model", "names", "parts"),
-        *("probe", "python_name", "tables", "_count"),
+        *("probe", "python_name", "storage", "tables", "_count"),
     )
 
     def __init__(
@@ -67,6 +68,7 @@ class BlockContext:
         self.python_name = model.name_of(block)
         self.parts: list[Listing] = []
         self.tables: dict[str, object] = {}
+        self.storage: dict[Variable, str] = {}
         self._count = 0
 
     @property
@@ -109,13 +111,24 @@ class Procedure:
     """
 
     __slots__ = (
-        *("aliases", "context", "known", "listing", "loops", "name", "nesting", "return_line"),
+        *(
+            "aliases",
+            "arguments",
+            "context",
+            "known",
+            "listing",
+            "loops",
+            "name",
+            "nesting",
+            "return_line",
+        ),
         *("split", "_sites", "_temporaries"),
     )
 
     def __init__(self, context: BlockContext, name: str, nesting: int, split: bool) -> None:
         self.context = context
         self.name = name
+        self.arguments = ""
         self.nesting = nesting
         self.split = split
         self.return_line = "return"
@@ -134,15 +147,17 @@ class Procedure:
         return f"_{self._temporaries}"
 
     def site(self, text: str, node: checked.Expression, position: str = "") -> None:
-        """Remember that the line that is being put together may stop here."""
+        """Remember that the lines of the present statement may stop here."""
         self._sites.append(Site(text, node, position))
 
+    def forget_sites(self) -> None:
+        """A new statement or condition begins."""
+        self._sites = []
+
     def line(self, text: str) -> None:
-        """Write a line; what was remembered by `site` belongs to it."""
+        """Write a line; what was remembered by `site` may stand in it."""
         if self._sites:
-            for site in self._sites:
-                self.listing.note(site)
-            self._sites.clear()
+            self.listing.note(self._sites)
         self.listing.add(text)
 
     def lines(self, texts: Sequence[str]) -> None:
@@ -165,6 +180,12 @@ class Procedure:
 
     def storage(self, variable: Variable) -> str:
         """The Python text of the variable's own storage; a cell if the variable has one."""
+        known = self.context.storage
+        if variable not in known:
+            known[variable] = self._storage(variable)
+        return known[variable]
+
+    def _storage(self, variable: Variable) -> str:
         context = self.context
         if variable.kind is VariableKind.GLOBAL:
             return context.model.global_name(variable)
@@ -193,32 +214,38 @@ class Procedure:
 
     # --- splitting ----------------------------------------------------------------------------
 
-    def start_part(self, what: str) -> "Procedure":
-        """A new function of the block, with its head written. Close it with `finish_part`."""
+    def start_part(self, what: str, more: Sequence[str] = ()) -> "Procedure":
+        """A new function of the block, with its head written. Close it with `finish_part`.
+
+        `more` are locals of this function that the new one needs.
+        """
         context = self.context
         if not context.framed:
             raise FrameNeededError
         part = Procedure(context, context.new_name(what), self.nesting, split=True)
         part.listing.span = self.listing.span
-        part.line(f"def {part.name}({context.arguments}):")
+        part.arguments = ", ".join((context.arguments, *more))
+        part.line(f"def {part.name}({part.arguments}):")
         part.listing.indent = 4
         return part
 
     def finish_part(self, part: "Procedure") -> str:
         """The text of a call of a finished function."""
         self.context.parts.append(part.listing)
-        return f"{part.name}({self.context.arguments})"
+        return f"{part.name}({part.arguments})"
 
     def split_off(self, code: Code) -> Code:
         """An expression that is nested too deep, as the call of a function with it."""
-        part = self.start_part("value")
+        used = [
+            name
+            for name in dict.fromkeys(self.aliases.values())
+            if re.search(rf"(?<!\.)\b{name}\b", code.text)
+        ]
+        part = self.start_part("value", used)
         part._sites += self._sites
         part.line(f"return {code.text}")
-        return code._replace(text=self.finish_part(part), level=_ATOM, depth=1, simple=False)
+        return code._replace(text=self.finish_part(part), level=Level.ATOM, depth=1, simple=False)
 
     def fresh(self, kind: Type) -> str:
         """An expression for a new value of a type."""
         return self.context.initializer.fresh(kind)
-
-
-_ATOM = Code("").level

@@ -46,6 +46,7 @@ def write_if(procedure: Procedure, node: If, write_body: WriteBody) -> None:
 def _chain(procedure: Procedure, branches: Sequence[Branch], write_body: WriteBody) -> None:
     keyword = "if"
     for branch in branches:
+        procedure.forget_sites()
         procedure.listing.span = branch.condition.span
         procedure.line(f"{keyword} {condition(procedure, branch.condition)}:")
         write_body(procedure, branch.body, branch)

@@ -34,6 +34,7 @@ from harness.engine.compiled.model import has_memory
 from harness.engine.compiled.places import assign
 from harness.engine.compiled.procedure import DEEPEST_INDENT, DEEPEST_LOOPS, Procedure
 from harness.engine.compiled.selection import write_case, write_if
+from harness.engine.compiled.walk import every_node, root_of, written_places
 
 _GOES_ON, _RETURN, _EXIT, _CONTINUE = 0, 1, 2, 3
 DEEPEST_LOCALS = 20
@@ -72,11 +73,7 @@ def _keep_in_locals(procedure: Procedure, body: Sequence[Statement]) -> None:
     """Read often used attributes into locals; `procedure.aliases` becomes a new mapping."""
     context = procedure.context
     aliases = dict(procedure.aliases)
-    if (
-        has_memory(context.block)
-        and not context.framed
-        and procedure.listing.indent <= DEEPEST_LOCALS
-    ):
+    if has_memory(context.block) and procedure.listing.indent <= DEEPEST_LOCALS:
         for variable, is_read_first in worth_keeping(body, context.block, context.facts):
             if variable not in aliases:
                 name = context.names.of(variable.name)
@@ -106,6 +103,7 @@ def write_statement(procedure: Procedure, statement: Statement) -> None:
     """One statement."""
     procedure.listing.span = statement.span
     procedure.enter(statement.span)
+    procedure.forget_sites()
     _probe(procedure, statement)
     match statement:
         case Assignment():
@@ -202,6 +200,7 @@ def _split(procedure: Procedure, body: Sequence[Statement]) -> None:
     """Statements in a function of their own, called here."""
     span: Span | None = procedure.listing.span
     part = procedure.start_part("part")
+    _keep_in_locals(part, body)
     write_statements(part, body)
     part.listing.span = span
     part.line(f"return {_GOES_ON}")
@@ -210,9 +209,11 @@ def _split(procedure: Procedure, body: Sequence[Statement]) -> None:
     jumps = _jumps(body)
     if not jumps:
         procedure.line(call)
+        _refresh(procedure, body)
         return
     name = procedure.temporary()
     procedure.line(f"{name} = {call}")
+    _refresh(procedure, body)
     for kind, code, write in (
         (Return, _RETURN, _return),
         (Exit, _EXIT, _exit),
@@ -223,6 +224,16 @@ def _split(procedure: Procedure, body: Sequence[Statement]) -> None:
             procedure.listing.indent += 4
             write(procedure)
             procedure.listing.indent -= 4
+
+
+def _refresh(procedure: Procedure, body: Sequence[Statement]) -> None:
+    """Fill the locals again whose variables another function has written."""
+    if procedure.aliases:
+        places = (place for node in every_node(body) for place in written_places(node))
+        written = {root_of(place) for place in places}
+        for variable, name in procedure.aliases.items():
+            if variable in written:
+                procedure.line(f"{name} = {procedure.text_of(variable)}")
 
 
 def write_long(procedure: Procedure, body: Sequence[Statement]) -> None:

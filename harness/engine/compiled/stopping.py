@@ -76,7 +76,7 @@ class Stopper:
         sites = listing.sites.get(line, [])
         failed = _failed_text(frame.f_code, offset, listing.lines[line - 1])
         site = next((one for one in sites if one.text == failed), None)
-        if site is None and len(sites) == 1:
+        if failed is None and len(sites) == 1:
             site = sites[0]
         return site, site.node.span if site is not None else listing.spans[line - 1]
 

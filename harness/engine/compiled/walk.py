@@ -1,7 +1,7 @@
 """Every node of a checked tree, without recursion: trees may be very deep."""
 
-from collections.abc import Iterable, Iterator
-from typing import TypeAlias
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any, TypeAlias
 
 from fbgen.lang.checked import (
     AddressRef,
@@ -40,43 +40,34 @@ def _arguments(call: FunctionCall | InstanceCall) -> list[Node]:
     return [expression for _, expression in pairs]
 
 
+_CHILDREN: dict[type, Callable[[Any], Iterable[Node]]] = {
+    Assignment: lambda node: (node.target, node.value),
+    Binary: lambda node: (node.left, node.right),
+    Unary: lambda node: (node.operand,),
+    Convert: lambda node: (node.operand,),
+    FieldRef: lambda node: (node.base,),
+    SliceRef: lambda node: (node.base,),
+    IndexRef: lambda node: (node.base, *node.indices),
+    StandardCall: lambda node: node.arguments,
+    FunctionCall: _arguments,
+    SystemCall: lambda node: [expression for _, expression in node.arguments],
+    InstanceCall: lambda node: [node.instance, *_arguments(node)],
+    Evaluate: lambda node: (node.call,),
+    Branch: lambda node: (node.condition, *node.body),
+    CaseArm: lambda node: node.body,
+    If: lambda node: (*node.branches, *node.otherwise),
+    Case: lambda node: (node.selector, *node.arms, *node.otherwise),
+    For: lambda node: (node.variable, node.first, node.last, node.step, *node.body),
+    While: lambda node: (node.condition, *node.body),
+    Repeat: lambda node: (node.condition, *node.body),
+}
+"""By type, because trees are walked several times; nodes that are not here have no children."""
+
+
 def children(node: Node) -> Iterable[Node]:
     """The nodes directly inside a node."""
-    match node:
-        case Assignment():
-            return (node.target, node.value)
-        case Binary():
-            return (node.left, node.right)
-        case Unary() | Convert():
-            return (node.operand,)
-        case FieldRef() | SliceRef():
-            return (node.base,)
-        case IndexRef():
-            return (node.base, *node.indices)
-        case StandardCall():
-            return node.arguments
-        case FunctionCall():
-            return _arguments(node)
-        case SystemCall():
-            return [expression for _, expression in node.arguments]
-        case InstanceCall():
-            return [node.instance, *_arguments(node)]
-        case Evaluate():
-            return (node.call,)
-        case Branch():
-            return (node.condition, *node.body)
-        case CaseArm():
-            return node.body
-        case If():
-            return (*node.branches, *node.otherwise)
-        case Case():
-            return (node.selector, *node.arms, *node.otherwise)
-        case For():
-            return (node.variable, node.first, node.last, node.step, *node.body)
-        case While() | Repeat():
-            return (node.condition, *node.body)
-        case _:
-            return ()
+    inner = _CHILDREN.get(type(node))
+    return inner(node) if inner is not None else ()
 
 
 def every_node(roots: Iterable[Node]) -> Iterator[Node]:
@@ -85,7 +76,9 @@ def every_node(roots: Iterable[Node]) -> Iterator[Node]:
     while stack:
         node = stack.pop()
         yield node
-        stack.extend(children(node))
+        inner = _CHILDREN.get(type(node))
+        if inner is not None:
+            stack.extend(inner(node))
 
 
 def root_of(place: Place) -> Variable | None:
@@ -97,18 +90,19 @@ def root_of(place: Place) -> Variable | None:
     return place.variable
 
 
-def written_places(node: Node) -> list[Place]:
+_WRITTEN: dict[type, Callable[[Any], list[Place]]] = {
+    Assignment: lambda node: [node.target],
+    For: lambda node: [node.variable],
+    FunctionCall: lambda node: [place for _, place in (*node.in_outs, *node.outputs)],
+    InstanceCall: lambda node: [
+        node.instance,
+        *(place for _, place in (*node.in_outs, *node.outputs)),
+    ],
+    SystemCall: lambda node: list(areas(node).values()),
+}
+
+
+def written_places(node: Node) -> Sequence[Place]:
     """The places that a node itself writes, or hands on to be written."""
-    match node:
-        case Assignment():
-            return [node.target]
-        case For():
-            return [node.variable]
-        case FunctionCall():
-            return [place for _, place in (*node.in_outs, *node.outputs)]
-        case InstanceCall():
-            return [node.instance, *(place for _, place in (*node.in_outs, *node.outputs))]
-        case SystemCall():
-            return list(areas(node).values())
-        case _:
-            return []
+    written = _WRITTEN.get(type(node))
+    return written(node) if written is not None else ()
