@@ -12,6 +12,7 @@ BAD = Path(__file__).parents[2] / "unit" / "bad"
 TIGHT = Limits(loop_passes=1000, call_depth=2)
 
 PLACES = {
+    "FB6001_no_hardware": (7, 16, "DPRD_DAT needs a controller with hardware"),
     "FB6002_index_out_of_range": (9, 11, "the index is 4, the array has 1..3"),
     "FB6002_second_index": (7, 5, "index 2 is -2, the array has -1..1"),
     "FB6002_in_argument": (9, 50, "the index is 43, the array has 1..3"),
