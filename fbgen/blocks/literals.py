@@ -73,4 +73,6 @@ def one_line(text: str) -> str:
     """A text for a comment: one line, ASCII, and nothing in it that could end the comment."""
     flat = " ".join(text.split())
     ascii_text = "".join(char if " " <= char <= "~" else "?" for char in flat)
-    return ascii_text.replace("*)", "* )").replace("(*", "( *").replace("*/", "* /")
+    for mark in ("*)", "(*", "*/", "/*"):
+        ascii_text = ascii_text.replace(mark, f"{mark[0]} {mark[1]}")
+    return ascii_text
