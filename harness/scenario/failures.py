@@ -28,9 +28,13 @@ class Failures:
         self._catalog = catalog
         self._recorders = recorders
 
-    def unmet(self, failing: Sequence[Check], when: str) -> list[Diagnostic]:
+    def unmet(self, checks: Sequence[Check], when: str) -> list[Diagnostic]:
         """FB8001 for each path that is not as demanded; what went before stands with the last."""
-        found = [self._unmet(check, when) for check in failing]
+        found = [
+            self._unmet(check, when)
+            for check in checks
+            if not check.demand.holds(check.source.get())
+        ]
         last = found[-1]
         notes = (*last.notes, *self._last_telegrams(), *self.cpu_notes())
         return [*found[:-1], Diagnostic(last.code, last.message, last.span, last.help, notes)]

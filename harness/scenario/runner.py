@@ -80,18 +80,18 @@ class ScenarioRun:
     def _expect(self, action: ExpectAction) -> None:
         kernel = self._plant.kernel
         begin_ns = kernel.now_ns
-        while failing := _failing(action.checks):
+        while not _all_hold(action.checks):
             left_ns = begin_ns + action.within_ns - kernel.now_ns
             if left_ns <= 0:
                 waited = self._failures.waited(action.within_ns)
-                raise DiagnosticError(self._failures.unmet(failing, waited))
+                raise DiagnosticError(self._failures.unmet(action.checks, waited))
             self._plant.run_for(min(_RESOLUTION_NS, left_ns))
         held_ns = kernel.now_ns
         while (left_ns := held_ns + action.stays_for_ns - kernel.now_ns) > 0:
             self._plant.run_for(min(_RESOLUTION_NS, left_ns))
-            if failing := _failing(action.checks):
+            if not _all_hold(action.checks):
                 held = self._failures.held(kernel.now_ns - held_ns, action.stays_for_ns)
-                raise DiagnosticError(self._failures.unmet(failing, held))
+                raise DiagnosticError(self._failures.unmet(action.checks, held))
         self.checks += len(action.checks)
 
     # --- telegrams --------------------------------------------------------------------------
@@ -133,5 +133,5 @@ class ScenarioRun:
         self.checks += max(len(action.telegrams), 1)
 
 
-def _failing(checks: tuple[Check, ...]) -> list[Check]:
-    return [check for check in checks if not check.demand.holds(check.source.get())]
+def _all_hold(checks: tuple[Check, ...]) -> bool:
+    return all(check.demand.holds(check.source.get()) for check in checks)
