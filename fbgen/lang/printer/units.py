@@ -56,7 +56,7 @@ class UnitPrinter(DeclarationPrinter):
         self.lines.trivia(_without_last_blanks(block.body_comments))
         if self.dialect.has(Feature.HEADERS):
             self.lines.blank()
-            self.lines.add("BEGIN")
+            self.lines.add("BEGIN", _line(block.span))
         self.statements(block.body, _without_last_blanks(block.closing))
         self.lines.add(f"END_{block.kind.value}", _end(block.span))
 
@@ -91,7 +91,7 @@ class UnitPrinter(DeclarationPrinter):
             self._own_structure(block.struct)
         self._sections(block.sections)
         self.lines.blank()
-        self.lines.add("BEGIN")
+        self.lines.add("BEGIN", _line(block.span))
         self.statements(block.assignments, _without_last_blanks(block.closing))
         self.lines.add("END_DATA_BLOCK", _end(block.span))
 
