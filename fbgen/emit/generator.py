@@ -63,7 +63,8 @@ def generate(
     units = _render(plan, renderer, heading)
     check(units, CANONICAL_DIALECT)
     files = _print(units, plant, target)
-    if found := [finding for file in files for finding in lint(file.name, file.text, target)]:
+    found = [item for file in files for item in lint(file.name, file.text, target, plant.plc)]
+    if found:
         raise DiagnosticError(found)
     return GeneratedSet(target, files, inputs_hash, plan.warnings)
 

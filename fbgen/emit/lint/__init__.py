@@ -7,21 +7,24 @@ rules stands here and is checked every time something is generated.
 from collections.abc import Callable, Iterator
 
 from fbgen.diagnostics import Diagnostic
-from fbgen.emit.lint import iec_rules, plain_text, tia_rules
-from fbgen.lang import ast
+from fbgen.emit.lint import cpu_rules, iec_rules, plain_text, tia_rules
+from fbgen.emit.lint.emitted import EmittedText
 from fbgen.lang.parser import parse_recovering
+from fbgen.lang.walk import walk
+from fbgen.plant.families import PlcFamily
 from fbgen.source import Source
 
-Rule = Callable[[Source, ast.File], Iterator[Diagnostic]]
+Rule = Callable[[EmittedText], Iterator[Diagnostic]]
 
 _RULES: dict[str, tuple[Rule, ...]] = {
-    "tia": (*plain_text.RULES, *tia_rules.RULES),
+    "tia": (*plain_text.RULES, *tia_rules.RULES, *cpu_rules.RULES),
     "iec": (*plain_text.RULES, *iec_rules.RULES),
 }
 
 
-def lint(name: str, text: str, dialect: str) -> list[Diagnostic]:
-    """Everything in a generated text that its tools would refuse or take wrongly."""
+def lint(name: str, text: str, dialect: str, plc: PlcFamily) -> list[Diagnostic]:
+    """Everything in a generated text that its tools or the CPU would refuse or take wrongly."""
     source = Source(name, text)
     file, findings = parse_recovering(source, dialect)
-    return findings + [found for rule in _RULES[dialect] for found in rule(source, file)]
+    emitted = EmittedText(source, file, tuple(walk(file)), plc)
+    return findings + [found for rule in _RULES[dialect] for found in rule(emitted)]

@@ -8,23 +8,23 @@ import re
 from collections.abc import Iterator
 
 from fbgen.diagnostics import Diagnostic
+from fbgen.emit.lint.emitted import EmittedText
 from fbgen.lang import ast
 from fbgen.lang.walk import walk
-from fbgen.source import Source
 
 _DOUBLE_UNDERSCORE = re.compile(r"__|_$|^_[0-9]")
 
 
-def no_line_comments(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+def no_line_comments(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5050: MATIEC knows only comments in (* *)."""
-    for item in walk(file):
+    for item in emitted.nodes:
         if isinstance(item, ast.Trivia) and item.kind is ast.TriviaKind.LINE_COMMENT:
             yield Diagnostic("FB5050", "a // comment", item.span, "write (* ... *)")
 
 
-def plain_names(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+def plain_names(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5051: no name with two underscores in a row or one at its end."""
-    for item in walk(file):
+    for item in emitted.nodes:
         if isinstance(item, ast.DeclaredName) and _DOUBLE_UNDERSCORE.search(item.name):
             yield Diagnostic(
                 "FB5051",
@@ -34,9 +34,9 @@ def plain_names(source: Source, file: ast.File) -> Iterator[Diagnostic]:
             )
 
 
-def addresses_only_declared(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+def addresses_only_declared(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5052: an address stands in a declaration with AT, never in code."""
-    for unit in file.units:
+    for unit in emitted.file.units:
         if isinstance(unit, ast.Block):
             for item in walk(unit.body):
                 if isinstance(item, ast.DirectAddress):

@@ -9,9 +9,9 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from fbgen.diagnostics import Diagnostic
+from fbgen.emit.lint.emitted import EmittedText
 from fbgen.lang import ast
 from fbgen.lang.walk import walk
-from fbgen.source import Source
 
 _LONGEST_NAME = 125
 _HEADER_ORDER = ("TITLE", "{}", "AUTHOR", "FAMILY", "NAME", "VERSION")
@@ -20,9 +20,9 @@ _TIMERS = frozenset({"TON_TIME", "TOF_TIME", "TP_TIME", "TONR_TIME"})
 _OPTIMIZED = re.compile(r"S7_Optimized_Access\s*:=\s*'TRUE'", re.IGNORECASE)
 
 
-def no_comment_in_header(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+def no_comment_in_header(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5041: between the line of a block and its first section no comment may stand."""
-    for unit in file.units:
+    for unit in emitted.file.units:
         if isinstance(unit, ast.Block | ast.DataBlock) and unit.header_comments:
             allowed = 1 if isinstance(unit, ast.Block) and _is_function(unit) else 0
             comments = [c for c in unit.header_comments if c.kind is not ast.TriviaKind.BLANK_LINE]
@@ -35,9 +35,9 @@ def no_comment_in_header(source: Source, file: ast.File) -> Iterator[Diagnostic]
                 )
 
 
-def header_in_order(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+def header_in_order(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5042: header lines stand in the order in which TIA Portal exports them."""
-    for unit in file.units:
+    for unit in emitted.file.units:
         if not isinstance(unit, ast.Block | ast.DataBlock | ast.TypeDeclaration):
             continue
         places = [
@@ -55,9 +55,9 @@ def header_in_order(source: Source, file: ast.File) -> Iterator[Diagnostic]:
                 )
 
 
-def names_not_too_long(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+def names_not_too_long(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5043: a name has at most 125 characters."""
-    for item in walk(file):
+    for item in emitted.nodes:
         if isinstance(item, ast.Name | ast.DeclaredName) and len(item.name) > _LONGEST_NAME:
             yield Diagnostic(
                 "FB5043",
@@ -67,9 +67,9 @@ def names_not_too_long(source: Source, file: ast.File) -> Iterator[Diagnostic]:
             )
 
 
-def no_block_of_the_user(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+def no_block_of_the_user(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5044: no organization block and no Main: importing it would overwrite the user's own."""
-    for unit in file.units:
+    for unit in emitted.file.units:
         if not isinstance(unit, ast.Block):
             continue
         is_ob = unit.kind is ast.BlockKind.ORGANIZATION_BLOCK
@@ -82,13 +82,14 @@ def no_block_of_the_user(source: Source, file: ast.File) -> Iterator[Diagnostic]
             )
 
 
-def locals_and_globals_marked(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+def locals_and_globals_marked(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5045: in code, locals carry # and globals stand in quotes, as TIA Portal exports them."""
-    for unit in file.units:
+    for unit in emitted.file.units:
         if not isinstance(unit, ast.Block):
             continue
-        instructions = {item.callee for item in walk(unit.body) if isinstance(item, ast.Call)}
-        for item in walk(unit.body):
+        items = tuple(walk(unit.body))
+        instructions = {item.callee for item in items if isinstance(item, ast.Call)}
+        for item in items:
             if (
                 isinstance(item, ast.Name)
                 and not item.local
@@ -103,9 +104,9 @@ def locals_and_globals_marked(source: Source, file: ast.File) -> Iterator[Diagno
                 )
 
 
-def overlays_only_without_optimization(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+def overlays_only_without_optimization(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5046: AT stands only in blocks without optimized access, and without initial value."""
-    for unit in file.units:
+    for unit in emitted.file.units:
         if not isinstance(unit, ast.Block):
             continue
         optimized = any(_OPTIMIZED.search(item.text) for item in unit.header)
@@ -118,9 +119,9 @@ def overlays_only_without_optimization(source: Source, file: ast.File) -> Iterat
                     yield Diagnostic("FB5046", "an AT overlay has an initial value", item.span)
 
 
-def timers_with_their_instruction(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+def timers_with_their_instruction(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5047: an instance of an IEC timer names its instruction and library version."""
-    for item in walk(file):
+    for item in emitted.nodes:
         if not (isinstance(item, ast.Declaration) and isinstance(item.type, ast.NamedType)):
             continue
         attributes = item.type_attributes + "".join(name.attributes for name in item.names)
@@ -133,9 +134,9 @@ def timers_with_their_instruction(source: Source, file: ast.File) -> Iterator[Di
             )
 
 
-def powers_in_parentheses(source: Source, file: ast.File) -> Iterator[Diagnostic]:
+def powers_in_parentheses(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5048: Siemens contradicts itself on ** against the unary minus: parentheses decide."""
-    for item in walk(file):
+    for item in emitted.nodes:
         if isinstance(item, ast.Unary) and _is_power(item.operand):
             yield Diagnostic("FB5048", "a sign stands before a power", item.span, "-(a ** b)")
         elif _is_power(item) and isinstance(item, ast.Binary) and isinstance(item.left, ast.Unary):

@@ -1,0 +1,59 @@
+"""Rules of the CPU families for TIA Portal sources.
+
+Source: TIA Portal help, "Overview of the valid data types" and the attributes of blocks: optimized
+access is one of S7-1200 and S7-1500.
+"""
+
+import re
+from collections.abc import Iterator
+
+from fbgen.diagnostics import Diagnostic
+from fbgen.emit.lint.emitted import EmittedText
+from fbgen.lang import ast
+from fbgen.plant.families import PlcFamily
+
+_OLD_CPUS: tuple[PlcFamily, ...] = ("s7-300", "s7-400")
+_LONG = frozenset(("LWORD", "LINT", "ULINT", "LTIME"))
+_ONLY_NEW = _LONG | {"SINT", "USINT", "UINT", "UDINT", "LREAL", "DTL", "WSTRING", "VARIANT"}
+_NOT_ON_1200 = _LONG | {"S5TIME", "DATE_AND_TIME", "DT", "ANY", "POINTER"}
+_MISSING: dict[PlcFamily, frozenset[str]] = {
+    "s7-300": _ONLY_NEW,
+    "s7-400": _ONLY_NEW,
+    "s7-1200": _NOT_ON_1200,
+    "s7-1500": frozenset(),
+    "iec": frozenset(),
+}
+_OPTIMIZED = re.compile(r"S7_Optimized_Access\s*:=\s*'TRUE'", re.IGNORECASE)
+
+
+def types_of_the_cpu(emitted: EmittedText) -> Iterator[Diagnostic]:
+    """FB5049: every elementary type is one that the CPU has."""
+    missing = _MISSING[emitted.plc]
+    for item in emitted.nodes:
+        if isinstance(item, ast.NamedType) and item.name.upper() in missing:
+            yield Diagnostic(
+                "FB5049",
+                f"{emitted.plc} has no type {item.name.upper()}",
+                item.span,
+                "choose a type that all families have, such as INT, DINT, WORD, DWORD or REAL",
+            )
+
+
+def optimized_access_of_the_cpu(emitted: EmittedText) -> Iterator[Diagnostic]:
+    """FB5053: blocks of S7-300 and S7-400 have no optimized access."""
+    if emitted.plc not in _OLD_CPUS:
+        return
+    for unit in emitted.file.units:
+        if isinstance(unit, ast.Block | ast.DataBlock):
+            for item in unit.header:
+                if _OPTIMIZED.search(item.text):
+                    yield Diagnostic(
+                        "FB5053",
+                        f"'{unit.name.name}' asks for optimized access, "
+                        f"which {emitted.plc} has not",
+                        item.span,
+                        "write S7_Optimized_Access := 'FALSE'",
+                    )
+
+
+RULES = (types_of_the_cpu, optimized_access_of_the_cpu)
