@@ -11,6 +11,7 @@ from harness.faults import (
     line_broken,
     line_noise,
     profibus_interrupted,
+    transfers_torn,
 )
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 
@@ -24,6 +25,7 @@ _MODULES = (
     line_broken,
     line_noise,
     profibus_interrupted,
+    transfers_torn,
 )
 
 FAULTS: Mapping[str, FaultType] = MappingProxyType(

@@ -27,6 +27,11 @@ class MasterLink:
         self.torn = 0
         self.armed = tear_probability > 0
 
+    def set_tear_probability(self, probability: float) -> None:
+        """From now on each transfer that can be torn is torn with this probability."""
+        self._probability = probability
+        self.armed = bool(probability > 0 or self._reads or self._writes)
+
     def tear_next_write(self, station: Station, behind: int) -> None:
         """Let the master's cycle fall behind slot `behind` in the next change of outputs there.
 
