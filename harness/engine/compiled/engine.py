@@ -83,6 +83,7 @@ class CompiledEngine:
             "_cpu": self._cpu,
             "_set_others": self._set_others,
             "_connect": self._connect,
+            **(probe.names if probe is not None else {}),
         }
         self._memory = Memory(self._model, self._facts, self._namespace)
         self._namespace |= hardware(self._model, self._memory, environment, image_sizes)

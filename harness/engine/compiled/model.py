@@ -89,7 +89,7 @@ class Model:
 
     def __init__(self, program: Program, library: Mapping[str, type]) -> None:
         self.program = program
-        self.names = Names()
+        self.names = Names.of_a_module()
         self.structures: list[Record] = []
         self._structures: dict[StructType, Record] = {}
         self._records: dict[str, Record] = {}

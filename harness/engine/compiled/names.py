@@ -5,24 +5,33 @@ are as close to the declared ones as possible, because the generated source is m
 Names with a leading underscore belong to the generator, so a PLC name never gets one.
 """
 
-import builtins
 import keyword
 import re
 
-_TAKEN = frozenset({"self", "frame"}) | frozenset(keyword.kwlist) | frozenset(dir(builtins))
+_USED_HERE = frozenset(
+    "abs chr frame int len max min ord range self str value zip".split()  # noqa: SIM905  # shorter
+)
+"""What generated functions name themselves."""
 
 
 class Names:
     """Gives each PLC name of one scope its own Python name.
 
-    `outer` holds names that must stay visible inside the scope.
+    `outer` holds names that must stay visible inside the scope; attributes have none.
     """
 
     __slots__ = ("_given", "_used")
 
     def __init__(self, outer: "Names | None" = None) -> None:
-        self._used: set[str] = set(outer._used) if outer else set(_TAKEN)
+        self._used: set[str] = set(keyword.kwlist) | (outer._used if outer else set())
         self._given: dict[str, str] = {}
+
+    @classmethod
+    def of_a_module(cls) -> "Names":
+        """For names of a module, and, as `outer`, for the functions in it."""
+        names = cls()
+        names._used |= _USED_HERE
+        return names
 
     def give(self, name: str) -> str:
         """A new Python name that looks like `name` and that nothing in this scope has."""

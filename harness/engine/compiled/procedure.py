@@ -8,6 +8,7 @@ functions share; such a block is written a second time with `framed` set.
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TypeAlias
 
 from fbgen.diagnostics import error
@@ -27,8 +28,19 @@ DEEPEST_LOOPS = 15
 DEEPEST_NESTING = 1000
 """How deep statements or expressions may be nested in all; beyond that FB6050 is raised."""
 
-Probe: TypeAlias = Callable[[checked.Statement | checked.Branch | checked.CaseArm], str]
-"""Gives a line of Python that runs before a statement, or first in a branch; "" for none."""
+Probed: TypeAlias = checked.Statement | checked.Branch | checked.CaseArm
+
+
+@dataclass(frozen=True, slots=True)
+class Probe:
+    """Something that looks on while a program runs, such as a counter of what was reached.
+
+    `line` gives the Python that runs before a statement, or first in a branch; "" for none.
+    `names` are the objects that these lines name.
+    """
+
+    line: Callable[[Probed], str]
+    names: Mapping[str, object]
 
 
 class FrameNeededError(Exception):

@@ -89,7 +89,7 @@ def _is_nested(body: Sequence[Statement]) -> bool:
 
 def _probe(procedure: Procedure, node: Statement | Branch | CaseArm) -> None:
     probe = procedure.context.probe
-    if probe is not None and (line := probe(node)):
+    if probe is not None and (line := probe.line(node)):
         procedure.line(line)
 
 
