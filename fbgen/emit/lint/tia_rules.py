@@ -23,9 +23,11 @@ _OPTIMIZED = re.compile(r"S7_Optimized_Access\s*:=\s*'TRUE'", re.IGNORECASE)
 def no_comment_in_header(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5041: between the line of a block and its first section no comment may stand."""
     for unit in emitted.file.units:
-        if isinstance(unit, ast.Block | ast.DataBlock) and unit.header_comments:
+        if isinstance(unit, ast.Block | ast.DataBlock):
+            behind = unit.sections[0].leading if unit.sections else ()
+            trivia = (*unit.header_comments, *behind)
+            comments = [item for item in trivia if item.kind is not ast.TriviaKind.BLANK_LINE]
             allowed = 1 if isinstance(unit, ast.Block) and _is_function(unit) else 0
-            comments = [c for c in unit.header_comments if c.kind is not ast.TriviaKind.BLANK_LINE]
             for comment in comments[allowed:]:
                 yield Diagnostic(
                     "FB5041",
