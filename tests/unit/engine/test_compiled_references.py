@@ -79,11 +79,14 @@ BEGIN
 END_FUNCTION_BLOCK
 """
     program = load_program([Source("main.scl", text)], engine=engine)
-    block = program.instance("Main")
-    block()
-    shared = program.globals["Shared"]
-    places = tuple(block.list)
-    return block.result, block.a, block.b, places, shared.number, block.counter.sum
+    block = program.engine.instance("Main")
+    block.call({})
+    places = block.get("list")
+    assert isinstance(places, list)
+    return (
+        *(block.get("result"), block.get("a"), block.get("b"), tuple(places)),
+        *(program.engine.global_value("Shared.number"), block.get("counter.sum")),
+    )
 
 
 @pytest.mark.parametrize("engine", ENGINES)
@@ -201,4 +204,4 @@ END_FUNCTION
 """
         program = load_program([Source("main.scl", text)], engine=engine)
         program.run("Start")
-        assert program.globals["MainDb"].result == 105
+        assert program.engine.global_value("MainDb.result") == 105
