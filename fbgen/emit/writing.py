@@ -8,6 +8,7 @@ renamed, the list goes last, so an interrupted run loses nothing.
 
 import json
 import os
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from hashlib import sha256
@@ -17,6 +18,8 @@ from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.emit.generator import GeneratedSet
 
 FILE_LIST = "fbgen-files.json"
+_FILE_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\.(scl|udt|db|st)")
+"""What fbgen calls its files; a list that names anything else is not followed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,13 +86,13 @@ def _read_list(folder: Path) -> dict[str, str]:
     try:
         files = json.loads(data)["files"]
         names = {str(name): str(value) for name, value in files.items()}
-    except (ValueError, LookupError, TypeError, AttributeError):
+    except (ValueError, LookupError, TypeError, AttributeError, RecursionError):
         raise error(
             "FB5022",
             f"{folder / FILE_LIST} is damaged, so fbgen cannot tell its files from yours",
             help="delete it and generate with --force, or choose another folder",
         ) from None
-    return {name: value for name, value in names.items() if Path(name).name == name}
+    return {name: value for name, value in names.items() if _FILE_NAME.fullmatch(name)}
 
 
 def _read(path: Path) -> bytes | None:
