@@ -1,0 +1,38 @@
+"""One broken scenario file for each code, reported at its place."""
+
+from pathlib import Path
+
+import pytest
+
+from fbgen.catalog import load_catalog
+from fbgen.diagnostics import DiagnosticError
+from harness.scenario import run_case, scenario_cases
+
+BAD = Path(__file__).parents[1] / "bad"
+FILES = [
+    ("FB8001_not_fulfilled", 6, 14),
+    ("FB8002_contradiction", 6, 35),
+    ("FB8003_unknown_path", 5, 14),
+    ("FB8004_unknown_fault", 5, 13),
+    ("FB8005_clear_without_inject", 5, 12),
+    ("FB8006_other_telegram", 10, 17),
+    ("FB8007_no_plant_file", 3, 8),
+    ("FB8008_checks_nothing", 5, 3),
+    ("FB8009_wrong_value", 5, 48),
+    ("FB8010_unknown_bit", 6, 37),
+    ("FB8013_no_bytes", 7, 17),
+]
+
+
+@pytest.mark.parametrize(("name", "line", "column"), FILES)
+def test_a_broken_scenario_is_reported_at_its_place(name: str, line: int, column: int) -> None:
+    try:
+        found = run_case(scenario_cases(BAD / f"{name}.yaml")[0], load_catalog()).failures
+    except DiagnosticError as wrong:
+        found = wrong.diagnostics
+    places = [(item.code, item.span and (item.span.line, item.span.column)) for item in found]
+    assert places == [(name[:6], (line, column))]
+
+
+def test_every_broken_file_is_tried() -> None:
+    assert {path.stem for path in BAD.glob("FB8*")} == {name for name, _, _ in FILES}
