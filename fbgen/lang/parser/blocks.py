@@ -183,7 +183,8 @@ class BlockParser(ConfigurationParser):
         self.at += 2
         self.need(Feature.HEADERS, first)
         if word == "VERSION":
-            self.at += 0 if self.starts_line(self.at) else 1
+            ends = self.kinds[self.at] == "end" or self.starts_line(self.at)
+            self.at += 0 if ends else 1
         else:
             while not self.starts_line(self.at) and self.kinds[self.at] != "end":
                 if self.kinds[self.at] in SECTIONS or self.kinds[self.at] in ("BEGIN", "STRUCT"):

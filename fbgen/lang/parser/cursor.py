@@ -21,6 +21,10 @@ _NEVER = 1 << 60
 _make = tuple.__new__
 
 
+_FARTHEST_LOOK = 4
+"""So many tokens are looked at or stepped over in one go: so many ends stand at the end."""
+
+
 class Unexpected(Exception):  # noqa: N818 - never leaves the parser
     """Raised behind a finding, to get to the loop that recovers."""
 
@@ -30,6 +34,8 @@ class Cursor:
 
     def __init__(self, source: Source, dialect: Dialect) -> None:
         tokens = tokenize(source, dialect)
+        for column in (tokens.kinds, tokens.texts, tokens.starts, tokens.ends):
+            column.extend(column[-1:] * _FARTHEST_LOOK)  # type: ignore[arg-type]
         self.source = source
         self.dialect = dialect
         self.kinds = tokens.kinds

@@ -256,9 +256,10 @@ class StatementParser(DeclarationParser):
         )
 
     def _skip_line(self) -> None:
-        """Step over the rest of the line, at least one token."""
-        self.at += 1
-        while not self.starts_line(self.at) and self.kinds[self.at] != "end":
+        """Step over the rest of the line, at least one token, but not beyond the end."""
+        if self.kinds[self.at] != "end":
+            self.at += 1
+        while self.kinds[self.at] != "end" and not self.starts_line(self.at):
             self.at += 1
 
     def _empty(self) -> Empty:

@@ -1,0 +1,72 @@
+"""What is fuzzed, each with its corpus. A target may raise DiagnosticError and nothing else."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from fbgen.catalog import load_yaml, validate
+from fbgen.lang.checker import check_reporting
+from fbgen.lang.encoding import decode
+from fbgen.lang.parser import parse_recovering
+from fbgen.lang.printer import print_file
+from fbgen.plant.loading import read_plant
+from fbgen.source import Source
+from fbgen.wire import toshiba_ascii, toshiba_binary
+from harness.scenario.model import Scenario
+
+_ROOT = Path(__file__).parents[2]
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """A function that takes any bytes, and real inputs to begin with."""
+
+    run: Callable[[bytes], object]
+    corpus: Sequence[bytes]
+
+
+def _plc_text(dialect: str) -> Callable[[bytes], object]:
+    def run(data: bytes) -> None:
+        file, found = parse_recovering(Source("fuzz", decode(data, "fuzz")), dialect)
+        if not found:
+            print_file(file)
+            check_reporting([file], dialect)
+
+    return run
+
+
+def _text(data: bytes) -> str:
+    return data.decode("utf-8", "replace")
+
+
+def _frames(data: bytes) -> None:
+    toshiba_binary.parse_request(data)
+    toshiba_binary.parse_reply(data)
+    toshiba_ascii.parse_request(data)
+    toshiba_ascii.parse_reply(data)
+
+
+def _files(*patterns: str) -> list[bytes]:
+    return [path.read_bytes() for pattern in patterns for path in sorted(_ROOT.glob(pattern))]
+
+
+def targets() -> Mapping[str, Target]:
+    """All targets by name."""
+    texts = _files("tests/golden/manual_example_gsd10.tia.txt", "tests/unit/bad/FB[34]*.scl")
+    texts += _files("tests/conformance/*/*.scl")
+    return {
+        "tia": Target(_plc_text("tia"), texts),
+        "iec": Target(_plc_text("iec"), _files("bench/handshake.st", "tests/unit/bad/FB[34]*.st")),
+        "plant": Target(
+            lambda data: read_plant(Source("fuzz.yaml", _text(data))),
+            _files("examples/*/plant.yaml", "tests/unit/bad/FB[12]*.yaml"),
+        ),
+        "scenario": Target(
+            lambda data: validate(load_yaml(Source("fuzz.yaml", _text(data))), Scenario),
+            _files("tests/scenarios/*.scenario.yaml"),
+        ),
+        "frames": Target(
+            _frames,
+            [bytes.fromhex("2F0B50FA00C40048"), b"(0BPFA00C400)\r", b"(R0000&60)\r"],
+        ),
+    }
