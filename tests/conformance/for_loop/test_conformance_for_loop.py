@@ -76,3 +76,10 @@ def test_a_loop_between_constants_that_is_not_entered_sets_its_variable(load: Lo
     block = load("for_loop.scl").instance("NeverEntered")
     block()
     assert (block.up, block.down, block.leftEarly) == (5, -3, 1)
+
+
+@pytest.mark.parametrize(("again", "passes"), [(False, 54), (True, 3)])
+def test_a_loop_inside_may_count_in_the_same_variable(load: Load, again: bool, passes: int) -> None:
+    block = load("for_loop.scl").instance("SameVariable")
+    block(again=again)
+    assert (block.passes, block.after) == (passes, 255)
