@@ -15,6 +15,8 @@ from fbgen.nearest import nearest
 from harness.engine.interface import Value
 from harness.scenario.scalars import Scalar
 
+_GREATEST = 1e9
+
 Found: TypeAlias = Value | bytes
 """What a path gives."""
 
@@ -52,6 +54,8 @@ def _flag(value: Scalar) -> bool:
 def _number(value: Scalar) -> int | float:
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise WrongValueError("write a number without quotes and without unit")
+    if abs(value) > _GREATEST:
+        raise WrongValueError("nothing in a plant is that great")
     return value
 
 

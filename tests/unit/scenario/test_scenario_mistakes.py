@@ -70,6 +70,7 @@ def test_what_cannot_be_set_says_what_can(tmp_path: Path, path: str) -> None:
         ("plc.TOS_Plant.gw1.pump.start_forward.frequency", "fast", "a number"),
         ("plc.TOS_Plant.gw1.pump", "1", "polled, start_forward"),
         ("drive.pump.comno.acceleration_time", "soon", "write a number"),
+        ("drive.pump.comno.acceleration_time", "1.0e308", "nothing in a plant"),
     ],
 )
 def test_a_value_that_does_not_fit_its_variable_is_marked(
