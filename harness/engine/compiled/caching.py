@@ -11,21 +11,31 @@ from collections.abc import Iterable, Sequence
 
 from fbgen.lang.checked import (
     Assignment,
+    Binary,
     Block,
+    Branch,
     Case,
+    Constant,
+    Convert,
+    Expression,
+    FieldRef,
     For,
     If,
+    IndexRef,
     Repeat,
+    StandardCall,
     Statement,
+    Unary,
     Variable,
     VariableKind,
     VariableRef,
     While,
 )
-from fbgen.lang.types import VOID
+from fbgen.lang.types import BOOL, VOID, ArrayType, StructType
 from fbgen.source import Source, Span
 from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.model import is_scalar, may_be_unconnected
+from harness.engine.compiled.ranges import is_counted
 from harness.engine.compiled.walk import Node, children, every_node, root_of
 
 _LOOP_WEIGHT = 6.0
@@ -135,3 +145,54 @@ def worth_keeping(
         for variable in wanted
         if variable in kept or variable not in singles
     ]
+
+
+# --- quiet loops ----------------------------------------------------------------------------------
+
+_QUIET_FUNCTIONS = frozenset(
+    ("SHL", "SHR", "ROL", "ROR", "SWAP", "MIN", "MAX", "LIMIT", "SEL", "ABS")
+)
+
+
+def is_quiet(body: Sequence[Statement], interval: tuple[int, int], counter: Variable) -> bool:
+    """True if a loop over `counter` cannot stop, be left, or call anything.
+
+    While such a loop runs nobody sees the attributes of `self`, so that what it keeps in locals
+    may be written back behind it.
+    """
+    return all(_is_quiet(node, interval, counter) for node in every_node(body))
+
+
+def _is_quiet(node: Node, interval: tuple[int, int], counter: Variable) -> bool:
+    match node:
+        case Assignment() | If() | Branch() | Constant() | Unary():
+            return True
+        case VariableRef():
+            variable = node.variable
+            is_own = variable.kind not in (VariableKind.GLOBAL, VariableKind.IN_OUT)
+            return is_own and variable.address is None
+        case FieldRef():
+            return isinstance(node.base.type, StructType)
+        case Binary():
+            return node.operator not in ("/", "MOD", "**") and node.left.type == node.right.type
+        case Convert():
+            return all(is_counted(kind) or kind == BOOL for kind in (node.type, node.operand.type))
+        case StandardCall():
+            return node.name in _QUIET_FUNCTIONS
+        case IndexRef():
+            kind = node.base.type
+            assert isinstance(kind, ArrayType)
+            return len(node.indices) == 1 and _is_inside(
+                node.indices[0], kind.bounds[0], interval, counter
+            )
+        case _:
+            return False
+
+
+def _is_inside(
+    index: Expression, bounds: tuple[int, int], interval: tuple[int, int], counter: Variable
+) -> bool:
+    if isinstance(index, Constant):
+        return True
+    is_counter = isinstance(index, VariableRef) and index.variable is counter
+    return is_counter and bounds[0] <= interval[0] and interval[1] <= bounds[1]

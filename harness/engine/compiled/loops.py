@@ -20,6 +20,7 @@ from fbgen.lang.checked import (
     While,
 )
 from fbgen.lang.types import Elementary
+from harness.engine.compiled.caching import is_quiet
 from harness.engine.compiled.code import Code, Level
 from harness.engine.compiled.evaluation import condition, value
 from harness.engine.compiled.places import assign, pinned, place
@@ -162,17 +163,23 @@ def _write_range_loop(
     is_local = "." not in text
     local = text if is_local else procedure.temporary()
     procedure.line(f"for {local} in {passes}:")
-    if not is_local:
+    if not procedure.context.framed and is_quiet(node.body, interval, variable.variable):
+        procedure.unwritten = {}
+    if not is_local and procedure.unwritten is None:
         procedure.listing.indent += 4
         procedure.line(f"{text} = {local}")
         procedure.listing.indent -= 4
-    known, aliases = dict(procedure.known), dict(procedure.aliases)
-    procedure.known[variable.variable] = interval
+    known, aliases = procedure.known, procedure.aliases
+    procedure.known = {**known, variable.variable: interval}
     if not is_local:
-        procedure.aliases[variable.variable] = local
+        procedure.aliases = {**aliases, variable.variable: local}
     _body(procedure, node.body, None, write_body, counted=_leaves_early(node.body))
     procedure.known, procedure.aliases = known, aliases
     procedure.listing.span = node.span
+    if procedure.unwritten is not None:
+        for attribute, name in procedure.unwritten.items():
+            procedure.line(f"{attribute} = {name}")
+        procedure.unwritten = None
 
 
 def _write_counting(procedure: Procedure, node: For, write_body: WriteBody) -> None:

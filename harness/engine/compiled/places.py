@@ -184,7 +184,11 @@ def assign(procedure: Procedure, target: Place, code: Code, source: Type) -> Non
         text = place(procedure, target).text
         code = stored(code)
         if isinstance(target, VariableRef) and target.variable in procedure.aliases:
-            text = f"{procedure.text_of(target.variable)} = {text}"
+            attribute = procedure.text_of(target.variable)
+            if procedure.unwritten is None:
+                text = f"{attribute} = {text}"
+            else:
+                procedure.unwritten[attribute] = text
         if code.text.startswith("_rounded(") and _closes_at_end(code.text):
             # Storing into the cell directly saves a call.
             procedure.line(f"_cell[0] = {code.text[len('_rounded(') : -1]}")
@@ -279,8 +283,8 @@ def _pinned_index(procedure: Procedure, node: IndexRef, number: int) -> Expressi
         procedure.site(text, node)
         procedure.line(f"{name} = {text}")
     pin = Variable(index.span, name, VariableKind.TEMP, index.type)
-    procedure.aliases[pin] = name
-    procedure.known[pin] = (first, last)
+    procedure.aliases = {**procedure.aliases, pin: name}
+    procedure.known = {**procedure.known, pin: (first, last)}
     return VariableRef(index.span, pin, index.type)
 
 

@@ -119,22 +119,13 @@ class Procedure:
 
     `aliases` and `known` hold, for loop variables that nothing else changes, the Python local that
     has the value too, and its interval. `split` marks a function that was split off; any other one
-    returns by `return_line`.
+    returns by `return_line`. `unwritten` is there while attributes need not be written: it has
+    those that a local has a newer value of, with the local.
     """
 
     __slots__ = (
-        *(
-            "aliases",
-            "arguments",
-            "context",
-            "known",
-            "listing",
-            "loops",
-            "name",
-            "nesting",
-            "return_line",
-        ),
-        *("split", "_sites", "_temporaries"),
+        *("_sites", "_temporaries", "aliases", "arguments", "context", "known", "listing"),
+        *("loops", "name", "nesting", "return_line", "split", "unwritten"),
     )
 
     def __init__(self, context: BlockContext, name: str, nesting: int, split: bool) -> None:
@@ -144,6 +135,7 @@ class Procedure:
         self.nesting = nesting
         self.split = split
         self.return_line = "return"
+        self.unwritten: dict[str, str] | None = None
         self.listing = Listing()
         self.loops: list[Loop] = []
         self.aliases: dict[Variable, str] = {}
