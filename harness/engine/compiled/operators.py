@@ -84,7 +84,10 @@ def _binary(procedure: Procedure, node: Binary, left: Code) -> Code:
     if isinstance(node.right.type, Elementary) and node.right.type.family is Family.REAL:
         return _duration_by_real(procedure, node, _settled(procedure, left, operand_type))
     if operator in ("+", "-", "*"):
-        return _ring(procedure, node, left, expression(procedure, node.right))
+        same = node.right.type == node.type
+        # An unfinished value is right in the low bits of its own type only.
+        right = (expression if same else value)(procedure, node.right)
+        return _ring(procedure, node, left, right)
     left = _settled(procedure, left, operand_type)
     right = value(procedure, node.right)
     if operator == "**":
