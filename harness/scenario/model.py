@@ -15,7 +15,7 @@ The whole format stands in `docs/reference/scenario-files.md`.
 from collections.abc import Iterable
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import ConfigDict, Discriminator, Field, Tag
 from pydantic.json_schema import WithJsonSchema
 
 from fbgen.catalog import Located
@@ -23,13 +23,12 @@ from fbgen.catalog.scalars import Count, Real, SnakeName, Text
 from fbgen.diagnostics import Diagnostic
 from fbgen.nearest import near_names
 from harness.drives import Load, LoadShape
-from harness.faults import FAULTS
 from harness.installation import DriveConditions
 from harness.scenario.durations import DurationNs, PositiveDurationNs
+from harness.scenario.fault_schema import FAULT_NAME, with_places_and_settings
 from harness.scenario.scalars import ScalarValue
 
-_FAULT_NAME = WithJsonSchema({"enum": sorted(FAULTS), "description": "What goes wrong"})
-FaultName = Annotated[Text, _FAULT_NAME]
+FaultName = Annotated[Text, WithJsonSchema(FAULT_NAME)]
 """A fault of `harness.faults`; whether there is one is checked with the plant at hand."""
 
 
@@ -127,7 +126,9 @@ class ExpectStep(Located):
 class InjectStep(Located):
     """Start a fault. It lasts until a step clears it."""
 
-    inject: FaultName
+    model_config = ConfigDict(json_schema_extra=with_places_and_settings)
+
+    inject: FaultName = Field(description="What goes wrong")
     on: Text | None = Field(default=None, description="The gateway or drive that it happens to")
     settings: dict[str, ScalarValue] = Field(
         default_factory=dict, description="Settings of the fault; each has a default"
@@ -137,7 +138,7 @@ class InjectStep(Located):
 class ClearStep(Located):
     """End a fault that a step before has started."""
 
-    clear: FaultName
+    clear: FaultName = Field(description="What ends")
     on: Text | None = Field(
         default=None, description="The gateway or drive, as where it was injected"
     )
@@ -155,7 +156,7 @@ class ExpectedTelegram(Located):
 class TelegramsStep(Located):
     """A gateway's telegrams since the start or the last such step: these, in order, no others."""
 
-    telegrams: tuple[ExpectedTelegram, ...]
+    telegrams: tuple[ExpectedTelegram, ...] = Field(description="The first one first")
     gateway: Text = Field(description="Whose telegrams")
 
 

@@ -1,0 +1,43 @@
+"""What editors learn of faults: their names, their places and their settings.
+
+Only for JSON Schemas. What a scenario may really do is checked with the plant at hand.
+"""
+
+from pydantic.json_schema import JsonSchemaValue
+
+from harness.faults import FAULTS, FaultType, Target
+
+_NAMES = sorted(FAULTS)
+FAULT_NAME: JsonSchemaValue = {
+    "enum": _NAMES,
+    "enumDescriptions": [FAULTS[name].title for name in _NAMES],
+}
+"""The name of a fault."""
+
+
+def with_places_and_settings(schema: JsonSchemaValue) -> None:
+    """Say in the schema of a step that injects which place and settings each fault has."""
+    schema["allOf"] = [
+        {
+            "if": {"properties": {"inject": {"const": name}}, "required": ["inject"]},
+            "then": _of_fault(FAULTS[name]),
+        }
+        for name in _NAMES
+    ]
+
+
+def _of_fault(kind: FaultType) -> JsonSchemaValue:
+    settings = kind.settings.model_json_schema()
+    wanted: JsonSchemaValue = {
+        "properties": {
+            "settings": {
+                "properties": settings.get("properties", {}),
+                "additionalProperties": False,
+            }
+        }
+    }
+    if kind.target is Target.WHOLE:
+        wanted["properties"]["on"] = False
+    else:
+        wanted["required"] = ["on"]
+    return wanted
