@@ -46,7 +46,8 @@ class PlantView:
 def plan_blocks(plant: Plant, catalog: Catalog) -> BlockPlan:
     """Which blocks the plant needs. Raises DiagnosticError for what cannot be generated."""
     known = [catalog.sequence(name) for name in plant.sequences]
-    if found := [*name_conflicts(plant, known), *missing_fields(plant, catalog)]:
+    found = [*name_conflicts(plant, known), *missing_fields(plant, catalog), *_other_types(plant)]
+    if found:
         raise DiagnosticError(found)
     drives = _series(plant, catalog)
     sequences = tuple(_sequence(name, drives, catalog) for name in plant.sequences)
@@ -57,6 +58,20 @@ def plan_blocks(plant: Plant, catalog: Catalog) -> BlockPlan:
     context["times"] = {"timeout": gateways[0].timeout, "gap": gateways[0].gap}
     specs = (*_types(gateways, sequences), *_blocks(gateways, sequences), *_data(gateways))
     return BlockPlan(specs, context, tuple(_eeprom_writes(plant, catalog)))
+
+
+def _other_types(plant: Plant) -> Iterator[Diagnostic]:
+    """The TOS blocks carry the words and the trigger of one type of gateway."""
+    first = plant.gateways[0]
+    for gateway in plant.gateways:
+        if gateway.type != first.type:
+            yield Diagnostic(
+                "FB5009",
+                f"the gateway '{gateway.name}' is a {gateway.type}, '{first.name}' a {first.type}, "
+                "and the blocks of one plant are made for one type",
+                gateway.span_of("type"),
+                "make a plant file of its own for each type",
+            )
 
 
 def _types(

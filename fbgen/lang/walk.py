@@ -3,13 +3,13 @@
 from collections.abc import Iterator
 
 from fbgen.lang import ast
-from fbgen.source import Span
 
-_NODES = tuple(
-    kind
+_PARTS: dict[type, tuple[str, ...]] = {
+    kind: tuple(name for name in vars(kind)["__slots__"] if name != "span")
     for kind in vars(ast).values()
     if isinstance(kind, type) and "span" in getattr(kind, "__slots__", ())
-)
+} | {ast.File: ("units",)}
+"""What hangs on each kind of node."""
 
 
 def walk(root: object) -> Iterator[object]:
@@ -17,11 +17,10 @@ def walk(root: object) -> Iterator[object]:
     waiting = [root]
     while waiting:
         item = waiting.pop()
-        if isinstance(item, tuple):
-            if not isinstance(item, Span):
-                waiting += item
-        elif isinstance(item, _NODES):
-            yield item
-            waiting += [getattr(item, name) for name in item.__slots__ if name != "span"]  # type: ignore[attr-defined]
-        elif isinstance(item, ast.File):
-            waiting.append(item.units)
+        kind = type(item)
+        if kind is tuple:
+            waiting += item  # type: ignore[arg-type]
+        elif (parts := _PARTS.get(kind)) is not None:
+            if kind is not ast.File:
+                yield item
+            waiting += [getattr(item, name) for name in parts]

@@ -295,6 +295,28 @@ def test_a_layout_without_the_fields_of_a_telegram_is_fb5008(
     assert "tospbdp001.yaml:" in outcome.said
 
 
+def test_gateways_of_two_types_are_fb5009(tmp_path: Path) -> None:
+    text = (ROOT / "catalog" / "gateways" / "tospbdp001.yaml").read_text("utf-8")
+    place = tmp_path / "catalog" / "gateways"
+    place.mkdir(parents=True)
+    other = text.replace("id: tospbdp001", "id: another")
+    (place / "another.yaml").write_text(other, "utf-8")
+    data = yaml.safe_load((ROOT / "examples" / "five_drives" / "plant.yaml").read_text("utf-8"))
+    (gateway,) = data["gateways"]
+    second = gateway | {
+        "name": "gw2",
+        "type": "another",
+        "profibus_address": 3,
+        "input_address": 300,
+        "output_address": 300,
+        "drives": [gateway["drives"][0] | {"name": "sixth"}],
+    }
+    data["gateways"] = [gateway, second]
+    outcome = generate(tmp_path, "--catalog", str(tmp_path / "catalog"), plant=yaml.safe_dump(data))
+    outcome.refused("FB5009")
+    assert "'gw2' is a another, 'gw1' a tospbdp001" in outcome.said
+
+
 def test_a_layout_whose_name_is_text_is_refused(tmp_path: Path) -> None:
     text = (ROOT / "catalog" / "gateways" / "tospbdp001.yaml").read_text("utf-8")
     place = tmp_path / "catalog" / "gateways"
