@@ -1,6 +1,6 @@
-"""The compiled engine: one call of a block, loading a program, very long and very deep blocks."""
+"""The compiled engine: one call of a block, loading a program, very long blocks."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from bench.measuring import Figure, measure
@@ -9,50 +9,82 @@ from fbgen.lang.parser import parse
 from fbgen.source import Source
 from harness.engine.compiled import CompiledEngine
 from harness.engine.environment import StandaloneEnvironment
+from harness.engine.interface import Value
+from harness.kernel import Kernel
 
 _HANDSHAKE = Path(__file__).with_name("handshake.st")
+_CALL = "  fb(xStart"
 _SCAN_NS = 10_000_000
 _PERIOD = 512
-"""Scans after which the inputs of `main` repeat."""
+"""Scans after which the inputs that PROGRAM main gives repeat."""
 
 
-def load(text: str, name: str = "bench.st") -> CompiledEngine:
+def load(text: str, kernel: Kernel | None = None) -> CompiledEngine:
     """From source text to a program that can run."""
-    program = check([parse(Source(name, text), "iec")], "iec")
-    return CompiledEngine(program, StandaloneEnvironment())
+    program = check([parse(Source("bench.st", text), "iec")], "iec")
+    return CompiledEngine(program, StandaloneEnvironment(kernel))
 
 
-def _drive(engine: CompiledEngine, scans: int) -> None:
-    """What PROGRAM main does, from outside: so that the calls themselves are measured."""
-    kernel = engine.environment.kernel
-    block = engine.instance("FB_HS")
-    call, get = block.call, block.get
-    for i in range(scans):
-        word = 0x3001
-        if get("wControl") & 1 and i % 256 < 240:
-            word |= 0x400
-        if i % 64 > 58:
-            word |= 8
+def _scans(text: str) -> Callable[[], None]:
+    """One period of PROGRAM main."""
+    kernel = Kernel()
+    run_block = load(text, kernel).run_block
+
+    def scans() -> None:
+        for _ in range(_PERIOD):
+            kernel.now_ns += _SCAN_NS
+            run_block("main")
+
+    return scans
+
+
+def _calls(text: str) -> Callable[[], None]:
+    """One period of calls from outside, with the inputs that PROGRAM main gives."""
+    kernel = Kernel()
+    engine = load(text, kernel)
+    given: list[dict[str, Value]] = []
+    for _ in range(_PERIOD):
         kernel.now_ns += _SCAN_NS
-        call({"xStart": i % 8 != 0, "xReset": i % 128 == 127, "wStatus": word})
+        engine.run_block("main")
+        names = ("xStart", "xReset", "wStatus", "usAck")
+        given.append({name: engine.global_value(f"main.fb.{name}") for name in names})
+    call = engine.instance("FB_HS").call
+
+    def calls() -> None:
+        for inputs in given:
+            kernel.now_ns += _SCAN_NS
+            call(inputs)
+
+    return calls
 
 
-def _long(statements: int) -> str:
-    lines = "\n".join(f"  a := a + {n % 7}; b := a XOR b;" for n in range(statements // 2))
-    return f"FUNCTION_BLOCK Long\nVAR a : INT; b : INT; END_VAR\n{lines}\nEND_FUNCTION_BLOCK\n"
+def _long(statements: int) -> Callable[[], None]:
+    lines = "  a := a + 1;\n  b := b + a;\n" * (statements // 2)
+    text = f"FUNCTION_BLOCK Long\nVAR a : DINT; b : DINT; END_VAR\n{lines}END_FUNCTION_BLOCK\n"
+    call = load(text).instance("Long").call
+    return lambda: call({})
 
 
 def figures() -> Iterator[Figure]:
     """All figures of the engine."""
     text = _HANDSHAKE.read_text(encoding="ascii")
-    engine = load(text)
-    environment = engine.environment
-    assert isinstance(environment, StandaloneEnvironment)
-    kernel = environment.kernel
+    whole = measure("scan of PROGRAM main, which calls FB_HS", _scans(text), per=_PERIOD)
+    yield whole
+    without = "\n".join(line for line in text.split("\n") if not line.startswith(_CALL))
+    rest = measure("the same without the call", _scans(without), per=_PERIOD)
+    yield rest
+    yield Figure(
+        "call of FB_HS by keyword in PROGRAM main",
+        whole.seconds - rest.seconds,
+        whole.turns - rest.turns,
+        "at most 60 turns",
+    )
+    yield measure("call of FB_HS by keyword from Python", _calls(text), per=_PERIOD)
 
-    def period() -> None:
-        for _ in range(_PERIOD):
-            kernel.now_ns += _SCAN_NS
-            engine.run_block("main")
+    def first_scan() -> None:
+        load(text).run_block("main")
 
-    yield measure("scan of PROGRAM main with FB_HS inside", period, per=_PERIOD)
+    yield measure("source text to first scan", first_scan, "at most 50 ms", windows=20)
+    for statements in (100, 1_000, 10_000, 100_000):
+        name = f"one statement out of {statements:,}"
+        yield measure(name, _long(statements), "flat", per=statements, windows=20)

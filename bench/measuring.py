@@ -1,7 +1,8 @@
 """Measuring on a machine that others use too.
 
-A figure is the smallest of many short windows, and the empty loop is measured between them: both
-then stand for the same undisturbed processor, and their ratio hardly depends on the machine.
+A figure is the smallest of many short windows, and the empty loop is measured between them in
+windows of the same length: both then stand for the same undisturbed processor, and their ratio
+hardly depends on the machine.
 """
 
 from collections.abc import Callable
@@ -9,9 +10,9 @@ from dataclasses import dataclass
 from gc import disable, enable
 from time import perf_counter
 
-_WINDOW_S = 0.0008
-_WINDOWS = 150
-_LOOP_TURNS = 10_000
+_WINDOW_S = 0.001
+_WINDOWS = 500
+_LONGEST_WINDOW_S = 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,13 +55,15 @@ def measure(
 ) -> Figure:
     """What one call of `action` costs, divided by `per`; the loop around it is taken off."""
     action()
-    count = max(1, int(_WINDOW_S / max(_repeated(action, 1), 1e-9)))
+    once = min(_repeated(action, 1) for _ in range(3))
+    count = max(1, int(_WINDOW_S / once))
+    turns = int(min(max(once, _WINDOW_S), _LONGEST_WINDOW_S) / _empty_loop(1_000))
     costs: list[float] = []
     loops: list[float] = []
     disable()
     try:
         for _ in range(windows):
-            loops.append(_empty_loop(_LOOP_TURNS))
+            loops.append(_empty_loop(turns))
             costs.append(_repeated(action, count))
     finally:
         enable()

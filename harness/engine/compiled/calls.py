@@ -1,4 +1,4 @@
-"""Calls of functions, function block instances and instructions of the controller."""
+"""Calls of functions and of instructions of the controller, and what all calls have in common."""
 
 from collections.abc import Sequence
 
@@ -10,7 +10,6 @@ from fbgen.lang.checked import (
     FieldRef,
     FunctionCall,
     IndexRef,
-    InstanceCall,
     Place,
     SliceRef,
     SystemCall,
@@ -20,14 +19,13 @@ from fbgen.lang.checked import (
 )
 from fbgen.lang.types import ArrayType, Type
 from harness.engine.compiled.code import Code, deepest
-from harness.engine.compiled.evaluation import Write, stored, value
+from harness.engine.compiled.evaluation import Write, value
 from harness.engine.compiled.instructions import areas
-from harness.engine.compiled.model import is_scalar, run_method
-from harness.engine.compiled.places import assign, copy_into, element_position, pinned, place
+from harness.engine.compiled.model import is_scalar
+from harness.engine.compiled.places import assign, element_position, pinned, place
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits
 from harness.engine.compiled.signatures import Signature, comes_back, signature
-from harness.engine.compiled.walk import every_node, root_of
 
 _Outputs = Sequence[tuple[Variable, Place]]
 
@@ -35,20 +33,20 @@ _Outputs = Sequence[tuple[Variable, Place]]
 # --- arguments ----------------------------------------------------------------------------------
 
 
-def _copied(text: str, kind: Type) -> str:
+def copied(text: str, kind: Type) -> str:
     """A copy of a structure or an array."""
     if not isinstance(kind, ArrayType):
         return f"{text}._copy()"
     if is_scalar(kind.element):
         return f"{text}[:]"
-    return f"[{_copied('_one', kind.element)} for _one in {text}]"
+    return f"[{copied('_one', kind.element)} for _one in {text}]"
 
 
 def _input(procedure: Procedure, variable: Variable, node: Expression, callee: Block) -> Code:
     code = value(procedure, node)
     if is_scalar(variable.type) or procedure.context.facts.only_reads(callee, variable):
         return code
-    return code._replace(text=_copied(code.text, variable.type), depth=code.depth + 1)
+    return code._replace(text=copied(code.text, variable.type), depth=code.depth + 1)
 
 
 def _is_outside_python(node: Place) -> bool:
@@ -83,7 +81,7 @@ def _cell(procedure: Procedure, node: Place) -> Code:
     return Code(f"_ElementCell({base_code.text}, {position.text})", depth=position.depth + 2)
 
 
-class _InOut:
+class InOut:
     """One in-out of a call that is being written."""
 
     __slots__ = ("node", "text", "variable", "write_back")
@@ -95,29 +93,29 @@ class _InOut:
         self.write_back = write_back
 
 
-def _in_outs(
+def in_out_arguments(
     procedure: Procedure, pairs: Sequence[tuple[Variable, Place]], callee: Block
-) -> list[_InOut]:
+) -> list[InOut]:
     """The in-outs of a call; `write_back` is what to read afterwards, "" if nothing."""
     result = []
     facts = procedure.context.facts
     for variable, node in pairs:
         if not is_scalar(variable.type):
-            result.append(_InOut(variable, node, value(procedure, node).text, ""))
+            result.append(InOut(variable, node, value(procedure, node).text, ""))
         elif variable in facts.cells:
             if _is_outside_python(node):
                 node = pinned(procedure, node)
                 name = procedure.temporary()
                 procedure.line(f"{name} = _ValueCell({value(procedure, node).text})")
-                result.append(_InOut(variable, node, name, f"{name}.value"))
+                result.append(InOut(variable, node, name, f"{name}.value"))
             else:
-                result.append(_InOut(variable, node, _cell(procedure, node).text, ""))
+                result.append(InOut(variable, node, _cell(procedure, node).text, ""))
         else:
             back = comes_back(variable, callee, facts)
             if back:
                 node = pinned(procedure, node)
             text = value(procedure, node).text
-            result.append(_InOut(variable, node, text, "yes" if back else ""))
+            result.append(InOut(variable, node, text, "yes" if back else ""))
     return result
 
 
@@ -146,7 +144,7 @@ def _function(procedure: Procedure, node: FunctionCall) -> Code:
         return _result_code(procedure, procedure.finish_part(part), node, [])
     codes = [_input(procedure, variable, one, node.function) for variable, one in node.inputs]
     texts = [code.text for code in codes]
-    texts += [in_out.text for in_out in _in_outs(procedure, node.in_outs, node.function)]
+    texts += [in_out.text for in_out in in_out_arguments(procedure, node.in_outs, node.function)]
     text = f"{procedure.context.model.name_of(node.function)}({', '.join(texts)})"
     if facts.counts_depth(node.function):
         procedure.site(text, node)
@@ -160,7 +158,7 @@ def function_statement(procedure: Procedure, node: FunctionCall) -> Code | None:
     facts = procedure.context.facts
     shape = signature(node.function, facts)
     texts = [_input(procedure, variable, one, node.function).text for variable, one in node.inputs]
-    in_outs = _in_outs(procedure, node.in_outs, node.function)
+    in_outs = in_out_arguments(procedure, node.in_outs, node.function)
     texts += [in_out.text for in_out in in_outs]
     text = f"{procedure.context.model.name_of(node.function)}({', '.join(texts)})"
     if facts.counts_depth(node.function):
@@ -172,7 +170,7 @@ def function_statement(procedure: Procedure, node: FunctionCall) -> Code | None:
         if in_out.write_back:
             back = names.get(in_out.variable, in_out.write_back)
             assign(procedure, in_out.node, Code(back, simple=True), in_out.variable.type)
-    _write_outputs(procedure, node.outputs, names)
+    write_outputs(procedure, node.outputs, names)
     if node.function.result is None:
         return None
     low, high = limits(node.type)
@@ -195,81 +193,11 @@ def _unpack(
     return names
 
 
-def _write_outputs(procedure: Procedure, outputs: _Outputs, names: dict[Variable, str]) -> None:
+def write_outputs(procedure: Procedure, outputs: _Outputs, names: dict[Variable, str]) -> None:
     for variable, target in outputs:
         low, high = limits(variable.type)
         code = Code(names[variable], low=low, high=high, simple="." not in names[variable])
         assign(procedure, target, code, variable.type)
-
-
-# --- instances ----------------------------------------------------------------------------------
-
-
-def instance_call(procedure: Procedure, node: InstanceCall) -> None:
-    """Write a call of an instance: store the inputs, run it, fetch the outputs."""
-    record = procedure.context.model.block_record(node.block)
-    instance = place(procedure, node.instance).text
-    uses = len(node.inputs) + len(node.in_outs) + len(node.outputs) + 1
-    if uses > 2 or "[" in instance or node.block.name in ("R_TRIG", "F_TRIG"):
-        name = procedure.temporary()
-        procedure.line(f"{name} = {instance}")
-        instance = name
-    if node.block.name in ("R_TRIG", "F_TRIG") and len(node.inputs) == 1:
-        _edge(procedure, instance, node)
-    else:
-        _store_inputs(procedure, instance, node)
-        in_outs: list[_InOut] = []
-        if isinstance(node.block, Block):
-            in_outs = _in_outs(procedure, node.in_outs, node.block)
-            for in_out in in_outs:
-                slot = record.by_key[in_out.variable.name.casefold()].slot
-                procedure.line(f"{instance}.{slot} = {in_out.text}")
-        procedure.line(f"{instance}.{run_method(node.block)}()")
-        for in_out in in_outs:
-            if in_out.write_back:
-                slot = record.by_key[in_out.variable.name.casefold()].slot
-                back = f"{instance}.{slot}" if in_out.write_back == "yes" else in_out.write_back
-                assign(procedure, in_out.node, Code(back), in_out.variable.type)
-    names = {
-        variable: f"{instance}.{record.by_key[variable.name.casefold()].slot}"
-        for variable, _ in node.outputs
-    }
-    _write_outputs(procedure, node.outputs, names)
-
-
-def _store_inputs(procedure: Procedure, instance: str, node: InstanceCall) -> None:
-    record = procedure.context.model.block_record(node.block)
-    codes = [value(procedure, one) for _, one in node.inputs]
-    root = root_of(node.instance)
-    at_once = all(code.safe for code in codes[1:]) and not any(
-        isinstance(inner, VariableRef) and inner.variable is root
-        for _, one in node.inputs[1:]
-        for inner in every_node((one,))
-    )
-    at_once = at_once or len(codes) == 1
-    if not at_once:
-        for number, ((variable, _), code) in enumerate(zip(node.inputs, codes, strict=True)):
-            name = procedure.temporary()
-            text = code.text if is_scalar(variable.type) else _copied(code.text, variable.type)
-            procedure.line(f"{name} = {text}")
-            codes[number] = code._replace(text=name)
-    for (variable, _), code in zip(node.inputs, codes, strict=True):
-        target = f"{instance}.{record.by_key[variable.name.casefold()].slot}"
-        if is_scalar(variable.type):
-            procedure.line(f"{target} = {stored(code).text}")
-        else:
-            copy_into(procedure, target, variable.type, code.text)
-
-
-def _edge(procedure: Procedure, instance: str, node: InstanceCall) -> None:
-    """R_TRIG and F_TRIG are shorter than their call."""
-    now = procedure.temporary()
-    procedure.line(f"{instance}.CLK = {now} = {value(procedure, node.inputs[0][1]).text}")
-    if node.block.name == "R_TRIG":
-        procedure.line(f"{instance}.Q = {now} and not {instance}._before")
-    else:
-        procedure.line(f"{instance}.Q = not {now} and {instance}._before")
-    procedure.line(f"{instance}._before = {now}")
 
 
 # --- instructions -------------------------------------------------------------------------------

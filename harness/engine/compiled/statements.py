@@ -25,10 +25,10 @@ from harness.engine.compiled.caching import worth_keeping
 from harness.engine.compiled.calls import (
     evaluate,
     function_statement,
-    instance_call,
     instruction_statement,
 )
 from harness.engine.compiled.evaluation import value
+from harness.engine.compiled.instances import instance_call
 from harness.engine.compiled.loops import write_for, write_repeat, write_while
 from harness.engine.compiled.model import has_memory
 from harness.engine.compiled.places import assign
