@@ -23,7 +23,7 @@ def register(program: typer.Typer) -> None:
         epilog=examples(
             "fbgen test",
             "fbgen test scenarios/start.scenario.yaml",
-            "fbgen test scenarios -k reset",
+            "fbgen test scenarios -k 'start and not reverse'",
             "fbgen test scenarios --seed 7 --json",
         ),
     )(run_scenarios)
@@ -40,7 +40,10 @@ def run_scenarios(
     select: Annotated[
         str,
         typer.Option(
-            "-k", metavar="TEXT", help="Only scenarios whose title, file or a tag contains this."
+            "-k",
+            metavar="EXPR",
+            help="Only scenarios whose title, file, variation or a tag contains this word; and, or, "
+            "not and parentheses combine words.",
         ),
     ] = "",
     seed: Annotated[
