@@ -42,8 +42,8 @@ def run_scenarios(
         typer.Option(
             "-k",
             metavar="EXPR",
-            help="Only scenarios whose title, file, variation or a tag contains this word; and, or, "
-            "not and parentheses combine words.",
+            help="Only scenarios whose title, file, variation or a tag contains this word; "
+            "and, or, not and parentheses combine words.",
         ),
     ] = "",
     seed: Annotated[
