@@ -15,28 +15,25 @@ NS_PER_S = 1_000_000_000
 
 
 class Event:
-    """A call that is due at an instant; `cancel` takes it back."""
+    """A call that is due at an instant; `cancel` takes it back.
 
-    __slots__ = ("_action", "time_ns")
+    `action` is what is called, None once it was or will not be any more. Only the kernel takes it.
+    """
+
+    __slots__ = ("action", "time_ns")
 
     def __init__(self, time_ns: int, action: Callable[[], None]) -> None:
         self.time_ns = time_ns
-        self._action: Callable[[], None] | None = action
+        self.action: Callable[[], None] | None = action
 
     @property
     def pending(self) -> bool:
         """True until the event has run or was cancelled."""
-        return self._action is not None
+        return self.action is not None
 
     def cancel(self) -> None:
         """Nothing happens at the instant any more; harmless on an event that has run."""
-        self._action = None
-
-    def run(self) -> None:
-        """Carry the event out unless it was cancelled. Only the kernel calls this."""
-        action, self._action = self._action, None
-        if action is not None:
-            action()
+        self.action = None
 
 
 class Kernel:
@@ -67,7 +64,7 @@ class Kernel:
     def next_event_ns(self) -> int | None:
         """The instant of the next event that was not cancelled, or None."""
         queue = self._queue
-        while queue and not queue[0][3].pending:
+        while queue and queue[0][3].action is None:
             heappop(queue)
         return queue[0][0] if queue else None
 
@@ -82,7 +79,10 @@ class Kernel:
             due_ns, _, _, event = heappop(queue)
             if due_ns > self.now_ns:
                 self.now_ns = due_ns
-            event.run()
+            action = event.action
+            if action is not None:
+                event.action = None
+                action()
         if time_ns > self.now_ns:
             self.now_ns = time_ns
 

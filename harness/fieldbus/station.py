@@ -164,6 +164,21 @@ class Station:
             if not self.queued:
                 self._master.request(self)
 
+    def write_number(self, offset: int, count: int, value: int) -> None:
+        """As `write`, for a number of `count` bytes, big endian: what a direct access moves."""
+        outputs = self.outputs
+        if count == 1:
+            if outputs[offset] == value:
+                return
+            outputs[offset] = value
+        elif count == 2 and outputs[offset] == value >> 8 and outputs[offset + 1] == value & 0xFF:
+            return
+        else:
+            outputs[offset : offset + count] = value.to_bytes(count, "big")
+        self.unsent = True
+        if not self.queued:
+            self._master.request(self)
+
     def restart(self) -> None:
         """Begin again with Slave_Diag, as after the master was stopped."""
         self.failed = False

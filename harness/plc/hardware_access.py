@@ -31,10 +31,12 @@ class HardwareAccess:
     """
 
     __slots__ = (
+        "_image",
         "_inputs_at",
         "_instant_ns",
         "_kernel",
         "_modules",
+        "_outputs_at",
         "_peripheral_ns",
         "_quiet_until_ns",
         "access_errors",
@@ -52,6 +54,8 @@ class HardwareAccess:
         self._kernel = kernel
         self._modules = ModuleTable()
         self._inputs_at = self._modules.inputs
+        self._outputs_at = self._modules.outputs
+        self._image = self._modules.image
         self._peripheral_ns = settings.peripheral_ns
         self.settings = settings
         self.inputs = bytearray(settings.memory_bytes)
@@ -103,10 +107,9 @@ class HardwareAccess:
     def write_peripheral(self, byte: int, count: int, value: int) -> None:
         """`count` bytes (1, 2, 4) straight to the master's image, big endian."""
         instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
-        place = self._modules.outputs.get(byte)
-        if place is None or instant_ns >= self._quiet_until_ns or not place[0].queued:
+        if instant_ns >= self._quiet_until_ns:
             self._let_happen(instant_ns)
-            self._quiet_until_ns = 0
+        place = self._outputs_at.get(byte)
         if place is None or place[0].failed:
             self._access_error(f"output byte {byte}")
             return
@@ -114,14 +117,15 @@ class HardwareAccess:
         if offset + count > len(station.outputs):
             self._access_error(f"output byte {byte + count - 1}")
             return
-        data = value.to_bytes(count, "big")
+        if not station.queued:
+            self._quiet_until_ns = 0
         if self.link.armed:
-            self.link.write(station, offset, data)
+            self.link.write(station, offset, value.to_bytes(count, "big"))
             self._quiet_until_ns = 0
         else:
-            station.write(offset, data)
-        if station in self._modules.image:
-            self.outputs[byte : byte + count] = data
+            station.write_number(offset, count, value)
+        if self._image and station in self._image:
+            self.outputs[byte : byte + count] = value.to_bytes(count, "big")
 
     def _let_happen(self, instant_ns: int) -> None:
         """Let the world go on up to an instant, and note how long nothing will happen then.
