@@ -4,20 +4,20 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from fbgen.lang.checked import Block, Statement, Variable, VariableKind
-from fbgen.lang.types import BOOL, ArrayType, StructType
+from fbgen.lang.types import ArrayType, StructType
 from harness.engine.compiled import calls, operators, places, standard_functions
 from harness.engine.compiled.code import Listing
 from harness.engine.compiled.evaluation import enter
 from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.model import Model, Part, Record, has_memory, is_scalar
+from harness.engine.compiled.outside_calls import input_types, write_call
 from harness.engine.compiled.procedure import (
     BlockContext,
     FrameNeededError,
     Probe,
     Procedure,
 )
-from harness.engine.compiled.ranges import is_counted, limits
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.statements import write_long
 
@@ -150,7 +150,8 @@ def _class(context: BlockContext, body: Sequence[Statement]) -> Listing:
         procedure.line(f"    _enter({context.block.name!r})")
         procedure.line("    self._uncounted()")
         procedure.line("    _leave()")
-    _write_call(context, listing, record)
+    write_call(listing, record, context.facts, context.block)
+    context.tables.update(input_types(record))
     listing.indent = 0
     return listing
 
@@ -161,42 +162,6 @@ def _write_init(listing: Listing, parts: Sequence[Part], initializer: Initialize
     lines = [line for part in parts for line in initializer.part(f"self.{part.slot}", part)]
     for line in lines or ["pass"]:
         listing.add(f"    {line}")
-
-
-def _write_call(context: BlockContext, listing: Listing, record: Record) -> None:
-    """The method for calls from outside: checks the inputs, then runs the block."""
-    listing.add("")
-    listing.add("def _call(self, inputs):")
-    listing.indent += 4
-    if context.facts.has_loops(context.block):
-        listing.add("_cpu.passes = _cpu.most_passes")
-    if context.facts.counts_depth(context.block):
-        listing.add("_cpu.depth = 0")
-    listing.add("others = len(inputs)")
-    for part in record.parts:
-        if part.kind is not VariableKind.INPUT or not is_scalar(part.type):
-            continue
-        listing.add(f"if {part.name!r} in inputs:")
-        listing.add(f"    value = inputs[{part.name!r}]")
-        listing.add("    others -= 1")
-        listing.add(f"    self.{part.slot} = {_accepted(context, part)}")
-    listing.add("if others: _set_others(self, inputs)")
-    if any(part.kind is VariableKind.IN_OUT for part in record.parts):
-        listing.add("_connect(self)")
-    listing.add("self._run()")
-    listing.indent -= 4
-
-
-def _accepted(context: BlockContext, part: Part) -> str:
-    table = f"_{context.python_name}_{part.slot}_type"
-    context.tables[table] = part.type
-    accepted = f"_accept({part.name!r}, {table}, value)"
-    if part.type == BOOL:
-        return f"value if value is True or value is False else {accepted}"
-    if is_counted(part.type):
-        low, high = limits(part.type)
-        return f"value if value.__class__ is int and {low} <= value <= {high} else {accepted}"
-    return accepted
 
 
 def write_structures(model: Model) -> Listing:

@@ -17,14 +17,15 @@ from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.instance import CompiledInstance
 from harness.engine.compiled.library.counters import counter_classes
-from harness.engine.compiled.library.timers import timer_classes
+from harness.engine.compiled.library.timers import Clock, timer_classes
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.model import GLOBALS, Model, Record, is_scalar, run_method
 from harness.engine.compiled.namespace import LIBRARY, Cpu, counting, hardware
+from harness.engine.compiled.outside_calls import write_keyword_call
 from harness.engine.compiled.procedure import Probe
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.stopping import Stopper
-from harness.engine.environment import Environment
+from harness.engine.environment import Environment, StandaloneEnvironment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block, wrong_path
 from harness.engine.interface import FunctionResult, Limits, State, Value
 from harness.engine.paths import parse_path
@@ -42,6 +43,11 @@ def _deep() -> Iterator[None]:
         yield
     finally:
         sys.setrecursionlimit(before)
+
+
+def _clock(environment: Environment) -> Clock:
+    """What timers read the time from; a kernel has it as a plain attribute, which is faster."""
+    return environment.kernel if isinstance(environment, StandaloneEnvironment) else environment
 
 
 class CompiledEngine:
@@ -64,7 +70,7 @@ class CompiledEngine:
         self._program = program
         self._environment = environment
         library: dict[str, type] = {
-            **timer_classes(environment, program.dialect),
+            **timer_classes(_clock(environment), program.dialect),
             **counter_classes(program.dialect),
         }
         self._model = Model(program, library)
@@ -83,6 +89,7 @@ class CompiledEngine:
             "_cpu": self._cpu,
             "_set_others": self._set_others,
             "_connect": self._connect,
+            "_stopped": self._stopped,
             **(probe.names if probe is not None else {}),
         }
         self._memory = Memory(self._model, self._facts, self._namespace)
@@ -186,7 +193,12 @@ class CompiledEngine:
 
     def _instance(self, record: Record, data: Any) -> CompiledInstance:
         return CompiledInstance(
-            record, data, self._memory, self._call_of(record, data), self._stopped
+            record,
+            data,
+            self._memory,
+            call=self._call_of(record, data),
+            stopped=self._stopped,
+            make_keyword_call=self._keyword_call,
         )
 
     def _call_of(self, record: Record, data: Any) -> Callable[..., None]:
@@ -201,6 +213,17 @@ class CompiledEngine:
             run()
 
         return call_standard
+
+    def _keyword_call(self, record: Record, data: Any) -> Callable[..., None]:
+        block = record.block
+        if not isinstance(block, Block):
+            call = self._call_of(record, data)
+            return lambda **inputs: call(inputs)
+        name = f"<{block.name}, called by keyword>"
+        self._connect(data)
+        self._run_listing(name, write_keyword_call(record, self._facts, block))
+        function: Callable[..., None] = self._namespace.pop("make")(data)
+        return function
 
     def global_instance(self, name: str) -> CompiledInstance:
         """The instance that a data block or a global variable is."""

@@ -13,21 +13,24 @@ from harness.engine.paths import parse_path
 class CompiledInstance:
     """One instance. `call` runs its generated method, `stopped` says what to raise if it fails."""
 
-    __slots__ = ("_call", "_data", "_memory", "_record", "_stopped")
+    __slots__ = ("_call", "_data", "_make_keyword_call", "_memory", "_record", "_stopped")
 
     def __init__(
         self,
         record: Record,
         data: Any,
         memory: Memory,
+        *,
         call: Callable[[Mapping[str, Value]], None],
         stopped: Callable[[Exception], Exception],
+        make_keyword_call: Callable[[Record, Any], Callable[..., None]],
     ) -> None:
         self._record = record
         self._data = data
         self._memory = memory
         self._call = call
         self._stopped = stopped
+        self._make_keyword_call = make_keyword_call
 
     @property
     def block(self) -> AnyBlock:
@@ -44,6 +47,13 @@ class CompiledInstance:
             if stopped is exception:
                 raise
             raise stopped from None
+
+    def keyword_call(self) -> Callable[..., None]:
+        """A function that calls the block, with its single-valued inputs as keywords.
+
+        It does what `call` does and costs less: for those who call one instance very often.
+        """
+        return self._make_keyword_call(self._record, self._data)
 
     def get(self, path: str) -> Value:
         """The value of a variable or of a part of it; an in-out as the last call left it."""

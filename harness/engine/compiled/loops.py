@@ -28,6 +28,9 @@ from harness.engine.compiled.procedure import Loop, Procedure
 from harness.engine.compiled.ranges import wrapped
 from harness.engine.compiled.walk import every_node
 
+MOST_WRITTEN_OUT = 16
+"""Passes up to which the numbers are a constant: cheaper than making a range at each start."""
+
 WriteBody = Callable[[Procedure, Sequence[Statement], Branch | CaseArm | None], None]
 
 
@@ -146,6 +149,8 @@ def _write_range(
 
 
 def _range(passes: range) -> str:
+    if 1 < len(passes) <= MOST_WRITTEN_OUT:
+        return str(tuple(passes))
     tail = "" if passes.step == 1 else f", {passes.step}"
     return f"range({passes.start}, {passes.stop}{tail})"
 

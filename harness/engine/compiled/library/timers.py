@@ -5,9 +5,18 @@ On S7-1200/1500 (`latched`) the preset counts as it was when the timing started;
 in each call. Sources: IEC 61131-3 third edition, figure 15; TIA Portal help, "IEC timers".
 """
 
-from harness.engine.environment import Environment
+from typing import Protocol
 
 _NS_PER_MS = 1_000_000
+
+
+class Clock(Protocol):
+    """What timers follow."""
+
+    @property
+    def now_ns(self) -> int:
+        """The instant of the running scan, in nanoseconds."""
+        ...
 
 
 class Timer:
@@ -25,7 +34,7 @@ METHODS = {"TON": "_ton", "TOF": "_tof", "TP": "_tp", "TONR": "_tonr"}
 """The method of each timer, by its canonical name."""
 
 
-def _running_timer(environment: Environment, tick: int, latched: bool) -> type[Timer]:
+def _running_timer(clock: Clock, tick: int, latched: bool) -> type[Timer]:
     """The timers of one clock with ticks of `tick` nanoseconds.
 
     The methods find the clock in this function's variables, because that is what Python reads
@@ -41,7 +50,7 @@ def _running_timer(environment: Environment, tick: int, latched: bool) -> type[T
                 self.ET = 0
                 self._start = None
             elif not self.Q:
-                now = environment.now_ns
+                now = clock.now_ns
                 start = self._start
                 if start is None:
                     start = self._start = now
@@ -60,7 +69,7 @@ def _running_timer(environment: Environment, tick: int, latched: bool) -> type[T
                 self.ET = 0
                 self._start = None
             elif self.Q:
-                now = environment.now_ns
+                now = clock.now_ns
                 start = self._start
                 if start is None:
                     start = self._start = now
@@ -79,7 +88,7 @@ def _running_timer(environment: Environment, tick: int, latched: bool) -> type[T
             start = self._start
             if start is not None:
                 preset = self._preset if latched else self.PT
-                passed = (environment.now_ns - start) // tick
+                passed = (clock.now_ns - start) // tick
                 if passed < preset:
                     self.ET = passed
                     return
@@ -91,7 +100,7 @@ def _running_timer(environment: Environment, tick: int, latched: bool) -> type[T
                 self.ET = 0
                 if self._preset > 0:
                     self.Q = True
-                    self._start = environment.now_ns
+                    self._start = clock.now_ns
             elif not self.IN:
                 self.ET = 0
 
@@ -103,7 +112,7 @@ def _running_timer(environment: Environment, tick: int, latched: bool) -> type[T
                 return
             if self.Q:
                 return
-            now = environment.now_ns
+            now = clock.now_ns
             start = self._start
             if start is not None:
                 self._collected += now - start
@@ -122,11 +131,11 @@ def _running_timer(environment: Environment, tick: int, latched: bool) -> type[T
     return RunningTimer
 
 
-def timer_classes(environment: Environment, dialect: str) -> dict[str, type[Timer]]:
+def timer_classes(clock: Clock, dialect: str) -> dict[str, type[Timer]]:
     """The timers of one controller, by canonical name."""
     classes: dict[str, type[Timer]] = {}
     for suffix, tick in (("", _NS_PER_MS), ("_LTIME", 1)):
-        base = _running_timer(environment, tick, latched=dialect == "tia")
+        base = _running_timer(clock, tick, latched=dialect == "tia")
         for name in METHODS:
             classes[name + suffix] = type(name + suffix, (base,), {"__slots__": ()})
     classes["IEC_TIMER"] = type("IEC_TIMER", (classes["TON"],), {"__slots__": ()})
