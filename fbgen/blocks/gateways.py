@@ -223,7 +223,7 @@ def _is_word(layout: Layout, item: CyclicField, area: str) -> bool:
 def _laddr(plant: Plant, gateway: PlantGateway, address: int | None) -> SclText:
     """S7-1200/1500 take the hardware identifier, S7-300/400 the start address."""
     source = origin(f"gateway {gateway.name}", gateway)
-    if plant.plc in ("s7-300", "s7-400"):
+    if plant.family.classic:
         return SclText(f"W#16#{address or 0:X}", source)
     return SclText(str(gateway.hardware_identifier or 0), source)
 

@@ -12,6 +12,10 @@ from fbgen.catalog import Catalog, ComNo, Drive, Gateway, WriteStep, origin
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.plant import Plant
 
+_TIMER = "{InstructionName := 'TON_TIME'; LibVersion := '1.0'} : TON_TIME"
+_CLASSIC_TIMER = ": TON"
+"""How an instance of the on-delay timer is declared; TON is SFB 4 on S7-300/400."""
+
 
 @dataclass(frozen=True, slots=True)
 class BlockSpec:
@@ -169,7 +173,8 @@ def _plant_context(
     plant: Plant, gateways: tuple[GatewayView, ...], sequences: tuple[SequenceView, ...]
 ) -> dict[str, object]:
     return {
-        "optimized": "TRUE" if plant.plc in ("s7-1200", "s7-1500", "iec") else "FALSE",
+        "optimized": "FALSE" if plant.family.classic else "TRUE",
+        "on_delay": _CLASSIC_TIMER if plant.family.classic else _TIMER,
         "plant": PlantView(plant.name, max(len(item.drives) for item in gateways)),
         "gateways": gateways,
         "sequences": sequences,

@@ -30,6 +30,11 @@ class Family:
     hardware_identifiers: bool
     image_moves_whole: bool
 
+    @property
+    def classic(self) -> bool:
+        """S7-300 and S7-400: no optimized access, timers are system function blocks."""
+        return self.name in ("s7-300", "s7-400")
+
 
 FAMILIES = MappingProxyType(
     {
