@@ -1,7 +1,9 @@
 """The harness: runs PLC text scan by scan against simulated gateways and inverters.
 
-    program = load_program(["conveyor.scl"])          # blocks on their own
-    installation = plant("plant.yaml")                # a whole simulated plant
+Blocks on their own, and a whole simulated plant:
+
+    program = load_program(["conveyor.scl"])
+    installation = plant("plant.yaml")
 """
 
 from typing import TYPE_CHECKING

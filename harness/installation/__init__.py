@@ -1,5 +1,7 @@
 """The whole simulated plant, from a plant file and PLC text.
 
+Switched on, two seconds later:
+
     installation = plant("plant.yaml", PlantSetup(seed=1))
     installation.start()
     installation.run_for(2 * NS_PER_S)
