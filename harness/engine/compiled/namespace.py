@@ -50,6 +50,7 @@ LIBRARY: dict[str, Any] = {
     "_nan": nan,
     "_cell": reals.CELL,
     "_keep": object(),
+    "_type": type,
     "_accept": accept_scalar,
     "_AttributeCell": AttributeCell,
     "_ElementCell": ElementCell,

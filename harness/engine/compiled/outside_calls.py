@@ -30,16 +30,19 @@ def input_types(record: Record) -> dict[str, Type]:
     return {_type_name(record, part): part.type for part in _inputs(record)}
 
 
-def _accepted(record: Record, part: Part, value: str) -> str:
-    """The value itself if it is one of the type; else the library decides."""
-    accepted = f"_accept({part.name!r}, {_type_name(record, part)}, {value})"
+def _is_plain(part: Part, value: str) -> str:
+    """The condition under which a value is one of the type as it is; "" if that is not so easy."""
     if part.type == BOOL:
-        return f"{value} if {value} is True or {value} is False else {accepted}"
+        return f"{value} is True or {value} is False"
     if is_counted(part.type):
         low, high = limits(part.type)
-        inside = f"{value}.__class__ is int and {low} <= {value} <= {high}"
-        return f"{value} if {inside} else {accepted}"
-    return accepted
+        return f"_type({value}) is int and {low} <= {value} <= {high}"
+    return ""
+
+
+def _accepted(record: Record, part: Part, value: str) -> str:
+    """What the library makes of a value, or says against it."""
+    return f"_accept({part.name!r}, {_type_name(record, part)}, {value})"
 
 
 def _write_start(listing: Listing, facts: Facts, block: Block) -> None:
@@ -60,7 +63,9 @@ def write_call(listing: Listing, record: Record, facts: Facts, block: Block) -> 
         listing.add(f"if {part.name!r} in inputs:")
         listing.add(f"    value = inputs[{part.name!r}]")
         listing.add("    others -= 1")
-        listing.add(f"    self.{part.slot} = {_accepted(record, part, 'value')}")
+        plain, accepted = _is_plain(part, "value"), _accepted(record, part, "value")
+        text = f"value if {plain} else {accepted}" if plain else accepted
+        listing.add(f"    self.{part.slot} = {text}")
     listing.add("if others: _set_others(self, inputs)")
     if any(part.kind is VariableKind.IN_OUT for part in record.parts):
         listing.add("_connect(self)")
@@ -81,7 +86,11 @@ def write_keyword_call(record: Record, facts: Facts, block: Block) -> Listing:
     listing.indent = 12
     _write_start(listing, facts, block)
     for part in _inputs(record):
-        listing.add(f"if {part.slot} is not _keep:")
+        keyword = "if"
+        if plain := _is_plain(part, part.slot):
+            listing.add(f"if {plain}: data.{part.slot} = {part.slot}")
+            keyword = "elif"
+        listing.add(f"{keyword} {part.slot} is not _keep:")
         listing.add(f"    data.{part.slot} = {_accepted(record, part, part.slot)}")
     listing.add("run()")
     listing.indent = 8
