@@ -22,6 +22,7 @@ from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.model import GLOBALS, Model, Record, is_scalar, run_method
 from harness.engine.compiled.namespace import LIBRARY, Cpu, counting, hardware
 from harness.engine.compiled.outside_calls import write_keyword_call
+from harness.engine.compiled.passes import may_exceed
 from harness.engine.compiled.procedure import Probe
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.stopping import Stopper
@@ -75,6 +76,8 @@ class CompiledEngine:
         }
         self._model = Model(program, library)
         self._facts = Facts(program, limits.call_depth)
+        with _deep():
+            self._facts.counts_loops = may_exceed(program, self._facts, limits.loop_passes)
         self._cpu = Cpu(limits)
         image_sizes = {
             "I": len(environment.inputs),

@@ -53,12 +53,13 @@ class _Site:
 class Facts:
     """The facts of one program."""
 
-    __slots__ = ("_found", "_program", "_too_deep", "cells")
+    __slots__ = ("_found", "_program", "_too_deep", "cells", "counts_loops")
 
     def __init__(self, program: Program, call_depth: int) -> None:
         self._program = program
         self._found = {block: _Found() for block in program.bodies}
         self.cells: set[Variable] = set()
+        self.counts_loops = True
         sites: list[_Site] = []
         for block, body in program.bodies.items():
             sites += self._look(block, body)
@@ -66,9 +67,9 @@ class Facts:
         self._spread()
         self._find_cells(sites)
 
-    def has_loops(self, block: Block) -> bool:
-        """True if a call of the block can run a loop anywhere."""
-        return self._found[block].loops
+    def counts_passes(self, block: Block) -> bool:
+        """True if a call of the block can run a loop anywhere, and loops are counted."""
+        return self.counts_loops and self._found[block].loops
 
     def counts_depth(self, block: Block) -> bool:
         """True if calls of the block have to be counted."""

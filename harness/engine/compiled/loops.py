@@ -35,7 +35,9 @@ WriteBody = Callable[[Procedure, Sequence[Statement], Branch | CaseArm | None], 
 
 
 def _count(procedure: Procedure, passes: str) -> None:
-    """Write the counting of passes that begin now."""
+    """Write the counting of passes that begin now, if the watchdog could ever bark."""
+    if not procedure.context.facts.counts_loops:
+        return
     procedure.line(f"_cpu.passes -= {passes}")
     procedure.line("if _cpu.passes < 0: _runaway()")
 

@@ -46,7 +46,7 @@ def _accepted(record: Record, part: Part, value: str) -> str:
 
 
 def _write_start(listing: Listing, facts: Facts, block: Block) -> None:
-    if facts.has_loops(block):
+    if facts.counts_passes(block):
         listing.add("_cpu.passes = _cpu.most_passes")
     if facts.counts_depth(block):
         listing.add("_cpu.depth = 0")

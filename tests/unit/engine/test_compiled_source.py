@@ -100,6 +100,14 @@ def test_a_loop_variable_that_the_body_changes_is_no_python_range() -> None:
     assert "while " in body
 
 
+def test_passes_are_counted_only_if_the_watchdog_could_bark() -> None:
+    assert "passes" not in method("FOR #i := 0 TO 9 DO #list[#i] := #i; END_FOR;")
+    assert "_cpu.passes -= 1" in method("WHILE #number > 0 DO #number := 0; END_WHILE;")
+    assert "_cpu.passes -= len(" in method("FOR #i := 0 TO #number DO #outNumber := 0; END_FOR;")
+    nest = "FOR #i := 1 TO 30_000 DO FOR #number := 1 TO 30_000 DO ; END_FOR; END_FOR;"
+    assert "_cpu.passes -= 30000" in method(nest)
+
+
 def test_conditions_are_short_circuits_where_nobody_can_tell() -> None:
     assert method("#outFlag := #flag AND #timer.Q;").endswith("self.flag and self.timer.Q")
 
