@@ -369,8 +369,10 @@ class CompiledEngine:
             function = self._namespace[self._model.name_of(block)]
             inputs = (*shape.inputs, *shape.in_outs)
 
-            def run() -> Any:
+            def with_defaults() -> Any:
                 return function(*(self._argument(variable, None) for variable in inputs))
+
+            run = with_defaults if inputs else function
 
         self._runs[name] = run
         return run

@@ -7,7 +7,7 @@ functions share; such a block is written a second time with `framed` set.
 """
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -19,6 +19,7 @@ from fbgen.source import Span
 from harness.engine.compiled.code import Code, Level, Listing, Site
 from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.initials import Initializer
+from harness.engine.compiled.intervals import Intervals
 from harness.engine.compiled.model import GLOBALS, Model, has_memory, is_scalar
 from harness.engine.compiled.names import Names
 
@@ -117,10 +118,10 @@ class Loop:
 class Procedure:
     """One Python function while it is written.
 
-    `aliases` and `known` hold, for loop variables that nothing else changes, the Python local that
-    has the value too, and its interval. `split` marks a function that was split off; any other one
-    returns by `return_line`. `unwritten` is there while attributes need not be written: it has
-    those that a local has a newer value of, with the local.
+    `aliases` has the locals that hold the value of a variable, too, and `known` what is known of
+    values: of loop variables, and behind conditions. `split` marks a function that was split off;
+    any other one returns by `return_line`. `unwritten` is there while attributes need not be
+    written: it has those that a local has a newer value of, with the local.
     """
 
     __slots__ = (
@@ -139,7 +140,7 @@ class Procedure:
         self.listing = Listing()
         self.loops: list[Loop] = []
         self.aliases: dict[Variable, str] = {}
-        self.known: dict[Variable, tuple[int, int]] = {}
+        self.known: Intervals = {}
         self._sites: list[Site] = []
         self._temporaries = 0
 
@@ -206,6 +207,15 @@ class Procedure:
         text = self.storage(variable)
         base, _, attribute = text.rpartition(".")
         return base or GLOBALS, attribute
+
+    def forget(self, written: Set[Variable | None]) -> None:
+        """What was known of these variables holds no longer."""
+        if not written.isdisjoint(self.known):
+            self.known = {
+                variable: interval
+                for variable, interval in self.known.items()
+                if variable not in written
+            }
 
     def has_cell(self, variable: Variable) -> bool:
         """True if the variable is reached through a cell, because others refer to it."""

@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from fbgen.lang.checked import Branch, Case, CaseArm, If, Statement
 from harness.engine.compiled.code import Code
 from harness.engine.compiled.evaluation import condition, value
+from harness.engine.compiled.intervals import calls_anything, learned
 from harness.engine.compiled.procedure import Procedure
 
 LONGEST_CHAIN = 40
@@ -22,11 +23,13 @@ WriteBody = Callable[[Procedure, Sequence[Statement], Branch | CaseArm | None], 
 
 def write_if(procedure: Procedure, node: If, write_body: WriteBody) -> None:
     """IF with any number of ELSIFs."""
+    before = procedure.known
     if len(node.branches) <= LONGEST_CHAIN:
         _chain(procedure, node.branches, write_body)
         if node.otherwise:
             procedure.line("else:")
-            write_body(procedure, node.otherwise, None)
+            _write_knowing(procedure, node.otherwise, None, write_body)
+        procedure.known = before
         return
     flag = procedure.temporary()
     procedure.line(f"{flag} = True")
@@ -35,6 +38,7 @@ def write_if(procedure: Procedure, node: If, write_body: WriteBody) -> None:
         procedure.listing.indent += 4
         procedure.line(f"{flag} = False")
         _chain(procedure, node.branches[start : start + LONGEST_CHAIN], write_body)
+        procedure.known = before
         procedure.line("else:")
         procedure.line(f"    {flag} = True")
         procedure.listing.indent -= 4
@@ -44,13 +48,34 @@ def write_if(procedure: Procedure, node: If, write_body: WriteBody) -> None:
 
 
 def _chain(procedure: Procedure, branches: Sequence[Branch], write_body: WriteBody) -> None:
+    """IF and ELSIFs; `procedure.known` has then what all of them together leave for ELSE."""
     keyword = "if"
+    learns = not any(calls_anything(branch.condition) for branch in branches)
     for branch in branches:
         procedure.forget_sites()
         procedure.listing.span = branch.condition.span
         procedure.line(f"{keyword} {condition(procedure, branch.condition)}:")
-        write_body(procedure, branch.body, branch)
+        known = procedure.known
+        if learns:
+            procedure.known = learned(branch.condition, True, known)
+        _write_knowing(procedure, branch.body, branch, write_body)
+        procedure.known = learned(branch.condition, False, known) if learns else known
         keyword = "elif"
+
+
+def _write_knowing(
+    procedure: Procedure,
+    body: Sequence[Statement],
+    owner: Branch | None,
+    write_body: WriteBody,
+) -> None:
+    """A branch in which only that is known which nobody else can change."""
+    context, known = procedure.context, procedure.known
+    if known:
+        private = context.facts.private(set(known), context.block, body)
+        procedure.known = {one: known[one] for one in known if one in private}
+    write_body(procedure, body, owner)
+    procedure.known = known
 
 
 def write_case(procedure: Procedure, node: Case, write_body: WriteBody) -> None:

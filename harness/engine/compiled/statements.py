@@ -29,6 +29,7 @@ from harness.engine.compiled.calls import (
 )
 from harness.engine.compiled.evaluation import value
 from harness.engine.compiled.instances import instance_call
+from harness.engine.compiled.intervals import written_inside
 from harness.engine.compiled.loops import write_for, write_repeat, write_while
 from harness.engine.compiled.model import has_memory
 from harness.engine.compiled.places import assign
@@ -96,7 +97,11 @@ def _probe(procedure: Procedure, node: Statement | Branch | CaseArm) -> None:
 def write_statements(procedure: Procedure, body: Sequence[Statement]) -> None:
     """Statements at the present level."""
     for statement in body:
+        if procedure.known:
+            procedure.forget(written_inside(statement))
         write_statement(procedure, statement)
+        if procedure.known and isinstance(statement, Assignment):
+            procedure.forget({root_of(statement.target)})
 
 
 def write_statement(procedure: Procedure, statement: Statement) -> None:

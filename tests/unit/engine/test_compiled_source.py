@@ -81,6 +81,27 @@ def test_a_sum_that_can_leave_its_type_is_wrapped_once() -> None:
     assert method("#outWide := #wide + #wide - #wide * 3;").count("4294967295") == 1
 
 
+def test_a_condition_can_rule_out_that_a_sum_leaves_its_type() -> None:
+    body = method("IF #number < 1000 THEN #number := #number + 1; END_IF;")
+    assert "self.number = self.number + 1" in body
+    body = method("IF #small >= 255 THEN #small := 1; ELSE #small := #small + 1; END_IF;")
+    assert "self.small = self.small + 1" in body
+    body = method("IF #number >= 0 AND #number <= 9 THEN #list[#number] := 1; END_IF;")
+    assert "self.list[self.number] = 1" in body
+
+
+def test_what_a_condition_said_is_forgotten_when_the_variable_is_written() -> None:
+    for body in (
+        "IF #number < 9 THEN #number := #wide_to_int; #number := #number + 1; END_IF;",
+        "IF #number < 9 THEN IF #flag THEN #number := #i; END_IF; #number := #number + 1; END_IF;",
+        "IF #number < 9 THEN WHILE #flag DO #number := #number + 1; END_WHILE; END_IF;",
+        "IF #number < 9 OR #flag THEN #number := #number + 1; END_IF;",
+        "IF #number < 9 THEN ; ELSE #number := #number + 1; END_IF;",
+        "IF #number < 9 THEN ; END_IF; #number := #number + 1;",
+    ):
+        assert "32767" in method(body.replace("#wide_to_int", "DINT_TO_INT(#wide)"))
+
+
 def test_an_index_that_cannot_leave_its_bounds_is_not_checked() -> None:
     assert "list[_1] = _1" in method("FOR #i := 0 TO 9 DO #list[#i] := #i; END_FOR;")
     assert "table[_1 - 1] = 0" in method("FOR #i := 1 TO 3 DO #table[#i] := 0; END_FOR;")
