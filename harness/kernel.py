@@ -12,6 +12,8 @@ from random import Random
 NS_PER_US = 1_000
 NS_PER_MS = 1_000_000
 NS_PER_S = 1_000_000_000
+NEVER_NS = 1 << 63
+"""Later than everything that happens."""
 
 
 class Event:
@@ -68,11 +70,12 @@ class Kernel:
             heappop(queue)
         return queue[0][0] if queue else None
 
-    def run_until(self, time_ns: int) -> None:
+    def run_until(self, time_ns: int) -> int:
         """Let everything up to and including `time_ns` happen; the clock then shows `time_ns`.
 
-        May be called from inside an event: that is how a hardware access in the middle of a scan
-        lets the world go on up to its own instant. A call for an instant before now does nothing.
+        Gives an instant before which nothing is due, `NEVER_NS` if nothing is. May be called from
+        inside an event: that is how a hardware access in the middle of a scan lets the world go on
+        up to its own instant. A call for an instant before now does nothing.
         """
         queue = self._queue
         while queue and queue[0][0] <= time_ns:
@@ -85,6 +88,11 @@ class Kernel:
                 action()
         if time_ns > self.now_ns:
             self.now_ns = time_ns
+        return queue[0][0] if queue else NEVER_NS
+
+    def quiet_until_ns(self) -> int:
+        """An instant before which nothing is due, `NEVER_NS` if nothing is."""
+        return self._queue[0][0] if self._queue else NEVER_NS
 
     def run_for(self, duration_ns: int) -> None:
         """Let `duration_ns` pass."""

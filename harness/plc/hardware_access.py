@@ -17,8 +17,6 @@ from harness.plc.link import MasterLink
 from harness.plc.modules import ModuleTable, Mounting
 from harness.plc.settings import CpuSettings
 
-_NEVER_NS = 1 << 63
-
 Instruction = Callable[[Mapping[str, "Scalar | Area"], Span], Scalar]
 """What carries out a system instruction: arguments by name, where it is called, RET_VAL."""
 
@@ -82,7 +80,7 @@ class HardwareAccess:
     def _begin(self) -> None:
         """A scan, or a start-up, begins now."""
         self.now_ns = self._instant_ns = self._kernel.now_ns
-        self._quiet_until_ns = 0
+        self._quiet_until_ns = self._kernel.quiet_until_ns()
 
     def read_peripheral(self, byte: int, count: int) -> int:
         """`count` bytes (1, 2, 4) straight from the master's image, big endian."""
@@ -107,9 +105,10 @@ class HardwareAccess:
     def write_peripheral(self, byte: int, count: int, value: int) -> None:
         """`count` bytes (1, 2, 4) straight to the master's image, big endian."""
         instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
-        if instant_ns >= self._quiet_until_ns:
-            self._let_happen(instant_ns)
         place = self._outputs_at.get(byte)
+        if place is None or instant_ns >= self._quiet_until_ns or not place[0].queued:
+            # a bus cycle that is asked for now is looked for from this instant on
+            self._let_happen(instant_ns)
         if place is None or place[0].failed:
             self._access_error(f"output byte {byte}")
             return
@@ -132,9 +131,7 @@ class HardwareAccess:
 
         Within a scan only the program's own accesses can arrange for something new.
         """
-        self._kernel.run_until(instant_ns)
-        next_ns = self._kernel.next_event_ns()
-        self._quiet_until_ns = _NEVER_NS if next_ns is None else next_ns
+        self._quiet_until_ns = self._kernel.run_until(instant_ns)
 
     def instruction(self, name: str, arguments: Mapping[str, Scalar | Area], span: Span) -> Scalar:
         """Carry out a system instruction and give its result.
