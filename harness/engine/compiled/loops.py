@@ -1,10 +1,11 @@
 """FOR, WHILE and REPEAT, and the watchdog that counts their passes.
 
-All passes of one call from outside are counted in `_cpu.passes`, downwards. A FOR that cannot be
-left early counts them all at once.
+All passes of one call from outside are counted in `_cpu.passes`, downwards; not at all if no call
+can come near the limit, and all at once for a FOR in which nothing can happen but calculating.
 """
 
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 from fbgen.lang.checked import (
     Branch,
@@ -14,7 +15,6 @@ from fbgen.lang.checked import (
     Expression,
     For,
     Repeat,
-    Return,
     Statement,
     VariableRef,
     While,
@@ -97,8 +97,12 @@ def write_for(procedure: Procedure, node: For, write_body: WriteBody) -> None:
         _write_counting(procedure, node, write_body)
 
 
-def _leaves_early(body: Sequence[Statement]) -> bool:
-    return any(isinstance(one, Exit | Return) for one in every_node(body))
+class _Range(NamedTuple):
+    """The passes of a FOR as Python iterates them, how many they are, and between what."""
+
+    passes: str
+    number: str
+    interval: tuple[int, int]
 
 
 def _write_range(
@@ -107,7 +111,6 @@ def _write_range(
     kind = variable.type
     assert isinstance(kind, Elementary)
     text = procedure.text_of(variable.variable)
-    early = _leaves_early(node.body)
     first, last = node.first, node.last
     if isinstance(first, Constant) and isinstance(last, Constant):
         start, end = int(first.value), int(last.value)
@@ -115,12 +118,10 @@ def _write_range(
         if not passes:
             procedure.line(f"{text} = {start}")
             return
-        if not early:
-            _count(procedure, str(len(passes)))
         interval = (min(passes[0], passes[-1]), max(passes[0], passes[-1]))
         behind = passes[-1] + step
         after = Code(str((behind - kind.minimum) % (1 << kind.bits) + kind.minimum))
-        _write_range_loop(procedure, node, _range(passes), interval, write_body)
+        loop = _Range(_range(passes), str(len(passes)), interval)
     else:
         first_code = value(procedure, first)
         procedure.line(f"{text} = {first_code.text}")
@@ -130,8 +131,6 @@ def _write_range(
         beyond = f"{last_code.at(Level.SUM)} {'+ 1' if step > 0 else '- 1'}"
         tail = "" if step == 1 else f", {step}"
         procedure.line(f"{name} = range({text}, {beyond}{tail})")
-        if not early:
-            _count(procedure, f"len({name})")
         if step > 0:
             interval = (first_code.low, max(first_code.low, last_code.high))
         else:
@@ -140,7 +139,8 @@ def _write_range(
         factor = "" if step == 1 else f" * {step}"
         behind_code = Code(f"{name}.start + len({name}){factor}", Level.SUM, low, high, depth=3)
         after = wrapped(behind_code, kind, procedure.temporary)
-        _write_range_loop(procedure, node, name, interval, write_body)
+        loop = _Range(name, f"len({name})", interval)
+    _write_range_loop(procedure, node, loop, write_body)
     if any(isinstance(one, Exit) for one in every_node(node.body)):
         procedure.line("else:")
         procedure.listing.indent += 4
@@ -160,8 +160,7 @@ def _range(passes: range) -> str:
 def _write_range_loop(
     procedure: Procedure,
     node: For,
-    passes: str,
-    interval: tuple[int, int],
+    loop: _Range,
     write_body: WriteBody,
 ) -> None:
     variable = node.variable
@@ -169,18 +168,22 @@ def _write_range_loop(
     text = procedure.text_of(variable.variable)
     is_local = "." not in text
     local = text if is_local else procedure.temporary()
-    procedure.line(f"for {local} in {passes}:")
-    if not procedure.context.framed and is_quiet(node.body, interval, variable.variable):
+    quiet = is_quiet(node.body, loop.interval, variable.variable)
+    if quiet:
+        # Nobody can tell whether the watchdog barks before the loop or in the middle of it.
+        _count(procedure, loop.number)
+    procedure.line(f"for {local} in {loop.passes}:")
+    if quiet and not procedure.context.framed:
         procedure.unwritten = {}
     if not is_local and procedure.unwritten is None:
         procedure.listing.indent += 4
         procedure.line(f"{text} = {local}")
         procedure.listing.indent -= 4
     known, aliases = procedure.known, procedure.aliases
-    procedure.known = {**known, variable.variable: interval}
+    procedure.known = {**known, variable.variable: loop.interval}
     if not is_local:
         procedure.aliases = {**aliases, variable.variable: local}
-    _body(procedure, node.body, None, write_body, counted=_leaves_early(node.body))
+    _body(procedure, node.body, None, write_body, counted=not quiet)
     procedure.known, procedure.aliases = known, aliases
     procedure.listing.span = node.span
     if procedure.unwritten is not None:

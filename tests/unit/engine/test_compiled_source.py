@@ -126,7 +126,7 @@ def test_passes_are_counted_only_if_the_watchdog_could_bark() -> None:
     assert "_cpu.passes -= 1" in method("WHILE #number > 0 DO #number := 0; END_WHILE;")
     assert "_cpu.passes -= len(" in method("FOR #i := 0 TO #number DO #outNumber := 0; END_FOR;")
     nest = "FOR #i := 1 TO 30_000 DO FOR #number := 1 TO 30_000 DO ; END_FOR; END_FOR;"
-    assert "_cpu.passes -= 30000" in method(nest)
+    assert method(nest).count("_cpu.passes") == 4
 
 
 def test_conditions_are_short_circuits_where_nobody_can_tell() -> None:
