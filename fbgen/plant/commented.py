@@ -75,6 +75,11 @@ gateways:
       error_status_code: hms
       status_toggle: when_taken
       offline_timeout_ms: 0
+      offline_inputs: freeze
+      offline_outputs: no_scanning
+      startup_lock: none
+      subnet_error_led: device_status
+      startup_ms: 0
       heartbeat_frame: "(**P08800001)"
 
     drives:

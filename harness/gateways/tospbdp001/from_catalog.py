@@ -1,8 +1,6 @@
 """From the catalogue's entry for the TOSPBDP001 to the settings of a simulated one."""
 
 from collections.abc import Mapping
-from enum import Enum
-from typing import TypeVar
 
 from fbgen.catalog.gateways import Gateway, SubNetwork
 from fbgen.catalog.layouts import Layout
@@ -21,8 +19,6 @@ from harness.gateways.tospbdp001.settings import (
 from harness.kernel import NS_PER_MS
 from harness.line import Parity, SerialFormat
 
-Choice = TypeVar("Choice", bound=Enum)
-
 _PARITY = {"none": Parity.NONE, "even": Parity.EVEN, "odd": Parity.ODD}
 
 
@@ -34,24 +30,11 @@ def tospbdp001_settings(
     Raises DiagnosticError FB1109 for a value that an option cannot have.
     """
 
-    known = {item.id: item for item in gateway.options}
-
     def option(name: str) -> OptionValue:
         entry = gateway.option(name)
         return entry.check(options[name]) if name in options else entry.default
 
-    def choice(name: str, default: Choice) -> Choice:
-        """One of an enumeration's members, `default` where the catalogue leaves the choice out."""
-        if name not in known:
-            return default
-        chosen = option(name)
-        members = type(default)
-        return next(
-            (item for item in members if chosen in (item.value, item.name.lower())), default
-        )
-
     times = gateway.times
-    startup_ms = int(option("startup_ms")) if "startup_ms" in known else 0
     return TosSettings(
         layout=cyclic_layout(layout, gateway.trigger.field),
         ident_number=gateway.profibus.ident_number,
@@ -66,11 +49,11 @@ def tospbdp001_settings(
         error_code=ErrorCode(option("error_status_code")),
         status_toggle=StatusToggle(option("status_toggle")),
         offline_timeout_ns=int(option("offline_timeout_ms")) * NS_PER_MS,
-        offline_inputs=choice("offline_inputs", OfflineInputs.FREEZE),
-        offline_outputs=choice("offline_outputs", OfflineOutputs.NO_SCANNING),
-        startup_lock=choice("startup_lock", StartupLock.NONE),
-        subnet_error_led=choice("subnet_error_led", SubnetErrorLed.DEVICE_STATUS),
-        startup_ns=startup_ms * NS_PER_MS,
+        offline_inputs=OfflineInputs(option("offline_inputs")),
+        offline_outputs=OfflineOutputs(option("offline_outputs")),
+        startup_lock=StartupLock(option("startup_lock")),
+        subnet_error_led=SubnetErrorLed(option("subnet_error_led")),
+        startup_ns=int(option("startup_ms")) * NS_PER_MS,
     )
 
 

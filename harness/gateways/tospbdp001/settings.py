@@ -73,8 +73,8 @@ class SubnetErrorLed(Enum):
     rows of the printed table may have slipped.
     """
 
-    DEVICE_STATUS = 6
-    SUBNET_STATUS = 5
+    DEVICE_STATUS = "device_status"
+    SUBNET_STATUS = "subnet_status"
 
 
 @dataclass(frozen=True, slots=True)

@@ -157,6 +157,11 @@ def test_options_have_the_documented_defaults() -> None:
         "error_status_code": "hms",
         "status_toggle": "when_taken",
         "offline_timeout_ms": 0,
+        "offline_inputs": "freeze",
+        "offline_outputs": "no_scanning",
+        "startup_lock": "none",
+        "subnet_error_led": "device_status",
+        "startup_ms": 0,
         "heartbeat_frame": "(**P08800001)",
     }
 
