@@ -3,7 +3,13 @@
 from enum import Enum
 from typing import TypeAlias
 
-from fbgen.lang.ast.declarations import NamedType, StructSpec, TypeSpec, VarSection
+from fbgen.lang.ast.declarations import (
+    LabelSection,
+    NamedType,
+    StructSpec,
+    TypeSpec,
+    VarSection,
+)
 from fbgen.lang.ast.expressions import Argument, Expression, Name
 from fbgen.lang.ast.node import Trivia, TriviaList, node
 from fbgen.lang.ast.statements import Assignment, Statement
@@ -30,11 +36,74 @@ class BlockKind(Enum):
     FUNCTION = "FUNCTION"
     ORGANIZATION_BLOCK = "ORGANIZATION_BLOCK"
     PROGRAM = "PROGRAM"
+    CLASS = "CLASS"
+
+
+@node
+class Method:
+    """METHOD inside a block or an interface; `modifiers` upper case: PUBLIC, ABSTRACT, FINAL, ...
+
+    The body of a method of an interface is empty.
+    """
+
+    span: Span
+    name: Name
+    modifiers: tuple[str, ...]
+    return_type: TypeSpec | None
+    sections: tuple[VarSection, ...]
+    body: tuple[Statement, ...]
+    leading: TriviaList = ()
+    body_comments: TriviaList = ()
+    closing: TriviaList = ()
+
+
+@node
+class Accessor:
+    """GET or SET of a property: local variables and code; `keyword` is "GET" or "SET"."""
+
+    span: Span
+    keyword: str
+    modifiers: tuple[str, ...]
+    sections: tuple[VarSection, ...]
+    body: tuple[Statement, ...]
+    leading: TriviaList = ()
+    closing: TriviaList = ()
+
+
+@node
+class Property:
+    """PROPERTY name : type with its accessors."""
+
+    span: Span
+    name: Name
+    modifiers: tuple[str, ...]
+    type: TypeSpec
+    accessors: tuple[Accessor, ...]
+    leading: TriviaList = ()
+    closing: TriviaList = ()
+
+
+@node
+class Action:
+    """ACTION name: ... END_ACTION: statements that share the variables of their block."""
+
+    span: Span
+    name: Name
+    body: tuple[Statement, ...]
+    leading: TriviaList = ()
+    closing: TriviaList = ()
+
+
+BlockMember: TypeAlias = Method | Property | Action
 
 
 @node
 class Block:
-    """A block with code. `return_type` only for a FUNCTION; NamedType "Void" without result."""
+    """A block with code. `return_type` only for a FUNCTION; NamedType "Void" without result.
+
+    `members` are its methods, properties and actions, also those that a file has behind the block.
+    `modifiers` upper case: ABSTRACT, FINAL, PUBLIC, INTERNAL.
+    """
 
     span: Span
     kind: BlockKind
@@ -46,6 +115,24 @@ class Block:
     leading: TriviaList = ()
     header_comments: TriviaList = ()
     body_comments: TriviaList = ()
+    closing: TriviaList = ()
+    modifiers: tuple[str, ...] = ()
+    extends: NamedType | None = None
+    implements: tuple[NamedType, ...] = ()
+    members: tuple[BlockMember, ...] = ()
+    labels: tuple[LabelSection, ...] = ()
+
+
+@node
+class Interface:
+    """INTERFACE name EXTENDS a, b ... END_INTERFACE."""
+
+    span: Span
+    name: Name
+    modifiers: tuple[str, ...]
+    extends: tuple[NamedType, ...]
+    members: tuple[Method | Property, ...]
+    leading: TriviaList = ()
     closing: TriviaList = ()
 
 
@@ -67,7 +154,10 @@ class DataBlock:
 
 @node
 class TypeDeclaration:
-    """TYPE name : spec; END_TYPE, one per type. `initial` as in `TYPE t : INT := 5; END_TYPE`."""
+    """TYPE name : spec; END_TYPE, one per type. `initial` as in `TYPE t : INT := 5; END_TYPE`.
+
+    `extends` as in `TYPE b EXTENDS a : STRUCT ...` of CODESYS.
+    """
 
     span: Span
     name: Name
@@ -77,6 +167,8 @@ class TypeDeclaration:
     leading: TriviaList = ()
     header_comments: TriviaList = ()
     closing: TriviaList = ()
+    modifiers: tuple[str, ...] = ()
+    extends: NamedType | None = None
 
 
 @node
@@ -136,7 +228,31 @@ class Globals:
     section: VarSection
 
 
-Unit: TypeAlias = Block | DataBlock | TypeDeclaration | Configuration | Globals
+@node
+class Using:
+    """USING Motors, Plant.Lines;"""
+
+    span: Span
+    names: tuple[str, ...]
+    leading: TriviaList = ()
+    trailing: Trivia | None = None
+
+
+@node
+class Namespace:
+    """NAMESPACE Plant.Lines ... END_NAMESPACE; `name` with its dots."""
+
+    span: Span
+    name: str
+    modifiers: tuple[str, ...]
+    units: tuple["Unit", ...]
+    leading: TriviaList = ()
+    closing: TriviaList = ()
+
+
+Unit: TypeAlias = (
+    Block | Interface | DataBlock | TypeDeclaration | Configuration | Globals | Using | Namespace
+)
 
 
 @node

@@ -2,14 +2,17 @@
 
 from typing import TypeAlias
 
-from fbgen.lang.ast.expressions import DirectAddress, Expression, Name
+from fbgen.lang.ast.expressions import Argument, DirectAddress, Expression, Name
 from fbgen.lang.ast.node import Trivia, TriviaList, node
 from fbgen.source import Span
 
 
 @node
 class NamedType:
-    """An elementary type, a UDT, a function block: whatever the name means."""
+    """An elementary type, a UDT, a function block: whatever the name means.
+
+    A name in a namespace has its dots: `Motors.Axis`.
+    """
 
     span: Span
     name: str
@@ -53,7 +56,66 @@ class StructSpec:
     opening: Trivia | None = None
 
 
-TypeSpec: TypeAlias = NamedType | StringSpec | ArraySpec | StructSpec
+@node
+class UnionSpec:
+    """UNION ... END_UNION: all fields begin at the same byte."""
+
+    span: Span
+    fields: tuple["Declaration", ...]
+    closing: TriviaList = ()
+    opening: Trivia | None = None
+
+
+@node
+class Enumerator:
+    """One name of an enumeration, with its value if one is given."""
+
+    span: Span
+    name: str
+    value: Expression | None
+    leading: TriviaList = ()
+    trailing: Trivia | None = None
+
+
+@node
+class EnumSpec:
+    """`(red, green := 5)`; `base` as in `INT (red, green)` or `(red, green) INT`."""
+
+    span: Span
+    enumerators: tuple[Enumerator, ...]
+    base: NamedType | None
+    closing: TriviaList = ()
+
+
+@node
+class SubrangeSpec:
+    """`INT (0..100)`."""
+
+    span: Span
+    base: NamedType
+    first: Expression
+    last: Expression
+
+
+@node
+class ReferenceSpec:
+    """`REF_TO t`, `REFERENCE TO t`, `POINTER TO t`: `keyword` has these words in upper case."""
+
+    span: Span
+    keyword: str
+    target: "TypeSpec"
+
+
+TypeSpec: TypeAlias = (
+    NamedType
+    | StringSpec
+    | ArraySpec
+    | StructSpec
+    | UnionSpec
+    | EnumSpec
+    | SubrangeSpec
+    | ReferenceSpec
+)
 
 
 @node
@@ -68,7 +130,10 @@ class DeclaredName:
 
 @node
 class Declaration:
-    """`a, b AT %IB0 : INT := 5;` `at` is a direct address or the name of an overlaid variable."""
+    """`a, b AT %IB0 : INT := 5;` `at` is a direct address or the name of an overlaid variable.
+
+    `arguments` are those that CODESYS hands to FB_init: `pump : Pump(11, speed := 50.0);`
+    """
 
     span: Span
     names: tuple[DeclaredName, ...]
@@ -78,12 +143,14 @@ class Declaration:
     type_attributes: str = ""
     leading: TriviaList = ()
     trailing: Trivia | None = None
+    arguments: tuple[Argument, ...] = ()
 
 
 @node
 class VarSection:
     """VAR_INPUT ... END_VAR. `keyword` upper case: VAR, VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT,
-    VAR_TEMP, VAR_GLOBAL, VAR_EXTERNAL, CONST. `qualifiers` upper case: CONSTANT, RETAIN, ...
+    VAR_TEMP, VAR_STAT, VAR_INST, VAR_GLOBAL, VAR_EXTERNAL. `qualifiers` upper case: CONSTANT,
+    RETAIN, PUBLIC, ... A CONST section of STEP 7 is a VAR section with the qualifier CONSTANT.
     """
 
     span: Span
@@ -94,3 +161,14 @@ class VarSection:
     trailing: Trivia | None = None
     closing: TriviaList = ()
     opening: Trivia | None = None
+
+
+@node
+class LabelSection:
+    """LABEL a, b; END_LABEL: the jump labels that a block of STEP 7 declares."""
+
+    span: Span
+    names: tuple[Name, ...]
+    leading: TriviaList = ()
+    trailing: Trivia | None = None
+    closing: TriviaList = ()

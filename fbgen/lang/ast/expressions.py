@@ -19,6 +19,7 @@ class LiteralKind(Enum):
     DATE_AND_TIME = "date and time"
     STRING = "string"
     WSTRING = "wide string"
+    ENUMERATOR = "enumerator"
 
 
 @node
@@ -28,7 +29,8 @@ class Literal:
     `value`: bool, int, float or str (without quotes, escapes resolved); durations in nanoseconds;
     dates in days since 1990-01-01, times of day in nanoseconds since midnight, date and time in
     nanoseconds since 1970-01-01. `type_name` is the prefix of `WORD#16#FF` or `T#5s` as a
-    canonical type name ("WORD", "TIME"), else "". `base` is 2, 8, 10 or 16.
+    canonical type name ("WORD", "TIME"), else "". `base` is 2, 8, 10 or 16. For `Colour#red` the
+    value is "red" and the type name "Colour", both as written.
     """
 
     span: Span
@@ -82,8 +84,10 @@ class Slice:
 class DirectAddress:
     """`%IB256`, `%QW4:P`, `%MX0.3`, `%DB100.DW4`: an absolute address.
 
-    `area` is "I", "Q", "M" or "DB"; `size` is "X", "B", "W", "D" or "L"; `bit` only with "X";
-    `db` only with area "DB"; `peripheral` for `:P` and for the classic PIB/PQB spelling.
+    `area` is "I", "Q", "M", "DB", "T" (timer) or "C" (counter); `size` is "X", "B", "W", "D", "L",
+    or "" for timers and counters, which have their number in `byte`; `bit` only with "X"; `db` only
+    with area "DB"; `peripheral` for `:P` and for the classic PIB/PQB spelling. `%I*`, `%QW*`: an
+    address that is still to be given, with `byte` -1.
     """
 
     span: Span
@@ -93,6 +97,40 @@ class DirectAddress:
     bit: int = 0
     db: int = 0
     peripheral: bool = False
+
+
+@node
+class IndexedAddress:
+    """An absolute address that is worked out at run time.
+
+    `PEB[i]`, `MW[i]`, `M[i, j]` (`base` None), `DB100.DW[i]`, `"values".DX[i, j]`,
+    `WORD_TO_BLOCK_DB(w).DW[i]` (`base` says which data block); TIA spells them `%MW(i)`,
+    `%DB100.DW(i)`, `EB(1):P`. Area and size as in `DirectAddress`, area "DB" with a base; the
+    second index is the bit.
+    """
+
+    span: Span
+    base: "Expression | None"
+    area: str
+    size: str
+    indices: tuple["Expression", ...]
+    peripheral: bool = False
+
+
+@node
+class Peripheral:
+    """`"tag":P`: a tag of the input or output area, past the process image."""
+
+    span: Span
+    base: "Expression"
+
+
+@node
+class Dereference:
+    """`base^`: what a reference or pointer points to; also `THIS^` and `SUPER^`."""
+
+    span: Span
+    base: "Expression"
 
 
 class ArgumentKind(Enum):
@@ -135,15 +173,27 @@ class Unary:
 
 @node
 class Binary:
-    """Two operands; `operator` is upper case: OR XOR AND = <> < > <= >= + - * / MOD DIV **.
-
-    `&` is read as AND.
+    """Two operands; `operator` is upper case: OR XOR AND = <> < > <= >= + - * / MOD DIV **,
+    OR_ELSE and AND_THEN. `&` is read as AND.
     """
 
     span: Span
     operator: str
     left: "Expression"
     right: "Expression"
+
+
+@node
+class Chained:
+    """The rest of `a := b := c` behind the first `:=`: it assigns, and has the assigned value.
+
+    Stands only as value of an `Assignment` or of another `Chained`; operators as in `Assignment`.
+    """
+
+    span: Span
+    target: "Expression"
+    operator: str
+    value: "Expression"
 
 
 @node
@@ -186,9 +236,13 @@ Expression: TypeAlias = (
     | Index
     | Slice
     | DirectAddress
+    | IndexedAddress
+    | Peripheral
+    | Dereference
     | Call
     | Unary
     | Binary
+    | Chained
     | Parenthesized
     | ArrayLiteral
     | Repeated

@@ -9,7 +9,9 @@ from fbgen.source import Span
 
 @node
 class Assignment:
-    """`target := value;` `operator` is ":=", "+=", "-=", "*=" or "/="."""
+    """`target := value;` `operator` is ":=", "+=", "-=", "*=", "/=", "?=" (VARIANT to a variable),
+    "S=", "R=" (set and reset of CODESYS) or "REF=" (binds a reference).
+    """
 
     span: Span
     target: Expression

@@ -62,6 +62,13 @@ class Library:
             self._sections += unit.sections
             for resource in unit.resources:
                 self._sections += resource.sections
+        elif isinstance(unit, (ast.Using, ast.Namespace, ast.Interface)):
+            self.findings.error(
+                "FB4054",
+                "namespaces and interfaces are not supported",
+                unit.span,
+                "use blocks and types at the top of a file",
+            )
         elif self._is_new(unit.name):
             key = unit.name.name.casefold()
             if isinstance(unit, ast.TypeDeclaration):

@@ -83,7 +83,20 @@ class TypeResolver:
             return Resolved(self._string(ctx, node))
         if isinstance(node, ast.ArraySpec):
             return self._array(ctx, node)
-        return Resolved(self.structure(ctx, node.fields, "STRUCT"))
+        if isinstance(node, ast.StructSpec):
+            return Resolved(self.structure(ctx, node.fields, "STRUCT"))
+        return self._unsupported(node)
+
+    def _unsupported(
+        self, node: ast.UnionSpec | ast.EnumSpec | ast.SubrangeSpec | ast.ReferenceSpec
+    ) -> Resolved:
+        self._library.findings.error(
+            "FB4054",
+            "variables of this type are not supported",
+            node.span,
+            "use elementary types, arrays and structures",
+        )
+        return Resolved(ERRONEOUS)
 
     def named(self, ctx: Context, name: str, span: Span, quoted: bool = False) -> Resolved:
         """What a type's name means."""

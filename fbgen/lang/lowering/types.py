@@ -39,6 +39,11 @@ class TypeLowering:
         if isinstance(spec, ArraySpec):
             bounds = tuple(self._bounds(one) for one in spec.bounds)
             return ArraySpec(spec.span, bounds, self.type_spec(spec.element, wish))
+        if not isinstance(spec, StructSpec):
+            self.context.findings.refuse(
+                "this type", spec.span, "use elementary types, arrays and structures"
+            )
+            return spec
         name = self.context.names.new(f"{self._owner}_{wish}" if wish else self._owner)
         self.context.new_types.append(
             TypeDeclaration(spec.span, Name(spec.span, name), (), self.structure(spec))
