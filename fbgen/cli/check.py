@@ -59,7 +59,7 @@ def check(
     from fbgen.diagnostics import Severity
 
     paths = _expand(files)
-    chosen = dialect or _dialect_of(paths)
+    chosen = dialect or dialect_of(paths)
     findings = _findings(paths, chosen, syntax_only)
     errors = sum(finding.severity is Severity.ERROR for finding in findings)
     if output is Format.JSON:
@@ -92,7 +92,8 @@ def _expand(files: Iterable[Path]) -> list[Path]:
     return list(found)
 
 
-def _dialect_of(paths: Sequence[Path]) -> str:
+def dialect_of(paths: Sequence[Path]) -> str:
+    """The dialect that the names of these files stand for; wrong usage if they do not tell."""
     dialects = {SUFFIXES.get(path.suffix.lower()) for path in paths}
     if len(dialects) == 1 and (dialect := dialects.pop()) is not None:
         return dialect

@@ -14,6 +14,7 @@ from fbgen.cli import (
     explain,
     generate,
     init,
+    run,
     schemas,
     test,
 )
@@ -54,6 +55,6 @@ def _fbgen(
     """
 
 
-for _module in (demo, init, generate, check, test, decode, encode, explain, schemas):
+for _module in (demo, init, generate, check, run, test, decode, encode, explain, schemas):
     _module.register(program)
 catalog.register(program)

@@ -11,7 +11,6 @@ from fbgen.lang.checked import Program
 from fbgen.lang.literals import BadLiteralError, LiteralValue, read_literal
 from fbgen.lang.types import (
     LTIME,
-    TIME_OF_DAY,
     AnyType,
     ArrayType,
     BlockType,
@@ -22,53 +21,14 @@ from fbgen.lang.types import (
     Type,
 )
 from harness.engine.interface import Value
-from harness.engine.paths import Step, parse_path
+from harness.engine.path_types import type_at
+from harness.engine.spelling import LITERALS, counts_ms
 from harness.engine.values import accept_scalar
 from harness.kernel import NS_PER_MS
 from harness.scenario.kinds import Found, ValueKind, WrongValueError, show
 from harness.scenario.scalars import Scalar
 
 _NUMBERS = (Family.BITS, Family.SIGNED, Family.UNSIGNED, Family.REAL)
-_KINDS_OF_LITERALS = {
-    "TIME": LiteralKind.DURATION,
-    "LTIME": LiteralKind.DURATION,
-    "DATE": LiteralKind.DATE,
-    "TIME_OF_DAY": LiteralKind.TIME_OF_DAY,
-    "LTIME_OF_DAY": LiteralKind.TIME_OF_DAY,
-    "DATE_AND_TIME": LiteralKind.DATE_AND_TIME,
-    "LDT": LiteralKind.DATE_AND_TIME,
-}
-_SPELLINGS = {
-    LiteralKind.DURATION: "T#2s or T#1m30s",
-    LiteralKind.DATE: "D#2024-02-29",
-    LiteralKind.TIME_OF_DAY: "TOD#23:59:59",
-    LiteralKind.DATE_AND_TIME: "DT#2024-02-29-23:59:59",
-}
-
-
-def type_at(program: Program, path: str) -> Type:
-    """The type of what stands at a path that the engine can read."""
-    first, *rest = parse_path(path)
-    key = str(first).casefold()
-    kind: Type
-    if key in program.globals:
-        kind = program.globals[key].type
-    else:
-        kind = BlockType(program.blocks[key].name)
-    for step in rest:
-        kind = _part(program, kind, step)
-    return kind
-
-
-def _part(program: Program, kind: Type, step: Step) -> Type:
-    if isinstance(kind, ArrayType):
-        return kind.element
-    key = str(step).casefold()
-    if isinstance(kind, StructType):
-        return next(field.type for field in kind.fields if field.name.casefold() == key)
-    assert isinstance(kind, BlockType), "the engine has read the path"
-    variables = program.block_of(kind.name).variables
-    return next(item.type for item in variables if item.name.casefold() == key)
 
 
 def variable_kind(program: Program, path: str) -> ValueKind:
@@ -94,13 +54,11 @@ def _read(program: Program, path: str, kind: Type, value: Scalar) -> Value:
 def _as_python(kind: Elementary | StringType, value: Scalar) -> Scalar:
     if isinstance(kind, StringType) or kind.family in (Family.BOOL, Family.CHAR):
         return value
-    wanted = _KINDS_OF_LITERALS.get(kind.name)
-    if wanted is not None:
+    if wanted := LITERALS.get(kind.name):
         literal = _literal(value)
-        if literal is None or literal.kind is not wanted or not isinstance(literal.value, int):
+        if literal is None or literal.kind is not wanted[0] or not isinstance(literal.value, int):
             raise WrongValueError(_spelling(kind))
-        in_ms = kind is TIME_OF_DAY or (wanted is LiteralKind.DURATION and kind is not LTIME)
-        return literal.value // NS_PER_MS if in_ms else literal.value
+        return literal.value // NS_PER_MS if counts_ms(kind) else literal.value
     literal = _literal(value)
     if literal is not None and literal.kind in (LiteralKind.INTEGER, LiteralKind.REAL):
         return literal.value
@@ -126,8 +84,8 @@ def _spelling(kind: Elementary | StringType) -> str:
         return "write one character in quotes"
     if kind.family is Family.REAL:
         return "write a number"
-    if wanted := _KINDS_OF_LITERALS.get(kind.name):
-        return f"write it as the PLC does, such as {_SPELLINGS[wanted]}"
+    if wanted := LITERALS.get(kind.name):
+        return f"write it as the PLC does, such as {wanted[1]}"
     based = f", also as 16#{kind.maximum:X}" if kind.family is Family.BITS else ""
     return f"write a whole number from {kind.minimum} to {kind.maximum}{based}"
 

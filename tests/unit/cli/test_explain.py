@@ -15,4 +15,4 @@ def test_an_unknown_code_is_fb9003_with_the_nearest_codes(fbgen: Fbgen) -> None:
     run = fbgen("explain", "FB900")
     assert (run.status, run.out) == (1, "")
     assert run.err.startswith("error[FB9003]: there is no message with the code 'FB900'")
-    assert "did you mean 'FB900" in run.err
+    assert "did you mean 'FB90" in run.err
