@@ -8,34 +8,40 @@ scheduled, so that the same seed gives the same trace, byte for byte.
 from collections.abc import Callable
 from heapq import heappop, heappush
 from random import Random
+from typing import Any
 
 NS_PER_US = 1_000
 NS_PER_MS = 1_000_000
 NS_PER_S = 1_000_000_000
 NEVER_NS = 1 << 63
 """Later than everything that happens."""
+_ACTION = 3
 
 
-class Event:
-    """A call that is due at an instant; `cancel` takes it back.
+class Event(list[Any]):
+    """A call that is due at an instant; `cancel` takes it back. Only the kernel makes one.
 
-    `action` is what is called, None once it was or will not be any more. Only the kernel takes it.
+    It is a list of instant, priority, sequence number and action because the queue then compares
+    events as they are, and nothing is cheaper to make. The action is None once it was or will not
+    be called any more.
     """
 
-    __slots__ = ("action", "time_ns")
+    __slots__ = ()
 
-    def __init__(self, time_ns: int, action: Callable[[], None]) -> None:
-        self.time_ns = time_ns
-        self.action: Callable[[], None] | None = action
+    @property
+    def time_ns(self) -> int:
+        """The instant."""
+        time_ns: int = self[0]
+        return time_ns
 
     @property
     def pending(self) -> bool:
         """True until the event has run or was cancelled."""
-        return self.action is not None
+        return self[_ACTION] is not None
 
     def cancel(self) -> None:
         """Nothing happens at the instant any more; harmless on an event that has run."""
-        self.action = None
+        self[_ACTION] = None
 
 
 class Kernel:
@@ -47,16 +53,16 @@ class Kernel:
         self.now_ns = 0
         self.seed = seed
         self.random = Random(seed)
-        self._queue: list[tuple[int, int, int, Event]] = []
+        self._queue: list[Event] = []
         self._sequence = 0
 
     def at(self, time_ns: int, action: Callable[[], None], priority: int = 0) -> Event:
         """Run `action` at an instant; in the past means now. Lower priorities run first."""
         if time_ns < self.now_ns:
             time_ns = self.now_ns
-        event = Event(time_ns, action)
         self._sequence = sequence = self._sequence + 1
-        heappush(self._queue, (time_ns, priority, sequence, event))
+        event = Event((time_ns, priority, sequence, action))
+        heappush(self._queue, event)
         return event
 
     def after(self, delay_ns: int, action: Callable[[], None], priority: int = 0) -> Event:
@@ -66,9 +72,9 @@ class Kernel:
     def next_event_ns(self) -> int | None:
         """The instant of the next event that was not cancelled, or None."""
         queue = self._queue
-        while queue and queue[0][3].action is None:
+        while queue and queue[0][_ACTION] is None:
             heappop(queue)
-        return queue[0][0] if queue else None
+        return queue[0].time_ns if queue else None
 
     def run_until(self, time_ns: int) -> int:
         """Let everything up to and including `time_ns` happen; the clock then shows `time_ns`.
@@ -79,20 +85,23 @@ class Kernel:
         """
         queue = self._queue
         while queue and queue[0][0] <= time_ns:
-            due_ns, _, _, event = heappop(queue)
+            event = heappop(queue)
+            due_ns, _, _, action = event
             if due_ns > self.now_ns:
                 self.now_ns = due_ns
-            action = event.action
             if action is not None:
-                event.action = None
+                event[_ACTION] = None
                 action()
         if time_ns > self.now_ns:
             self.now_ns = time_ns
-        return queue[0][0] if queue else NEVER_NS
+        next_ns: int = queue[0][0] if queue else NEVER_NS
+        return next_ns
 
     def quiet_until_ns(self) -> int:
         """An instant before which nothing is due, `NEVER_NS` if nothing is."""
-        return self._queue[0][0] if self._queue else NEVER_NS
+        queue = self._queue
+        next_ns: int = queue[0][0] if queue else NEVER_NS
+        return next_ns
 
     def run_for(self, duration_ns: int) -> None:
         """Let `duration_ns` pass."""

@@ -8,12 +8,11 @@ zeros are recalled). A stopped master sends nothing at all.
 
 from collections.abc import Callable
 from enum import Enum
-from typing import NamedTuple
 
 from fbgen.diagnostics import error
 from harness.fieldbus.cycle import CycleGrid, CycleTimes
 from harness.fieldbus.slave import ControlCommand, DpSlave
-from harness.fieldbus.station import Station, StationSettings
+from harness.fieldbus.station import Station, StationSettings, Transfer
 from harness.kernel import Event, Kernel
 
 _BEFORE_ALL_ELSE = -1
@@ -28,26 +27,16 @@ class MasterMode(Enum):
     OPERATE = "operate"
 
 
-class Transfer(NamedTuple):
-    """A poll that was carried out in data exchange, for traces."""
-
-    time_ns: int
-    station: Station
-    outputs: bytes
-    inputs: bytes
-
-
 class DpMaster:
     """A master with its slaves. It begins in STOP; once started it is in CLEAR until `operate`.
 
-    `clearing` is True if every slave gets zeros.
+    `clearing` is True if every slave gets zeros, `cut` while the bus is cut (set `connected`).
     Functions in `taps` get every simulated transfer. Functions in `observers` are called when a
     station has failed, was refused, or exchanges data again.
     """
 
     __slots__ = (
         "_clear_due",
-        "_connected",
         "_event",
         "_grid",
         "_kernel",
@@ -55,6 +44,7 @@ class DpMaster:
         "_running",
         "address",
         "clearing",
+        "cut",
         "observers",
         "stations",
         "taps",
@@ -65,10 +55,10 @@ class DpMaster:
         self._grid = CycleGrid(times or CycleTimes(), kernel.random)
         self._queue: list[Station] = []
         self._event: Event | None = None
-        self._connected = True
         self._running = False
         self._clear_due = True
         self.clearing = True
+        self.cut = False
         self.address = address
         self.stations: list[Station] = []
         self.taps: list[Callable[[Transfer], None]] = []
@@ -135,35 +125,25 @@ class DpMaster:
     @property
     def connected(self) -> bool:
         """False while the bus is cut right behind the master, so that no slave is reached."""
-        return self._connected
+        return not self.cut
 
     @connected.setter
     def connected(self, connected: bool) -> None:
-        if connected == self._connected:
+        if connected is not self.cut:
             return
-        self._connected = connected
+        self.cut = not connected
         if not connected:
             last_ns = self.last_cycle_ns()
             for station in self.stations:
                 station.slave.polling_ended(last_ns)
         self._request_all()
 
-    def reaches(self, station: Station) -> bool:
-        """True if telegrams come through to a slave that has the station's address."""
-        slave = station.slave
-        return (
-            self._connected
-            and station.plugged
-            and slave.powered
-            and slave.address == station.settings.address
-        )
-
     def global_control(self, command: ControlCommand, groups: int = 0) -> None:
         """Send Global_Control now; `groups` 00 means all slaves."""
         if not self._running:
             return
         for station in self.stations:
-            if self.reaches(station):
+            if station.reached:
                 station.slave.global_control(command, groups)
 
     # --- the cycle --------------------------------------------------------------------------
@@ -184,6 +164,11 @@ class DpMaster:
             self._event.cancel()
         self._on_grid()
 
+    @property
+    def now_ns(self) -> int:
+        """The instant of the cycle that runs."""
+        return self._kernel.now_ns
+
     def last_cycle_ns(self) -> int:
         """The instant of the latest cycle of the grid."""
         return self._grid.up_to(self._kernel.now_ns)
@@ -192,11 +177,6 @@ class DpMaster:
         """The station has failed, was refused, or exchanges data again."""
         for observer in self.observers:
             observer(station)
-
-    def transferred(self, station: Station, outputs: bytes, inputs: bytes) -> None:
-        """A Data_Exchange was carried out."""
-        for tap in self.taps:
-            tap(Transfer(self._kernel.now_ns, station, outputs, inputs))
 
     def _on_grid(self) -> None:
         self._event = None

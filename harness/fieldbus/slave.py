@@ -136,7 +136,8 @@ class DpSlave:
             self._inputs = inputs
             if not self.freeze:
                 self.inputs = inputs
-                self._notify()
+                if self._attention is not None:
+                    self._attention()
 
     # --- the bus's side ---------------------------------------------------------------------
 
@@ -187,15 +188,17 @@ class DpSlave:
         """Take outputs and give the inputs; None (service not activated) in another state."""
         if self.state is not SlaveState.DATA_EXCHANGE:
             return None
-        self._stop_watchdog()
+        if self._watchdog is not None:
+            self._stop_watchdog()
         self._held = outputs
         if not self.online:
             self.online = True
             self.outputs = outputs
             self._device.exchange_started()
             self._device.outputs_received(outputs)
-        elif not self.sync:
-            self._apply(outputs)
+        elif not self.sync and outputs != self.outputs:
+            self.outputs = outputs
+            self._device.outputs_received(outputs)
         return self.inputs
 
     def global_control(self, command: int, groups: int) -> None:

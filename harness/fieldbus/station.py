@@ -6,9 +6,11 @@ failed; its inputs then read 0, as on S7 (recalled). A slave that refuses its pa
 configuration stays refused until something about it changes.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
-from typing import Protocol
+from functools import partial
+from typing import NamedTuple, Protocol
 
 from fbgen.diagnostics import error
 from fbgen.wire.profibus import (
@@ -49,6 +51,15 @@ class StationSettings:
     input_address: int = 0
 
 
+class Transfer(NamedTuple):
+    """A poll that was carried out in data exchange, for traces."""
+
+    time_ns: int
+    station: "Station"
+    outputs: bytes
+    inputs: bytes
+
+
 class StationMaster(Protocol):
     """What a station needs from its master."""
 
@@ -62,8 +73,19 @@ class StationMaster(Protocol):
         """True in CLEAR: every slave gets zeros."""
         ...
 
-    def reaches(self, station: "Station") -> bool:
-        """True if telegrams come through to the slave of this station."""
+    @property
+    def cut(self) -> bool:
+        """True while the bus is cut right behind the master."""
+        ...
+
+    @property
+    def taps(self) -> list[Callable[[Transfer], None]]:
+        """Who gets every simulated transfer."""
+        ...
+
+    @property
+    def now_ns(self) -> int:
+        """The instant of this cycle."""
         ...
 
     def request(self, station: "Station") -> None:
@@ -78,10 +100,6 @@ class StationMaster(Protocol):
         """The station has failed, was refused, or exchanges data again."""
         ...
 
-    def transferred(self, station: "Station", outputs: bytes, inputs: bytes) -> None:
-        """A Data_Exchange was carried out."""
-        ...
-
 
 class Station:
     """One slave of a master. `outputs` and `inputs` are what the CPU writes and reads.
@@ -92,6 +110,7 @@ class Station:
     """
 
     __slots__ = (
+        "_address",
         "_master",
         "_plugged",
         "failed",
@@ -117,6 +136,7 @@ class Station:
                 None,
                 "take the identifiers of a module in the slave's GSD file",
             ) from None
+        self._address = settings.address
         self._master = master
         self._plugged = True
         self.settings = settings
@@ -130,7 +150,7 @@ class Station:
         self.state = StationState.DIAGNOSIS
         self.queued = self.unsent = False
         self.transfers = 0
-        slave.attach(self._attention)
+        slave.attach(partial(master.request, self))
 
     @property
     def exchanging(self) -> bool:
@@ -141,6 +161,17 @@ class Station:
     def inputs_pending(self) -> bool:
         """True if the next cycle will bring other inputs than the master has now."""
         return self.exchanging and self.slave.inputs != self.inputs
+
+    @property
+    def reached(self) -> bool:
+        """True if telegrams come through to a slave that has the station's address."""
+        slave = self.slave
+        return (
+            self._plugged
+            and slave.powered
+            and slave.address == self._address
+            and not self._master.cut
+        )
 
     @property
     def plugged(self) -> bool:
@@ -164,21 +195,6 @@ class Station:
             if not self.queued:
                 self._master.request(self)
 
-    def write_number(self, offset: int, count: int, value: int) -> None:
-        """As `write`, for a number of `count` bytes, big endian: what a direct access moves."""
-        outputs = self.outputs
-        if count == 1:
-            if outputs[offset] == value:
-                return
-            outputs[offset] = value
-        elif count == 2 and outputs[offset] == value >> 8 and outputs[offset + 1] == value & 0xFF:
-            return
-        else:
-            outputs[offset : offset + count] = value.to_bytes(count, "big")
-        self.unsent = True
-        if not self.queued:
-            self._master.request(self)
-
     def restart(self) -> None:
         """Begin again with Slave_Diag, as after the master was stopped."""
         self.failed = False
@@ -187,15 +203,18 @@ class Station:
     def poll(self) -> None:
         """The master's telegram of this cycle and the slave's answer."""
         self.unsent = False
-        if not self._master.reaches(self):
-            if self.state is not StationState.FAILED:
+        state = self.state
+        if not self.reached:
+            if state is not StationState.FAILED:
                 self._drop(StationState.FAILED)
-            return
-        if self.state is StationState.EXCHANGE:
+        elif state is StationState.EXCHANGE:
             self._exchange()
-            return
+        else:
+            self._get_going(state)
+
+    def _get_going(self, state: StationState) -> None:
         slave, settings = self.slave, self.settings
-        match self.state:
+        match state:
             case StationState.DIAGNOSIS | StationState.FAILED | StationState.REFUSED:
                 slave.slave_diag()
                 self.failed = False
@@ -217,18 +236,20 @@ class Station:
         self._master.request(self)
 
     def _exchange(self) -> None:
-        outputs = bytes(len(self.outputs)) if self._master.clearing else bytes(self.outputs)
+        master = self._master
+        outputs = bytes(len(self.outputs)) if master.clearing else bytes(self.outputs)
         answer = self.slave.data_exchange(outputs)
         if answer is None:
             self._drop(StationState.DIAGNOSIS)
-            self._master.request(self)
+            master.request(self)
             return
         if self.inputs != answer:
             self.inputs[:] = answer
         self.transfers += 1
-        self._master.transferred(self, outputs, answer)
+        for tap in master.taps:
+            tap(Transfer(master.now_ns, self, outputs, answer))
         if self.transfers == 1:
-            self._master.report(self)
+            master.report(self)
 
     def _drop(self, state: StationState) -> None:
         self.state = state
@@ -236,7 +257,3 @@ class Station:
         self.transfers = 0
         self.inputs[:] = bytes(len(self.inputs))
         self._master.report(self)
-
-    def _attention(self) -> None:
-        if not self.queued:
-            self._master.request(self)

@@ -72,11 +72,12 @@ class Pair:
 
     def carry(self, transmission: Transmission) -> None:
         """Take a transmission on; whoever overlaps with it in time collides with it."""
-        for other in self._on_line:
+        on_line = self._on_line
+        for other in on_line:
             if other.start_ns < transmission.end_ns and transmission.start_ns < other.end_ns:
                 other.overlapping.append(transmission)
                 transmission.overlapping.append(other)
-        self._on_line.append(transmission)
+        on_line.append(transmission)
         transmission.event = self._kernel.at(
             transmission.end_ns, partial(self._deliver, transmission)
         )
@@ -101,15 +102,16 @@ class Pair:
             tap(transmission)
         if self.broken:
             return
-        sender, sent_as = transmission.sender, transmission.format
+        sender, sent_as, collided = transmission.sender, transmission.format, transmission.collided
         for port in self.listeners:
             if port is sender or port.receive_open:
                 continue
             reception = heard
-            if transmission.overlapping:
+            if collided:
                 reception = _heard_while_sending(port, heard)
-            if port.format is not sent_as and port.format.wire != sent_as.wire:
-                reception = reception.with_format(port.format)
+            own = port.format
+            if own is not sent_as and own.wire != sent_as.wire:
+                reception = reception.with_format(own)
             if reception.data:
                 port.node.receive(reception)
 

@@ -151,21 +151,25 @@ class Cpu(HardwareAccess):
         self._set_mode(CpuMode.RUN)
         self._begin()
         for name in startup_blocks(self.engine.program):
-            if not self._runs(name):
+            if not self._run((name,)):
                 return
         for task in self._tasks:
             task.due_ns = self._instant_ns
         self._schedule(self._instant_ns)
 
-    def _runs(self, block: str) -> bool:
-        """Run a block; False if that took the CPU to STOP."""
+    def _run(self, blocks: tuple[str, ...]) -> bool:
+        """Run blocks one after the other; False if that took the CPU to STOP."""
         life, engine = self._life, self._engine
         assert engine is not None, "only a loaded program is started"
         try:
-            engine.run_block(block)
+            for block in blocks:
+                engine.run_block(block)
+                if life != self._life:
+                    return False
         except DiagnosticError as failure:
             self._crash(failure)
-        return life == self._life
+            return False
+        return True
 
     def _crash(self, failure: DiagnosticError) -> None:
         self.diagnostics += failure.diagnostics
@@ -184,24 +188,23 @@ class Cpu(HardwareAccess):
 
     def _schedule(self, free_ns: int) -> None:
         """Arrange for the next scan, not before the CPU is free."""
-        due_ns = self._tasks[0].due_ns
-        for task in self._tasks:
-            if task.due_ns < due_ns:
-                due_ns = task.due_ns
+        tasks = self._tasks
+        due_ns = tasks[0].due_ns
+        if len(tasks) > 1:
+            due_ns = min(task.due_ns for task in tasks)
         self._scan_event = self._kernel.at(due_ns if due_ns > free_ns else free_ns, self._scan)
 
     def _scan(self) -> None:
         self._begin()
         start_ns = self.now_ns
-        settings, image = self.settings, self._modules.image
-        task = self._most_urgent(start_ns)
-        for station in image:
-            at = station.settings.input_address
-            length = len(station.inputs)
-            self.inputs[at : at + length] = self.link.read(station, 0, length)
-        for block in task.blocks:
-            if not self._runs(block):
-                return
+        settings, image = self.settings, self._image
+        task = self._tasks[0]  # they stand in the order of their priorities
+        if task.due_ns > start_ns:
+            task = next(other for other in self._tasks if other.due_ns <= start_ns)
+        if image:
+            self._read_inputs()
+        if not self._run(task.blocks):
+            return
         end_ns = start_ns + settings.execution_ns
         if settings.execution_jitter_ns:
             end_ns += self._kernel.random.randrange(settings.execution_jitter_ns + 1)
@@ -213,11 +216,8 @@ class Cpu(HardwareAccess):
         self.scans += 1
         for observer in self.after_scan:
             observer()
-        for station in image:
-            at = station.settings.output_address
-            if self.outputs[at : at + len(station.outputs)] != station.outputs:
-                self._kernel.at(end_ns, partial(self._write_outputs, self._life))
-                break
+        if image and self._has_outputs():
+            self._kernel.at(end_ns, partial(self._write_outputs, self._life))
         if task.interval_ns is None:
             task.due_ns = start_ns + settings.cycle_ns
         else:
@@ -225,12 +225,18 @@ class Cpu(HardwareAccess):
             task.due_ns += (late + 1) * task.interval_ns
         self._schedule(end_ns)
 
-    def _most_urgent(self, now_ns: int) -> CyclicTask:
-        """The first of the tasks that are due; they stand in the order of their priorities."""
-        for task in self._tasks:
-            if task.due_ns <= now_ns:
-                return task
-        raise AssertionError("a scan was scheduled and no task is due")
+    def _read_inputs(self) -> None:
+        for station in self._image:
+            at, length = station.settings.input_address, len(station.inputs)
+            self.inputs[at : at + length] = self.link.read(station, 0, length)
+
+    def _has_outputs(self) -> bool:
+        """True if the process image holds outputs that the master does not have yet."""
+        for station in self._image:
+            at = station.settings.output_address
+            if self.outputs[at : at + len(station.outputs)] != station.outputs:
+                return True
+        return False
 
     def _write_outputs(self, life: int) -> None:
         if life != self._life:

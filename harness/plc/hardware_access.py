@@ -87,16 +87,19 @@ class HardwareAccess:
         instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
         if instant_ns >= self._quiet_until_ns:
             self._let_happen(instant_ns)
-        place = self._inputs_at.get(byte)
-        if place is None or place[0].failed:
+        try:
+            station, offset = self._inputs_at[byte]
+        except KeyError:
             return self._access_error(f"input byte {byte}")
-        station, offset = place
+        if station.failed:
+            return self._access_error(f"input byte {byte}")
         inputs = station.inputs
         if count == 1:
             return inputs[offset]
         if offset + count > len(inputs):
             return self._access_error(f"input byte {byte + count - 1}")
         if self.link.armed:
+            self._let_happen(instant_ns)
             return int.from_bytes(self.link.read(station, offset, count), "big")
         if count == 2:
             return inputs[offset] << 8 | inputs[offset + 1]
@@ -105,24 +108,32 @@ class HardwareAccess:
     def write_peripheral(self, byte: int, count: int, value: int) -> None:
         """`count` bytes (1, 2, 4) straight to the master's image, big endian."""
         instant_ns = self._instant_ns = self._instant_ns + self._peripheral_ns
-        place = self._outputs_at.get(byte)
-        if place is None or instant_ns >= self._quiet_until_ns or not place[0].queued:
-            # a bus cycle that is asked for now is looked for from this instant on
+        if instant_ns >= self._quiet_until_ns:
             self._let_happen(instant_ns)
-        if place is None or place[0].failed:
+        try:
+            station, offset = self._outputs_at[byte]
+        except KeyError:
             self._access_error(f"output byte {byte}")
             return
-        station, offset = place
-        if offset + count > len(station.outputs):
+        if station.failed:
+            self._access_error(f"output byte {byte}")
+            return
+        outputs = station.outputs
+        if offset + count > len(outputs):
             self._access_error(f"output byte {byte + count - 1}")
             return
-        if not station.queued:
-            self._quiet_until_ns = 0
-        if self.link.armed:
-            self.link.write(station, offset, value.to_bytes(count, "big"))
-            self._quiet_until_ns = 0
+        if count == 1:
+            is_new = outputs[offset] != value
+        elif count == 2:
+            is_new = outputs[offset] << 8 | outputs[offset + 1] != value
         else:
-            station.write_number(offset, count, value)
+            is_new = True
+        if is_new:
+            if not station.queued or self.link.armed:
+                # a bus cycle that is asked for now is looked for from this instant on
+                self._let_happen(instant_ns)
+            self.link.write(station, offset, value.to_bytes(count, "big"))
+            self._quiet_until_ns = self._kernel.quiet_until_ns()
         if self._image and station in self._image:
             self.outputs[byte : byte + count] = value.to_bytes(count, "big")
 

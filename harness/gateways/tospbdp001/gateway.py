@@ -205,7 +205,8 @@ class Tospbdp001:
         """The fieldbus is online: the heartbeat begins."""
         if self._heartbeat_event is None:
             self._heartbeat_event = self._kernel.after(self.settings.heartbeat_ns, self._heartbeat)
-        self._watch_subnet()
+        if self.settings.offline_timeout_ns:
+            self._watch_subnet()
 
     def exchange_lost(self) -> None:
         """The fieldbus is offline: silence towards the drives, what waited is dropped."""
@@ -217,17 +218,18 @@ class Tospbdp001:
 
     def outputs_received(self, outputs: bytes) -> None:
         """The PLC's bytes have changed. They are looked at now, or on the grid of the poll."""
-        poll_ns = self.settings.trigger_poll_ns
+        settings = self.settings
+        poll_ns = settings.trigger_poll_ns
         self._outputs, before = outputs, self._outputs
         if poll_ns:
             if self._look_event is None:
                 delay_ns = poll_ns - (self._kernel.now_ns - self.powered_on_ns) % poll_ns
                 self._look_event = self._kernel.after(delay_ns, self._look_at_trigger)
-        else:
+        elif outputs[settings.layout.trigger_offset] != self._trigger:
             self._look_at_trigger()
-        at = self.settings.layout.control_offset
+        at = settings.layout.control_offset
         if outputs[at : at + 2] != before[at : at + 2] and self._control_due_ns < 0:
-            self._control_due_ns = self._kernel.now_ns + self.settings.processing_ns
+            self._control_due_ns = self._kernel.now_ns + settings.processing_ns
             if self._control_due_ns != self._telegram_due_ns:
                 self._work_at(self._control_due_ns)
 
@@ -308,7 +310,8 @@ class Tospbdp001:
         if not self._initialised:
             return
         in_heap = reception.start_ns < self._heap_end_ns
-        self._heap_end_ns = max(self._heap_end_ns, reception.end_ns)
+        if reception.end_ns > self._heap_end_ns:
+            self._heap_end_ns = reception.end_ns
         data = reception.data
         if reception.marks is None and len(data) == FRAME_BYTES and is_sealed(data):
             done = partial(self._take_reply, self._life, data[1:-1])
@@ -333,7 +336,8 @@ class Tospbdp001:
         self._reply = telegram
         self.status.valid_telegram()
         self._publish()
-        self._watch_subnet()
+        if self.settings.offline_timeout_ns:
+            self._watch_subnet()
 
     def _count_faulty(self, life: int) -> None:
         if life == self._life:
@@ -341,12 +345,11 @@ class Tospbdp001:
             self._publish()
 
     def _watch_subnet(self) -> None:
-        if self.settings.offline_timeout_ns:
-            if self._offline_event is not None:
-                self._offline_event.cancel()
-            self._offline_event = self._kernel.after(
-                self.settings.offline_timeout_ns, self._subnet_offline
-            )
+        if self._offline_event is not None:
+            self._offline_event.cancel()
+        self._offline_event = self._kernel.after(
+            self.settings.offline_timeout_ns, self._subnet_offline
+        )
 
     def _subnet_offline(self) -> None:
         self._offline_event = None
