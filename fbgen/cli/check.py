@@ -97,7 +97,7 @@ def dialect_of(paths: Sequence[Path]) -> str:
     dialects = {SUFFIXES.get(path.suffix.lower()) for path in paths}
     if len(dialects) == 1 and (dialect := dialects.pop()) is not None:
         return dialect
-    raise typer.BadParameter("the file names do not tell the dialect: add --dialect tia or iec")
+    raise typer.BadParameter("the file names do not tell the dialect: add --dialect")
 
 
 def _findings(paths: Sequence[Path], dialect: str, syntax_only: bool) -> list["Diagnostic"]:

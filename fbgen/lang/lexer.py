@@ -6,8 +6,9 @@ pragmas and blank lines leave the token lists and come back as `Extra`s with the
 behind them.
 
 Kinds of tokens: an upper-case keyword; an operator as it is written (`&` is AND); and `name` (x),
-`#` (#x), `"` ("x"), `#"` (#"x"), `literal`, `address` (%MW4), `unterminated`, `character` for what
-nothing begins with, and `end` behind the last one.
+`#` (#x), `"` ("x"), `#"` (#"x"), `literal`, `address` (%MW4; where the dialect has them also MW4
+and the M0 of M0.1), `unterminated`, `character` for what nothing begins with, and `end` behind the
+last one.
 
 Source: IEC 61131-3, lexical elements; TIA Portal help, "SCL", and published sources for raw REGION
 and TITLE lines and for comments in comments.
@@ -34,6 +35,13 @@ _KEYWORDS = words(
     "CONFIGURATION END_CONFIGURATION RESOURCE END_RESOURCE BEGIN STRUCT END_STRUCT ARRAY "
     "VAR VAR_INPUT VAR_OUTPUT VAR_IN_OUT VAR_TEMP VAR_GLOBAL VAR_EXTERNAL END_VAR"
 )
+_FEATURE_KEYWORDS = {
+    Feature.DIV_OPERATOR: words("DIV"),
+    Feature.SHORT_CIRCUIT: words("AND_THEN OR_ELSE"),
+    Feature.CONST_SECTIONS: words("CONST END_CONST"),
+    Feature.LABEL_SECTIONS: words("LABEL END_LABEL"),
+}
+"""Keywords of the dialects that have the feature; elsewhere these words are names."""
 
 _PATTERN = (
     r"([ \t\r\n]*+\s*+)("
@@ -41,11 +49,15 @@ _PATTERN = (
     r"{raw}"
     # names, and literals that begin with a type: T#5s, WORD#16#FF, D#2024-02-29, STRING#'x'
     r"(?:[A-Za-z_][A-Za-z0-9_]*+\w*+|[^\W\d]\w*+)(?:#(?:'(?:[^'$\r\n]|\$[^\r\n])*+'"
+    # ... and P#DB1.DBX0.0 BYTE 10, and B#(1, 2)
+    r"|(?<=\b[Pp]\#)(?:[Dd][BbIi][0-9]++\.)?[A-Za-z]*+[0-9]++\.[0-7]"
+    r"(?:[ \t]++[A-Za-z_]++[ \t]++[0-9]++)?+"
+    r"|(?<=\b[BbWw]\#)\([0-9,# \t]*+\)|(?<=\b[Dd][Ww]\#)\([0-9,# \t]*+\)"
     r"|[0-9]{{4}}-[0-9]{{1,2}}-[0-9]{{1,2}}(?:-[0-9:]++(?:\.[0-9_]++)?)?"
     r"|[0-9]{{1,2}}:[0-9][0-9:]*+(?:\.[0-9_]++)?"
     r"|[+-]?\w++(?:\#\w++)?(?:\.[0-9]\w*+(?:(?<=[eE])[+-][0-9]++)?)?))?+"
     # operators and signs, with comments where they begin alike; no end means the end of the text
-    r"|[;,)\]\[&^]|:=?|=>?|\.\.?|<[=>]?|>=?|\+=?|-=?|\*[*=]?"
+    r"|[;,)\]\[&^]|:=?|=>?|\.\.?|<[=>]?|>=?|\+=?|-=?|\*[*=]?|\?=?"
     r"|\((?:\*[^*]*+(?:\*(?!\))[^*]*+)*+(?:\*\))?+|/\*[^*]*+(?:\*(?!/\))[^*]*+)*+(?:\*/\))?+)?+"
     r"|/(?:/[^\r\n]*+|\*[^*]*+(?:\*(?!/)[^*]*+)*+(?:\*/)?+|=)?+"
     # local names, numbers with whatever letters are glued to them
@@ -64,6 +76,11 @@ _RAW_LINES = (
     r"[Rr](?<!\..)(?i:EGION)(?!\w)(?![ \t]*+(?::=|[:;,)\]]))[^\r\n]*+"
     r"|[Ee](?<!\..)(?i:ND_REGION)(?!\w)[^\r\n]*+|"
 )
+PLAIN_ADDRESS = re.compile(
+    r"(?:(?P<area>P?[IEQA]|M)(?P<size>[XBWD]?)|(?P<count>[TCZ]))(?P<number>[0-9]{1,9})\Z"
+)
+"""The spelling of `MW4`, `PEB256`, `T5` in upper case, and of the `M0` of `M0.1`."""
+
 _RAW_WORD = re.compile(r"(?:END_)?REGION\b")
 _BLANK_LINE = re.compile(r"\n[^\S\n]*+\n")
 
@@ -134,9 +151,10 @@ class _Kinds(dict[str, str]):
 
     def __init__(self, dialect: Dialect) -> None:
         super().__init__()
-        self._keywords = _KEYWORDS | (
-            {"DIV"} if dialect.has(Feature.DIV_OPERATOR) else frozenset[str]()
+        self._keywords = _KEYWORDS.union(
+            *(more for feature, more in _FEATURE_KEYWORDS.items() if dialect.has(feature))
         )
+        self._plain_addresses = dialect.has(Feature.PLAIN_ADDRESSES)
         self._raw_lines = dialect.has(Feature.REGIONS)
         self._quote = '"' if dialect.has(Feature.QUOTED_NAMES) else "literal"
 
@@ -166,7 +184,7 @@ class _Kinds(dict[str, str]):
             return "address" if len(text) > 1 else "character"
         if text == "&":
             return "AND"
-        return text if first in "-+*/()[];:,.<>=^" else "character"
+        return text if first in "-+*/()[];:,.<>=^" or text == "?=" else "character"
 
     def _word(self, text: str) -> str:
         upper = text.upper()
@@ -176,7 +194,9 @@ class _Kinds(dict[str, str]):
             return "literal"
         if self._raw_lines and (line := _RAW_WORD.match(upper)):
             return line[0]
-        return "literal" if "#" in text else "name"
+        if "#" in text:
+            return "literal"
+        return "address" if self._plain_addresses and PLAIN_ADDRESS.match(upper) else "name"
 
 
 def _may_nest(piece: str) -> bool:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from datetime import date
 
 from fbgen.lang.ast import LiteralKind
+from fbgen.lang.dialects.words import words
 from fbgen.lang.types import ALIASES, ELEMENTARY, Family
 
 
@@ -79,6 +80,11 @@ _UNITS = tuple(_UNIT_NS)
 _ESCAPED = {"$": "$", "'": "'", '"': '"', "L": "\n", "N": "\n", "P": "\f", "R": "\r", "T": "\t"}
 _FIRST_DAY = date(1990, 1, 1)
 _MAX_DIGITS = 4000
+_POINTER = re.compile(
+    r"(?:(?P<db>D[BI][0-9]+)\.)?(?P<area>[A-Z]*)(?P<byte>[0-9]+)\.(?P<bit>[0-7])"
+    r"(?:\s+(?P<type>[A-Z_]+)\s+(?P<count>[0-9]+))?\Z"
+)
+_POINTER_AREAS = words("P PE PA PI PQ E A I Q M L V DBX DIX DB DI").union(("",))
 
 
 def read_literal(text: str) -> LiteralValue:
@@ -108,12 +114,18 @@ def _typed(prefix: str, rest: str) -> LiteralValue:
         return LiteralValue(
             LiteralKind.DATE_AND_TIME, _date_and_time(rest), _DATES_AND_TIMES[prefix]
         )
+    if prefix == "P":
+        return _pointer(rest)
     if prefix in _STRINGS:
         wide = _STRINGS[prefix]
+        if prefix in ("CHAR", "WCHAR") and (_INTEGER.match(rest) or _BASED.match(rest)):
+            return LiteralValue(LiteralKind.STRING, _character(rest, wide), prefix)
         kind = LiteralKind.WSTRING if wide else LiteralKind.STRING
         if rest[:1] not in ("'", '"'):
             raise BadLiteralError(f"{prefix}# without quotes", f"write {prefix}#'text'")
         return LiteralValue(kind, _string(rest, wide), prefix)
+    if rest.startswith("("):
+        return _bytes(prefix, rest)
     name = _SHORT_TYPES.get(prefix, ALIASES.get(prefix, prefix))
     kind_of_type = ELEMENTARY.get(name)
     if kind_of_type is None:
@@ -125,6 +137,42 @@ def _typed(prefix: str, rest: str) -> LiteralValue:
     if kind_of_type.family is Family.REAL and not _BASED.match(rest):
         return LiteralValue(LiteralKind.REAL, _float(rest), name)
     return _number(rest, name)
+
+
+def _pointer(rest: str) -> LiteralValue:
+    """`M0.0`, `DB1.DBX0.0 BYTE 10`: POINTER, or ANY with type and count; the value is the text."""
+    text = " ".join(rest.upper().split())
+    match = _POINTER.match(text)
+    if match is None or match["area"] not in _POINTER_AREAS:
+        raise BadLiteralError(
+            f"'{rest}' is not a pointer", "pointers look like P#M0.0 or P#DB1.DBX0.0 BYTE 10"
+        )
+    return LiteralValue(LiteralKind.POINTER, text, "ANY" if match["type"] else "POINTER")
+
+
+def _bytes(prefix: str, rest: str) -> LiteralValue:
+    """`(1, 2)` and `(1, 2, 3, 4)` behind `B#`: a WORD or DWORD from its bytes, highest first."""
+    values = [part.strip() for part in rest[1:-1].split(",")]
+    if prefix != "B" or len(values) not in (2, 4) or not all(map(_is_byte, values)):
+        raise BadLiteralError(
+            f"'{prefix}#{rest}' is not a list of bytes", "write B#(1, 2) or B#(1, 2, 3, 4)"
+        )
+    value = int.from_bytes(bytes(int(part) for part in values), "big")
+    return LiteralValue(LiteralKind.INTEGER, value, "WORD" if len(values) == 2 else "DWORD")
+
+
+def _is_byte(text: str) -> bool:
+    return text.isdecimal() and len(text) < 4 and int(text) < 256
+
+
+def _character(text: str, wide: bool) -> str:
+    """The character with this code, as in `CHAR#65` and `WCHAR#16#20AC`."""
+    code = _number(text, "").value
+    if not isinstance(code, int) or not 0 <= code < (0x10000 if wide else 0x100):
+        raise BadLiteralError(
+            f"there is no character {text}", f"codes go up to {'16#FFFF' if wide else '255'}"
+        )
+    return chr(code)
 
 
 def _bool(rest: str) -> LiteralValue:

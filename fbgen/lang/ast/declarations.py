@@ -150,7 +150,8 @@ class Declaration:
 class VarSection:
     """VAR_INPUT ... END_VAR. `keyword` upper case: VAR, VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT,
     VAR_TEMP, VAR_STAT, VAR_INST, VAR_GLOBAL, VAR_EXTERNAL. `qualifiers` upper case: CONSTANT,
-    RETAIN, PUBLIC, ... A CONST section of STEP 7 is a VAR section with the qualifier CONSTANT.
+    RETAIN, PUBLIC, ... A CONST section of STEP 7 is a VAR section with the qualifier CONSTANT; its
+    constants have the type of their value, which is `NamedType` with the name "".
     """
 
     span: Span

@@ -20,6 +20,7 @@ class LiteralKind(Enum):
     STRING = "string"
     WSTRING = "wide string"
     ENUMERATOR = "enumerator"
+    POINTER = "pointer"
 
 
 @node
@@ -30,7 +31,9 @@ class Literal:
     dates in days since 1990-01-01, times of day in nanoseconds since midnight, date and time in
     nanoseconds since 1970-01-01. `type_name` is the prefix of `WORD#16#FF` or `T#5s` as a
     canonical type name ("WORD", "TIME"), else "". `base` is 2, 8, 10 or 16. For `Colour#red` the
-    value is "red" and the type name "Colour", both as written.
+    value is "red" and the type name "Colour", both as written. A pointer (`P#M0.0`, type name
+    "POINTER") or area (`P#DB1.DBX0.0 BYTE 10`, "ANY") has its text behind `P#`, in upper case with
+    single blanks, as value.
     """
 
     span: Span
@@ -87,7 +90,7 @@ class DirectAddress:
     `area` is "I", "Q", "M", "DB", "T" (timer) or "C" (counter); `size` is "X", "B", "W", "D", "L",
     or "" for timers and counters, which have their number in `byte`; `bit` only with "X"; `db` only
     with area "DB"; `peripheral` for `:P` and for the classic PIB/PQB spelling. `%I*`, `%QW*`: an
-    address that is still to be given, with `byte` -1.
+    address that is still to be given, with `byte` -1. `german`: written with E, A, Z for I, Q, C.
     """
 
     span: Span
@@ -97,6 +100,7 @@ class DirectAddress:
     bit: int = 0
     db: int = 0
     peripheral: bool = False
+    german: bool = False
 
 
 @node
@@ -106,7 +110,8 @@ class IndexedAddress:
     `PEB[i]`, `MW[i]`, `M[i, j]` (`base` None), `DB100.DW[i]`, `"values".DX[i, j]`,
     `WORD_TO_BLOCK_DB(w).DW[i]` (`base` says which data block); TIA spells them `%MW(i)`,
     `%DB100.DW(i)`, `EB(1):P`. Area and size as in `DirectAddress`, area "DB" with a base; the
-    second index is the bit.
+    second index is the bit. `#block.%DBX4.1` of TIA, whose base is of type DB_ANY, has literals as
+    indices and is `marked`.
     """
 
     span: Span
@@ -115,6 +120,8 @@ class IndexedAddress:
     size: str
     indices: tuple["Expression", ...]
     peripheral: bool = False
+    german: bool = False
+    marked: bool = False
 
 
 @node

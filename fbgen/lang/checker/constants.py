@@ -57,6 +57,8 @@ def check_literal(ctx: Context, node: ast.Literal, _expected: Type | None = None
         return _text(ctx, node, str(value))
     if kind is ast.LiteralKind.BOOL:
         return Constant(node.span, bool(value), BOOL)
+    if kind in (ast.LiteralKind.POINTER, ast.LiteralKind.ENUMERATOR):
+        return _unknown_type(ctx, node)
     if kind in _UNPREFIXED:
         return _counted(ctx, node, int(value))
     if kind is ast.LiteralKind.REAL:

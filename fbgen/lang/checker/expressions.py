@@ -25,8 +25,22 @@ def _initial_only(ctx: Context, node: Any, _expected: Type | None) -> Expression
     return erroneous(node.span)
 
 
+def _unsupported(ctx: Context, node: Any, _expected: Type | None) -> Expression:
+    what = _UNSUPPORTED[type(node)]
+    ctx.findings.error("FB4054", f"{what} is not supported", node.span, "write it in another way")
+    return erroneous(node.span)
+
+
+_UNSUPPORTED = {
+    ast.Chained: "an assignment in an assignment",
+    ast.Dereference: "what a reference points to",
+    ast.IndexedAddress: "an absolute address with an index",
+    ast.Peripheral: "peripheral access by a name",
+}
+
 enter(
     {
+        **dict.fromkeys(_UNSUPPORTED, _unsupported),
         ast.Literal: constants.check_literal,
         ast.Name: places.check_name,
         ast.Member: places.check_member,

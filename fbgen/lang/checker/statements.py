@@ -59,6 +59,11 @@ def _assignment(ctx: Context, node: ast.Assignment) -> Sequence[Statement]:
             "assign the inputs that you want to change: inst.in := ...",
         )
         return ()
+    if node.operator == "?=":
+        ctx.findings.error(
+            "FB4054", "the assignment attempt ?= is not supported", node.span, "write ':='"
+        )
+        return ()
     if node.operator != ":=":
         value = combine(ctx, node.span, node.operator[:-1], place, value)
     value = coerce(ctx, value, place.type, "this assignment")

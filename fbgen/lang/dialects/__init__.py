@@ -7,11 +7,12 @@ look at its features; nothing else in the code asks for the name of a dialect.
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.lang.dialects.dialect import Dialect, Feature
 from fbgen.lang.dialects.iec import IEC
+from fbgen.lang.dialects.step7 import STEP7
 from fbgen.lang.dialects.tia import TIA
 
 __all__ = ["DIALECTS", "Dialect", "Feature", "dialect_named"]
 
-DIALECTS: dict[str, Dialect] = {dialect.name: dialect for dialect in (TIA, IEC)}
+DIALECTS: dict[str, Dialect] = {dialect.name: dialect for dialect in (TIA, STEP7, IEC)}
 """All dialects by name, in the order in which they are shown."""
 
 

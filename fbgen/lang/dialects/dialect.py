@@ -1,6 +1,6 @@
 """What can differ between dialects of the PLC language."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 
 
@@ -15,8 +15,18 @@ class Feature(Enum):
     BIT_MEMBERS = "bit access such as w.3"
     COMPOUND_ASSIGNMENTS = "assignments with += -= *= /="
     GOTO = "GOTO"
+    CHAINED_ASSIGNMENTS = "assignments in assignments"
+    ASSIGNMENT_ATTEMPTS = "assignment attempts with ?="
+    REFERENCES = "references (REF_TO, POINTER TO and '^')"
+    SHORT_CIRCUIT = "AND_THEN and OR_ELSE"
+    MARKED_ADDRESSES = "absolute addresses with '%'"
+    PLAIN_ADDRESSES = "absolute addresses without '%'"
     PERIPHERAL = "peripheral addresses with ':P'"
     DB_ADDRESSES = "absolute addresses in data blocks"
+    BRACKETED_INDICES = "absolute addresses with an index in brackets"
+    VAR_CONSTANT = "VAR CONSTANT"
+    CONST_SECTIONS = "CONST sections"
+    LABEL_SECTIONS = "LABEL sections"
     DATA_BLOCKS = "DATA_BLOCK"
     ORGANIZATION_BLOCKS = "ORGANIZATION_BLOCK"
     HEADERS = "block headers with TITLE, AUTHOR, FAMILY, NAME and VERSION"
@@ -31,7 +41,8 @@ class Dialect:
     """One dialect. `advice` says, for a missing feature, what to write in its place.
 
     `reserved` are the upper-case words that cannot be plain names; `indent` is one level of the
-    canonical layout; `identifier_length` is the longest name the tools take.
+    canonical layout; `identifier_length` is the longest name the tools take; `absent_types` has the
+    elementary types that other dialects have and this one lacks, each with what to use instead.
     """
 
     name: str
@@ -41,6 +52,7 @@ class Dialect:
     reserved: frozenset[str]
     indent: str
     identifier_length: int
+    absent_types: dict[str, str] = field(default_factory=dict)
 
     def has(self, feature: Feature) -> bool:
         """Whether the dialect has it."""

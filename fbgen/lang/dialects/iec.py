@@ -11,7 +11,16 @@ from fbgen.lang.dialects.words import COMMON, words
 IEC = Dialect(
     name="iec",
     title="IEC 61131-3 ST",
-    features=frozenset({Feature.PROGRAMS, Feature.CONFIGURATIONS}),
+    features=frozenset(
+        {
+            Feature.PROGRAMS,
+            Feature.CONFIGURATIONS,
+            Feature.REFERENCES,
+            Feature.ASSIGNMENT_ATTEMPTS,
+            Feature.MARKED_ADDRESSES,
+            Feature.VAR_CONSTANT,
+        }
+    ),
     advice={
         Feature.LOCAL_MARKS: "write the name without '#'",
         Feature.QUOTED_NAMES: "write the name without quotes",
@@ -20,6 +29,12 @@ IEC = Dialect(
         Feature.SLICES: "shift and mask: SHR(w, 3) AND WORD#16#0001",
         Feature.BIT_MEMBERS: "shift and mask: SHR(w, 3) AND WORD#16#0001",
         Feature.COMPOUND_ASSIGNMENTS: "write the variable again: x := x + 1;",
+        Feature.CHAINED_ASSIGNMENTS: "write one assignment a statement",
+        Feature.SHORT_CIRCUIT: "nest two IFs, or write AND or OR, which work out both sides",
+        Feature.PLAIN_ADDRESSES: "declare a variable AT the address: x AT %MW4 : WORD;",
+        Feature.BRACKETED_INDICES: "declare an array AT the address and index that",
+        Feature.CONST_SECTIONS: "write VAR CONSTANT name : TYPE := value; END_VAR",
+        Feature.LABEL_SECTIONS: "use IF, CASE, loops with EXIT, or RETURN",
         Feature.GOTO: "use IF, CASE, loops with EXIT, or RETURN",
         Feature.PERIPHERAL: "declare a variable AT the address, without ':P'",
         Feature.DB_ADDRESSES: "declare a variable and use its name",

@@ -9,14 +9,18 @@ from fbgen.lang.ast import (
     ArrayLiteral,
     Binary,
     Call,
+    Chained,
+    Dereference,
     DirectAddress,
     Expression,
     Index,
+    IndexedAddress,
     Literal,
     LiteralKind,
     Member,
     Name,
     Parenthesized,
+    Peripheral,
     Repeated,
     Slice,
     StructLiteral,
@@ -207,6 +211,18 @@ class ExpressionLowering:
                 return node
         return StructLiteral(node.span, tuple(self._argument(one) for one in node.fields))
 
+    def _without_counterpart(self, node: Expression) -> Expression:
+        what, hint = _WITHOUT_COUNTERPART[type(node)]
+        self.context.findings.refuse(what, node.span, hint)
+        return node
+
+
+_WITHOUT_COUNTERPART: dict[type, tuple[str, str]] = {
+    Chained: ("an assignment in an assignment", "write one assignment a statement"),
+    Dereference: ("what a reference points to", "hand the variable over as VAR_IN_OUT"),
+    IndexedAddress: ("an absolute address with an index", "use an array"),
+    Peripheral: ("peripheral access", _HARDWARE_HINT),
+}
 
 _LOWERERS: dict[type, Callable[[ExpressionLowering, Any], Expression]] = {
     Literal: ExpressionLowering._literal,
@@ -222,4 +238,5 @@ _LOWERERS: dict[type, Callable[[ExpressionLowering, Any], Expression]] = {
     ArrayLiteral: ExpressionLowering._array,
     Repeated: ExpressionLowering._repeated,
     StructLiteral: ExpressionLowering._struct,
+    **dict.fromkeys(_WITHOUT_COUNTERPART, ExpressionLowering._without_counterpart),
 }

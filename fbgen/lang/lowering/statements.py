@@ -81,6 +81,11 @@ class StatementLowering(ExpressionLowering):
     # --- simple statements --------------------------------------------------------------------
 
     def _assignment(self, node: Assignment, leading: TriviaList) -> Statement:
+        if node.operator == "?=":
+            self.context.findings.refuse(
+                "the assignment attempt ?=", node.span, "hand the variable over with its own type"
+            )
+            return node
         value = self.expression(node.value)
         if isinstance(node.target, Slice):
             return self._slice_assignment(node, node.target, value, leading)

@@ -13,6 +13,7 @@ from fbgen.lang.ast import (
     File,
     Globals,
     HeaderItem,
+    LabelSection,
     NamedType,
     StructSpec,
     TriviaList,
@@ -47,7 +48,7 @@ class BlockParser(ConfigurationParser):
                 units += self._units()
             except Unexpected:
                 self.depth = 0
-                self._open.clear()
+                self.open_lists.clear()
                 self._skip_unit(start)
         return File(self.source, self.dialect.name, tuple(units), self.take_leading())
 
@@ -95,7 +96,7 @@ class BlockParser(ConfigurationParser):
             self.expect(":", "':' and the type of the result", "without result it is ': Void'")
             return_type = self.type_spec()
         comments = self._header(header)
-        sections = self._sections()
+        sections, labels = self._interface()
         body_comments: TriviaList = ()
         if self.kinds[self.at] == "BEGIN":
             body_comments = self.take_leading()
@@ -117,7 +118,22 @@ class BlockParser(ConfigurationParser):
             comments,
             body_comments,
             closing,
+            labels=labels,
         )
+
+    def _interface(self) -> tuple[tuple[VarSection, ...], tuple[LabelSection, ...]]:
+        """VAR, CONST and LABEL sections in any order."""
+        sections: list[VarSection] = []
+        labels: list[LabelSection] = []
+        self.declared_addresses.clear()
+        while True:
+            kind = self.kinds[self.at]
+            if kind == "LABEL":
+                labels.append(self.label_section())
+            elif more := self._sections():
+                sections += more
+            else:
+                return tuple(sections), tuple(labels)
 
     def _end_unit(self, end: str, first: int) -> None:
         if self.accept(end):
@@ -130,7 +146,7 @@ class BlockParser(ConfigurationParser):
         while True:
             kind = self.kinds[self.at]
             if kind in SECTIONS and self.kinds[self.at + 1] != ":=":
-                sections.append(self.section())
+                sections.append(self.const_section() if kind == "CONST" else self.section())
             elif kind == "name" and self.texts[self.at].upper() in ("VAR_ACCESS", "VAR_CONFIG"):
                 raise self.unread(
                     self.texts[self.at].upper(), self.token_span(self.at), "leave it out"
@@ -276,7 +292,7 @@ class BlockParser(ConfigurationParser):
                 assignments.append(self._start_value())
             except Unexpected:
                 self.depth = depth
-                self._skip_statement(start)
+                self.skip_statement(start)
         return tuple(assignments)
 
     def _start_value(self) -> Assignment:

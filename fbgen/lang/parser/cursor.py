@@ -6,6 +6,7 @@ at the same token is dropped, as it follows from the first.
 """
 
 from itertools import repeat
+from typing import NoReturn
 
 from fbgen.diagnostics import Diagnostic, Note, Severity
 from fbgen.lang.ast import HeaderItem, Trivia, TriviaKind, TriviaList
@@ -55,6 +56,7 @@ class Cursor:
         """Whether a comment without end has swallowed the rest of the text."""
         self._last_finding_at = -1
         self._missing_features: set[Feature] = set()
+        self._missing_types: set[str] = set()
         self._check_line_comments()
 
     # --- places -------------------------------------------------------------------------------
@@ -152,6 +154,18 @@ class Cursor:
                 self.dialect.advice.get(feature, ""),
             )
 
+    def check_type(self, name: str, span: Span) -> None:
+        """Report an elementary type that the dialect does not have, each once a file."""
+        key = name.upper()
+        if key in self.dialect.absent_types and key not in self._missing_types:
+            self._missing_types.add(key)
+            self.report(
+                "FB3009",
+                f"dialect {self.dialect.name} has no type {key}",
+                span,
+                self.dialect.absent_types[key],
+            )
+
     def need(self, feature: Feature, first: int) -> None:
         """Report the tokens from `first` up to here if the dialect does not have the feature."""
         if feature not in self.dialect.features:
@@ -168,15 +182,19 @@ class Cursor:
         """Go one level down. `self.depth -= 1` comes back up."""
         self.depth += 1
         if self.depth > DEEPEST:
-            if self._last_finding_at != self.at:
-                self._last_finding_at = self.at
-                self.report(
-                    "FB3006",
-                    f"nested deeper than {DEEPEST} levels",
-                    self.token_span(self.at),
-                    "split the expression, or move inner statements into a block of their own",
-                )
-            raise Unexpected
+            self.too_deep()
+
+    def too_deep(self) -> NoReturn:
+        """Report that the next token is nested too deep, and give up."""
+        if self._last_finding_at != self.at:
+            self._last_finding_at = self.at
+            self.report(
+                "FB3006",
+                f"nested deeper than {DEEPEST} levels",
+                self.token_span(self.at),
+                "split the expression, or move inner statements into a block of their own",
+            )
+        raise Unexpected
 
     def _check_line_comments(self) -> None:
         """Warn once of `//` where only a part of the tools reads it."""

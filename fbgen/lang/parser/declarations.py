@@ -12,18 +12,23 @@ from fbgen.lang.ast import (
     DeclaredName,
     DirectAddress,
     Expression,
+    LabelSection,
     Name,
     NamedType,
+    ReferenceSpec,
     StringSpec,
     StructSpec,
+    TriviaList,
     TypeSpec,
     VarSection,
 )
+from fbgen.lang.dialects.dialect import Feature
 from fbgen.lang.dialects.words import words
 from fbgen.lang.parser.cursor import Unexpected
-from fbgen.lang.parser.expressions import NAMES, ExpressionParser
+from fbgen.lang.parser.expressions import ExpressionParser
+from fbgen.lang.parser.places import NAMES
 
-SECTIONS = words("VAR VAR_INPUT VAR_OUTPUT VAR_IN_OUT VAR_TEMP VAR_GLOBAL VAR_EXTERNAL")
+SECTIONS = words("VAR VAR_INPUT VAR_OUTPUT VAR_IN_OUT VAR_TEMP VAR_GLOBAL VAR_EXTERNAL CONST")
 _QUALIFIERS = words("CONSTANT RETAIN NON_RETAIN PERSISTENT DB_SPECIFIC R_EDGE F_EDGE")
 UNITS = words("FUNCTION_BLOCK FUNCTION ORGANIZATION_BLOCK PROGRAM DATA_BLOCK TYPE CONFIGURATION")
 """Keywords that begin a unit of a file."""
@@ -31,17 +36,17 @@ UNITS = words("FUNCTION_BLOCK FUNCTION ORGANIZATION_BLOCK PROGRAM DATA_BLOCK TYP
 _UNIT_ENDS = frozenset(
     {f"END_{unit}" for unit in UNITS} | {"END_RESOURCE", "BEGIN", "end", "END_REGION"}
 )
-_SECTION_ENDS = SECTIONS | _UNIT_ENDS | {"END_VAR", "END_STRUCT"}
+_SECTION_ENDS = SECTIONS | _UNIT_ENDS | {"END_VAR", "END_STRUCT", "END_CONST", "LABEL", "END_LABEL"}
+_INNER_ENDS = frozenset({"END_VAR", "END_STRUCT", "END_CONST", "END_LABEL"})
 _ENDS_WITH_SEMICOLON = words("END_IF END_CASE END_FOR END_WHILE END_REPEAT END_STRUCT")
-_UNREAD_TYPES = {
-    "REF_TO": "hand the variable over as VAR_IN_OUT",
-    "REFERENCE": "hand the variable over as VAR_IN_OUT",
-    "POINTER": "use an array and an index",
-}
+_REFERENCES = {"REF_TO": "", "REFERENCE": "TO", "POINTER": "TO"}
+"""Words in front of the type that is referred to, with the word that may follow them."""
 
 
 class DeclarationParser(ExpressionParser):
     """Reads what is declared."""
+
+    _in_const_section = False
 
     # --- types --------------------------------------------------------------------------------
 
@@ -61,11 +66,13 @@ class DeclarationParser(ExpressionParser):
             if word in ("STRING", "WSTRING"):
                 return self._string_type(word == "WSTRING")
             following = self.kinds[at + 1]
-            if word in _UNREAD_TYPES and (following in NAMES or self.word(at + 1)):
-                raise self.unread(f"the type {word}", self.token_span(at), _UNREAD_TYPES[word])
+            if word in _REFERENCES and (not _REFERENCES[word] or following == _REFERENCES[word]):
+                return self._reference_type(word)
             if following == "(" and self.kinds[at + 3] == "..":
                 raise self.unread("a subrange", self.token_span(at), "declare the whole type")
             self.at = at + 1
+            if self.dialect.absent_types:
+                self.check_type(word, self.token_span(at))
             return NamedType(self.token_span(at), self.texts[at])
         if kind == "(":
             raise self.unread(
@@ -73,8 +80,18 @@ class DeclarationParser(ExpressionParser):
             )
         raise self.failed("a type", "a type is BOOL, INT, ARRAY[0..7] OF BYTE, STRUCT or a name")
 
+    def _reference_type(self, word: str) -> ReferenceSpec:
+        first = self.at
+        self.at += 2 if _REFERENCES[word] else 1
+        self.need(Feature.REFERENCES, first)
+        self.deeper()
+        target = self.type_spec()
+        self.depth -= 1
+        return ReferenceSpec(self.span(first), f"{word} {_REFERENCES[word]}".rstrip(), target)
+
     def _string_type(self, wide: bool) -> StringSpec:
         first = self.at
+        self.check_type("WSTRING" if wide else "STRING", self.token_span(first))
         self.at += 1
         length: Expression | None = None
         for opening, closing in (("[", "]"), ("(", ")")):
@@ -132,6 +149,8 @@ class DeclarationParser(ExpressionParser):
                 break
             qualifiers.append(self.texts[self.at].upper())
             self.at += 1
+        if "CONSTANT" in qualifiers:
+            self.need(Feature.VAR_CONSTANT, first)
         opening = self.take_same_line()
         declarations = self._declarations("END_VAR", first)
         closing = self.take_leading()
@@ -142,6 +161,42 @@ class DeclarationParser(ExpressionParser):
         return VarSection(
             span, keyword, tuple(qualifiers), declarations, leading, trailing, closing, opening
         )
+
+    def const_section(self) -> VarSection:
+        """CONST name := value; ... END_CONST: the constants have the types of their values."""
+        leading = self.take_leading()
+        first = self.at
+        self.at = first + 1
+        opening = self.take_same_line()
+        self._in_const_section = True
+        try:
+            declarations = self._declarations("END_CONST", first)
+        finally:
+            self._in_const_section = False
+        closing = self.take_leading()
+        self._end_section("END_CONST", first)
+        self.accept(";")
+        span = self.span(first)
+        leading, trailing = self.settle(leading)
+        return VarSection(
+            span, "VAR", ("CONSTANT",), declarations, leading, trailing, closing, opening
+        )
+
+    def label_section(self) -> LabelSection:
+        """LABEL a, b; END_LABEL."""
+        leading = self.take_leading()
+        first = self.at
+        self.at = first + 1
+        names: list[Name] = []
+        while self.kinds[self.at] not in _SECTION_ENDS:
+            names.append(self.name())
+            if not self.accept(",") and not self.accept(";"):
+                break
+        self._end_section("END_LABEL", first)
+        self.accept(";")
+        span = self.span(first)
+        leading, trailing = self.settle(leading)
+        return LabelSection(span, tuple(names), leading, trailing)
 
     def _end_section(self, end: str, first: int) -> None:
         if not self.accept(end):
@@ -177,8 +232,8 @@ class DeclarationParser(ExpressionParser):
             if kind == end:
                 break
             if kind in _SECTION_ENDS and not self._is_declared_keyword():
-                if kind in ("END_VAR", "END_STRUCT") and depth == 0 and end == "END_VAR":
-                    self.unexpected("a declaration or END_VAR")
+                if kind in _INNER_ENDS and depth == 0 and end in ("END_VAR", "END_CONST"):
+                    self.unexpected(f"a declaration or {end}")
                     self.at += 1
                     self.accept(";")
                     continue
@@ -222,6 +277,8 @@ class DeclarationParser(ExpressionParser):
             self.at += 1
             names.append(self._declared_name())
         at: DirectAddress | Name | None = None
+        if kinds[self.at] == ":=" and self._in_const_section:
+            return self._constant(first, tuple(names), leading)
         if kinds[self.at] != ":":
             if self.accept_word("AT"):
                 at = self.address() if kinds[self.at] == "address" else self.name()
@@ -248,6 +305,19 @@ class DeclarationParser(ExpressionParser):
             span, tuple(names), type_spec, initial, at, type_attributes, leading, trailing
         )
 
+    def _constant(
+        self, first: int, names: tuple[DeclaredName, ...], leading: TriviaList
+    ) -> Declaration:
+        """`name := value;` of a CONST section, from the `:=` on."""
+        self.at += 1
+        initial = self.initial_value()
+        if not self.accept(";"):
+            self.missing_semicolon("the constant")
+        span = self.span(first)
+        leading, trailing = self.settle(leading)
+        no_type = NamedType(names[-1].span._replace(start=names[-1].span.end), "")
+        return Declaration(span, names, no_type, initial, None, "", leading, trailing)
+
     def missing_semicolon(self, what: str) -> None:
         """Report that there is no ';' behind the last token; skip the rest of its line's junk."""
         at = self.at
@@ -266,6 +336,8 @@ class DeclarationParser(ExpressionParser):
         kind = self.kinds[at]
         if kind == "name" or (self.word(at) and kind not in ("END_VAR", "END_STRUCT")):
             self.at = at + 1
+            if kind == "address":
+                self.declared_addresses.add(self.texts[at].casefold())
             attributes = self.pragma_text() if self.extra_at <= self.at else ""
             return DeclaredName(self.places[at], self.texts[at], False, attributes)
         if kind not in NAMES:

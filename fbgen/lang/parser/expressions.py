@@ -11,9 +11,8 @@ from fbgen.lang.ast import (
     ArrayLiteral,
     Binary,
     Call,
-    DirectAddress,
+    Dereference,
     Expression,
-    Index,
     Literal,
     LiteralKind,
     Member,
@@ -27,14 +26,15 @@ from fbgen.lang.ast import (
 from fbgen.lang.dialects.dialect import Dialect, Feature
 from fbgen.lang.dialects.words import words
 from fbgen.lang.literals import BadLiteralError, LiteralValue, read_literal
-from fbgen.lang.parser.addresses import read_address, read_slice
-from fbgen.lang.parser.cursor import Cursor
+from fbgen.lang.parser.places import NAMES, AddressParser
 from fbgen.source import Source, Span
 
 PRECEDENCE = {
     "OR": 1,
+    "OR_ELSE": 1,
     "XOR": 2,
     "AND": 3,
+    "AND_THEN": 3,
     "=": 4,
     "<>": 4,
     "<": 5,
@@ -49,22 +49,19 @@ PRECEDENCE = {
     "DIV": 7,
     "**": 8,
 }
-NAMES = frozenset({"name", "#", '"', '#"'})
-"""Kinds of tokens that are names."""
-
 SOFT_KEYWORDS = words(
     "TYPE PROGRAM RESOURCE CONFIGURATION BEGIN STRUCT ARRAY REGION DATA_BLOCK FUNCTION "
-    "ORGANIZATION_BLOCK"
+    "ORGANIZATION_BLOCK LABEL CONST"
 )
 """Keywords that can only be names where an expression is wanted."""
 
-_POSTFIX = frozenset({".", "[", "("})
+_POSTFIX = frozenset({".", "[", "(", "^", ":"})
 _SIGNS = frozenset({"-", "+", "NOT"})
 _NOTHING = LiteralValue(LiteralKind.INTEGER, 0)
 _make = tuple.__new__
 
 
-class ExpressionParser(Cursor):
+class ExpressionParser(AddressParser):
     """Reads expressions at the cursor."""
 
     def __init__(self, source: Source, dialect: Dialect) -> None:
@@ -123,8 +120,9 @@ class ExpressionParser(Cursor):
         elif kind == "(":
             return self._parenthesized()
         elif kind == "address":
-            name = self.address()
-            self.at = at
+            name = self.address_or_name()
+            self.at -= 1
+            at = self.at
         elif kind in SOFT_KEYWORDS and self.word(at):
             name = Name(place, self.texts[at])
         else:
@@ -134,52 +132,14 @@ class ExpressionParser(Cursor):
             return self._postfix(name)
         return name
 
-    def name(self) -> Name:
-        """A name in any spelling: x, #x, "x", #"x"."""
-        at = self.at
-        kind, text = self.kinds[at], self.texts[at]
-        place = self.token_span(at)
-        if kind == "#":
-            name = Name(place, text[1:], False, True)
-        elif kind == '"':
-            name = Name(place, text[1:-1], True, False)
-        elif kind == '#"':
-            name = Name(place, text[2:-1], True, True)
-        elif self.word(at):
-            name = Name(place, text)
-        else:
-            raise self.failed("a name")
-        self.at = at + 1
-        if name.quoted:
-            self.need(Feature.QUOTED_NAMES, at)
-            if not name.name.strip():
-                self.report("FB3004", "an empty name", place, "write a name between the quotes")
-        if name.local:
-            self.need(Feature.LOCAL_MARKS, at)
-        return name
-
-    def address(self) -> DirectAddress:
-        """An absolute address such as %IB256:P or %DB100.DBW4."""
-        at = self.at
-        place = self.token_span(at)
-        address = read_address(self.texts[at], place)
-        if address is None:
-            raise self.failed(
-                "an absolute address", "addresses look like %I0.0, %QW4, %MD10, %DB1.DBW2"
-            )
-        self.at = at + 1
-        if address.peripheral:
-            self.need(Feature.PERIPHERAL, at)
-        if address.area == "DB":
-            self.need(Feature.DB_ADDRESSES, at)
-        return address
-
     def _new_literal(self, text: str, place: Span) -> LiteralValue:
         try:
             value = read_literal(text)
         except BadLiteralError as problem:
             self.report("FB3004", str(problem), place, problem.help)
             return _NOTHING
+        if value.type_name and self.dialect.absent_types:
+            self.check_type(value.type_name, place)
         self._literals[text] = value
         return value
 
@@ -202,7 +162,7 @@ class ExpressionParser(Cursor):
         return Parenthesized(self.span(first), inner)
 
     def _postfix(self, base: Expression) -> Expression:
-        """`base` with everything that follows it: members, slices, indices, arguments."""
+        """`base` with all that follows it: members, slices, indices, arguments, `^`, `:P`."""
         source, start = self.source, base.span[1]
         while True:
             kind = self.kinds[self.at]
@@ -217,12 +177,20 @@ class ExpressionParser(Cursor):
                 self.expect("]", "']' or ','", "each '[' needs its ']'")
                 self.depth -= 1
                 place = _make(Span, (source, start, self.ends[self.at - 1]))
-                base = Index(place, base, tuple(indices))
+                base = self.bracketed(base, tuple(indices), place)
             elif kind == "(":
                 self.at += 1
                 arguments = self.arguments()
                 place = _make(Span, (source, start, self.ends[self.at - 1]))
-                base = Call(place, base, arguments)
+                base = self.called(base, arguments, place)
+            elif kind == "^":
+                self.at += 1
+                self.need(Feature.REFERENCES, self.at - 1)
+                base = Dereference(_make(Span, (source, start, self.ends[self.at - 1])), base)
+            elif kind == ":" and self.at_peripheral_mark(self.at):
+                self.at += 2
+                self.need(Feature.PERIPHERAL, self.at - 2)
+                base = self.peripheral(base, _make(Span, (source, start, self.ends[self.at - 1])))
             else:
                 return base
 
@@ -232,6 +200,8 @@ class ExpressionParser(Cursor):
         place = _make(Span, (self.source, base.span[1], self.ends[at]))
         self.at = at + 1
         if kind == "name":
+            if self.has_addresses and (address := self.member_address(base, text)):
+                return address
             return Member(place, base, text)
         if kind == '"':
             self.need(Feature.QUOTED_NAMES, at)
@@ -240,9 +210,8 @@ class ExpressionParser(Cursor):
             return Member(place, base, text[1:])
         if kind == '#"':
             return Member(place, base, text[2:-1], True)
-        if kind == "address" and (part := read_slice(text)):
-            self.need(Feature.SLICES, at)
-            return Slice(place, base, *part)
+        if kind == "address" and (part := self.marked_member(base, text, at)):
+            return part
         if kind == "literal" and text.isdecimal() and len(text) < 3:
             self.need(Feature.BIT_MEMBERS, at)
             return Slice(place, base, "X", int(text))

@@ -6,13 +6,16 @@ from fbgen.lang.ast import (
     Declaration,
     DeclaredName,
     DirectAddress,
+    LabelSection,
     NamedType,
+    ReferenceSpec,
     StringSpec,
     StructSpec,
     Trivia,
     TypeSpec,
     VarSection,
 )
+from fbgen.lang.dialects.dialect import Feature
 from fbgen.lang.printer.statements import StatementPrinter
 from fbgen.source import Span
 
@@ -21,9 +24,11 @@ class DeclarationPrinter(StatementPrinter):
     """Writes what is declared."""
 
     def section(self, section: VarSection) -> None:
-        """VAR ... END_VAR."""
+        """VAR ... END_VAR, or CONST ... END_CONST."""
         self.lines.trivia(section.leading)
-        keyword = " ".join((section.keyword, *section.qualifiers))
+        keyword, end = " ".join((section.keyword, *section.qualifiers)), "END_VAR"
+        if section.qualifiers == ("CONSTANT",) and self.dialect.has(Feature.CONST_SECTIONS):
+            keyword, end = "CONST", "END_CONST"
         start = section.span._replace(end=section.span.start)
         self.lines.add(keyword, start, section.opening)
         self.lines.level += 1
@@ -31,7 +36,19 @@ class DeclarationPrinter(StatementPrinter):
             self.declaration(declaration)
         self.lines.trivia(section.closing)
         self.lines.level -= 1
-        self.lines.add("END_VAR", start, section.trailing)
+        self.lines.add(end, start, section.trailing)
+
+    def label_section(self, section: LabelSection) -> None:
+        """LABEL ... END_LABEL."""
+        self.lines.trivia(section.leading)
+        start = section.span._replace(end=section.span.start)
+        self.lines.add("LABEL", start)
+        self.lines.level += 1
+        if section.names:
+            self.lines.add(f"{', '.join(map(self.name, section.names))};", section.span)
+        self.lines.trivia(section.closing)
+        self.lines.level -= 1
+        self.lines.add("END_LABEL", start, section.trailing)
 
     def declaration(self, declaration: Declaration) -> None:
         """One declaration; a structure takes several lines."""
@@ -45,6 +62,9 @@ class DeclarationPrinter(StatementPrinter):
         attributes = f" {declaration.type_attributes}" if declaration.type_attributes else ""
         initial = declaration.initial
         value = f" := {self.expression(initial)}" if initial is not None else ""
+        if isinstance(declaration.type, NamedType) and not declaration.type.name:
+            self.lines.add(f"{names}{value};", declaration.span, declaration.trailing)
+            return
         self.typed(
             f"{names}{located} :{attributes} ",
             declaration.type,
@@ -79,6 +99,8 @@ class DeclarationPrinter(StatementPrinter):
             return name if spec.length is None else f"{name}[{self.expression(spec.length)}]"
         if isinstance(spec, ArraySpec):
             return self._array_text(spec) + self.type_text(spec.element)
+        if isinstance(spec, ReferenceSpec):
+            return f"{spec.keyword} {self.type_text(spec.target)}"
         raise ValueError("a structure does not fit on one line")
 
     def _array_text(self, array: ArraySpec) -> str:

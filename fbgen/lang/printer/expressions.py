@@ -10,25 +10,31 @@ from fbgen.lang.ast import (
     ArrayLiteral,
     Binary,
     Call,
+    Chained,
+    Dereference,
     DirectAddress,
     Expression,
     Index,
+    IndexedAddress,
     LabelRange,
     Literal,
     Member,
     Name,
     Parenthesized,
+    Peripheral,
     Repeated,
     Slice,
     StructLiteral,
     Unary,
 )
 from fbgen.lang.dialects.dialect import Dialect, Feature
+from fbgen.lang.parser.addresses import is_data_block
 from fbgen.lang.parser.expressions import PRECEDENCE
 from fbgen.lang.printer.lines import inline_comment
 
 _SIGN = 9
 _HIGHEST = 10
+_GERMAN = {"I": "E", "Q": "A", "C": "Z"}
 
 
 class ExpressionPrinter:
@@ -37,6 +43,7 @@ class ExpressionPrinter:
     def __init__(self, dialect: Dialect) -> None:
         self.dialect = dialect
         self._slices = dialect.has(Feature.SLICES)
+        self._plain_addresses = dialect.has(Feature.PLAIN_ADDRESSES)
         self._power_first = dialect.has(Feature.POWER_FIRST)
 
     def expression(self, expression: Expression) -> str:
@@ -105,12 +112,54 @@ class ExpressionPrinter:
         return f"{self.expression(part.base)}.{mark}{part.index}"
 
     def _address(self, address: DirectAddress) -> str:
-        bit = f".{address.bit}" if address.size == "X" else ""
+        bit = f".{address.bit}" if address.size == "X" and address.byte >= 0 else ""
+        mark = "" if self._plain_addresses else "%"
         if address.area == "DB":
-            return f"%DB{address.db}.DB{address.size}{address.byte}{bit}"
-        size = "" if address.size == "X" and self._slices else address.size
+            peripheral = ":P" if address.peripheral else ""
+            part = f"DB{address.size}{address.byte}{bit}"
+            return f"{mark}DB{address.db}.{part}{peripheral}"
+        area, peripheral = self._area(address)
+        number = "*" if address.byte < 0 else str(address.byte)
+        return f"{mark}{area}{number}{bit}{peripheral}"
+
+    def _area(self, address: DirectAddress | IndexedAddress) -> tuple[str, str]:
+        """Area and size, and what stands behind a peripheral address."""
+        area = _GERMAN.get(address.area, address.area) if address.german else address.area
+        bare = address.size == "X" and (self._plain_addresses or self._slices)
+        size = "" if bare else address.size
+        if address.peripheral and self._plain_addresses:
+            return f"P{area}{size}", ""
+        return f"{area}{size}", ":P" if address.peripheral else ""
+
+    def _indexed_address(self, address: IndexedAddress) -> str:
+        indices = ", ".join(self.expression(item) for item in address.indices)
+        opening, closing = ("[", "]") if self._plain_addresses else ("(", ")")
+        mark = "" if self._plain_addresses else "%"
+        base = address.base
+        if base is None:
+            area, peripheral = self._area(address)
+            return f"{mark}{area}{opening}{indices}{closing}{peripheral}"
         peripheral = ":P" if address.peripheral else ""
-        return f"%{address.area}{size}{address.byte}{bit}{peripheral}"
+        if address.marked:
+            numbers = ".".join(self.expression(item) for item in address.indices)
+            return f"{self.expression(base)}.%DB{address.size}{numbers}{peripheral}"
+        is_absolute = isinstance(base, Name) and not base.quoted and is_data_block(base.name)
+        block = f"{mark if is_absolute else ''}{self.expression(base)}"
+        return f"{block}.D{address.size}{opening}{indices}{closing}{peripheral}"
+
+    def _peripheral(self, node: Peripheral) -> str:
+        return f"{self.expression(node.base)}:P"
+
+    def _dereference(self, node: Dereference) -> str:
+        return f"{self.expression(node.base)}^"
+
+    def _chained(self, node: Chained) -> str:
+        pieces: list[str] = []
+        value: Expression = node
+        while isinstance(value, Chained):
+            pieces.append(f"{self.expression(value.target)} {value.operator} ")
+            value = value.value
+        return "".join(pieces) + self.expression(value)
 
     def _call(self, call: Call) -> str:
         return f"{self.expression(call.callee)}({self.arguments(call.arguments)})"
@@ -153,6 +202,10 @@ _WRITERS: dict[type, Callable[[ExpressionPrinter, Any], str]] = {
     Index: ExpressionPrinter._index,
     Slice: ExpressionPrinter._slice,
     DirectAddress: ExpressionPrinter._address,
+    IndexedAddress: ExpressionPrinter._indexed_address,
+    Peripheral: ExpressionPrinter._peripheral,
+    Dereference: ExpressionPrinter._dereference,
+    Chained: ExpressionPrinter._chained,
     Call: ExpressionPrinter._call,
     Unary: ExpressionPrinter._unary,
     Binary: ExpressionPrinter._binary,

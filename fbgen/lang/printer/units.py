@@ -53,6 +53,10 @@ class UnitPrinter(DeclarationPrinter):
         self.lines.add(f"{block.kind.value} {self.name(block.name)}{result}", _line(block.span))
         self._header_items(block.header)
         self._sections(sections)
+        self.lines.level += 1
+        for labels in block.labels:
+            self.label_section(labels)
+        self.lines.level -= 1
         self.lines.trivia(_without_last_blanks(block.body_comments))
         if self.dialect.has(Feature.HEADERS):
             self.lines.blank()

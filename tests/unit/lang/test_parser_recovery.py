@@ -40,7 +40,7 @@ def _all_findings(source: Source, dialect: str) -> list[tuple[str, int, int]]:
         ("FB3008_no_beginning.scl", [(7, 4)]),
         ("FB3009_feature.st", [(7, 5), (8, 7), (10, 12)]),
         ("FB3010_semicolon.scl", [(6, 10), (10, 9)]),
-        ("FB3012_not_read.scl", [(4, 11), (7, 13)]),
+        ("FB3012_not_read.st", [(5, 1)]),
         ("FB3040_degree.scl", [(3, 23)]),
         ("FB3050_names.scl", [(3, 7), (4, 7)]),
         ("FB3051_no_counterpart.scl", [(7, 10), (8, 4), (10, 4)]),

@@ -1,0 +1,151 @@
+"""Statements of one line: assignments, calls, jumps, labels.
+
+Source: IEC 61131-3, statements of ST; TIA Portal help, "Value assignments" and "SCL instructions".
+"""
+
+from fbgen.lang.ast import (
+    Assignment,
+    Call,
+    CallStatement,
+    Chained,
+    Dereference,
+    DirectAddress,
+    Empty,
+    Expression,
+    Goto,
+    Index,
+    IndexedAddress,
+    Jump,
+    Label,
+    Member,
+    Name,
+    Peripheral,
+    Slice,
+    Statement,
+)
+from fbgen.lang.depth import DEEPEST
+from fbgen.lang.dialects.dialect import Feature
+from fbgen.lang.parser.cursor import Unexpected
+from fbgen.lang.parser.statement_lists import ASSIGNMENTS, StatementListParser, enter
+from fbgen.source import Span
+
+_PLACES = (
+    Name, Member, Index, Slice, DirectAddress, IndexedAddress, Peripheral, Dereference,
+)  # fmt: skip
+_FEATURES = {
+    **dict.fromkeys(ASSIGNMENTS, Feature.COMPOUND_ASSIGNMENTS),
+    "?=": Feature.ASSIGNMENT_ATTEMPTS,
+}
+_make = tuple.__new__
+
+
+class SimpleStatementParser(StatementListParser):
+    """Reads statements without statements in them."""
+
+    def _simple(self) -> Statement:
+        """An assignment, a call or a label."""
+        first = self.at
+        leading = self.take_leading() if self.extra_at <= first else ()
+        target = self.operand()
+        kind = self.kinds[self.at]
+        if kind in ASSIGNMENTS:
+            self.at += 1
+            if kind != ":=":
+                self.need(_FEATURES[kind], self.at - 1)
+            value = self.expression()
+            if self.kinds[self.at] in ASSIGNMENTS:
+                value = self._chained(value)
+            if self.kinds[self.at] == ";":
+                self.at += 1
+            else:
+                self.semicolon()
+            place = _make(Span, (self.source, self.starts[first], self.ends[self.at - 1]))
+            if self.extra_at > self.at:
+                return Assignment(place, target, kind, value, leading)
+            leading, trailing = self.settle(leading)
+            return Assignment(place, target, kind, value, leading, trailing)
+        if isinstance(target, Call):
+            self.semicolon()
+            place = self.span(first)
+            leading, trailing = self.finish(leading)
+            return CallStatement(place, target, leading, trailing)
+        if kind == ":" and isinstance(target, Name) and not target.quoted:
+            self.at += 1
+            self.need(Feature.GOTO, first)
+            self.accept(";")
+            place = self.span(first)
+            leading, trailing = self.finish(leading)
+            return Label(place, target.name, leading, trailing)
+        raise self._no_statement(target)
+
+    def _chained(self, value: Expression) -> Expression:
+        """The `b := c` of `a := b := c`, where `b` has been read."""
+        self.need(Feature.CHAINED_ASSIGNMENTS, self.at)
+        targets: list[tuple[Expression, str]] = []
+        while (operator := self.kinds[self.at]) in ASSIGNMENTS:
+            if not isinstance(value, _PLACES):
+                raise self.failed("';'", "only variables stand in front of ':='")
+            if self.depth + len(targets) > DEEPEST:
+                self.too_deep()
+            targets.append((value, operator))
+            self.at += 1
+            if operator != ":=":
+                self.need(_FEATURES[operator], self.at - 1)
+            value = self.expression()
+        for target, operator in reversed(targets):
+            place = _make(Span, (self.source, target.span[1], value.span[2]))
+            value = Chained(place, target, operator, value)
+        return value
+
+    def _no_statement(self, target: Expression) -> Unexpected:
+        if self.kinds[self.at] == "=":
+            return self.failed("':='", "an assignment is written ':=', '=' compares")
+        if isinstance(target, Name) and target.name.upper() in ("REGION", "END_REGION"):
+            self.missing_feature(Feature.REGIONS, target.span)
+            self.skip_line()
+            self._last_finding_at = self.at
+            return Unexpected()
+        return self.failed(
+            "':=' or '('", "a statement is an assignment 'x := 1;' or a call 'f(x := 1);'"
+        )
+
+    def _empty(self) -> Empty:
+        leading = self.take_leading()
+        first = self.at
+        self.at += 1
+        place = self.span(first)
+        leading, trailing = self.finish(leading)
+        return Empty(place, leading, trailing)
+
+    def _jump(self) -> Jump:
+        leading = self.take_leading()
+        first = self.at
+        self.at += 1
+        self.semicolon()
+        place = self.span(first)
+        keyword = self.kinds[first]
+        leading, trailing = self.finish(leading)
+        return Jump(place, keyword, leading, trailing)
+
+    def _goto(self) -> Goto:
+        leading = self.take_leading()
+        first = self.at
+        self.at += 1
+        label = self.name().name
+        self.need(Feature.GOTO, first)
+        self.semicolon()
+        place = self.span(first)
+        leading, trailing = self.finish(leading)
+        return Goto(place, label, leading, trailing)
+
+
+enter(
+    {
+        **dict.fromkeys(("name", "#", '"', '#"', "address"), SimpleStatementParser._simple),
+        "EXIT": SimpleStatementParser._jump,
+        "CONTINUE": SimpleStatementParser._jump,
+        "RETURN": SimpleStatementParser._jump,
+        "GOTO": SimpleStatementParser._goto,
+        ";": SimpleStatementParser._empty,
+    }
+)
