@@ -71,14 +71,18 @@ class Site(NamedTuple):
 
 
 class Listing:
-    """Generated source, line by line, with the PLC text that each line came from."""
+    """Generated source, line by line, with the PLC text that each line came from.
 
-    __slots__ = ("indent", "lines", "sites", "span", "spans")
+    `reads` has, for the lines with sites, the places that stand in them with their Python text.
+    """
+
+    __slots__ = ("indent", "lines", "reads", "sites", "span", "spans")
 
     def __init__(self) -> None:
         self.lines: list[str] = []
         self.spans: list[Span | None] = []
         self.sites: dict[int, list[Site]] = {}
+        self.reads: dict[int, list[tuple[checked.Place, str]]] = {}
         self.indent = 0
         self.span: Span | None = None
 
@@ -87,9 +91,10 @@ class Listing:
         self.lines.append(" " * self.indent + text)
         self.spans.append(self.span)
 
-    def note(self, sites: list[Site]) -> None:
-        """The line that comes next may stop at one of these sites."""
+    def note(self, sites: list[Site], reads: list[tuple[checked.Place, str]]) -> None:
+        """The line that comes next may stop at one of these sites, with these places in it."""
         self.sites[len(self.lines) + 1] = sites
+        self.reads[len(self.lines) + 1] = reads
 
     def append(self, other: "Listing") -> None:
         """All lines of another listing behind these, as they are."""
@@ -97,6 +102,7 @@ class Listing:
         self.lines += other.lines
         self.spans += other.spans
         self.sites.update({line + offset: sites for line, sites in other.sites.items()})
+        self.reads.update({line + offset: reads for line, reads in other.reads.items()})
 
     @property
     def text(self) -> str:

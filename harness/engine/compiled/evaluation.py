@@ -6,7 +6,7 @@ The modules for places, operators and calls say it in `EXPRESSIONS`, `blocks` en
 from collections.abc import Callable
 from typing import Any
 
-from fbgen.lang.checked import Constant, Expression
+from fbgen.lang.checked import Constant, Expression, FieldRef, IndexRef, SliceRef, VariableRef
 from fbgen.lang.types import Elementary
 from harness.engine.compiled.code import Code, Level
 from harness.engine.compiled.initials import scalar_text
@@ -14,6 +14,9 @@ from harness.engine.compiled.procedure import DEEPEST_EXPRESSION, Procedure
 from harness.engine.compiled.ranges import is_counted, wrapped
 
 Write = Callable[[Procedure, Any], Code]
+
+PLACES = (VariableRef, FieldRef, IndexRef, SliceRef)
+"""What is remembered to be shown if the statement stops the program."""
 
 _WRITERS: dict[type, Write] = {}
 
@@ -29,6 +32,8 @@ def expression(procedure: Procedure, node: Expression) -> Code:
     procedure.enter(node.span)
     code = writer(procedure, node)
     procedure.nesting -= 1
+    if code.pure and isinstance(node, PLACES):
+        procedure.reads(node, code.text)
     if code.depth > DEEPEST_EXPRESSION:
         return procedure.split_off(code)
     return code

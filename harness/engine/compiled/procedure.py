@@ -125,7 +125,16 @@ class Procedure:
     """
 
     __slots__ = (
-        *("_sites", "_temporaries", "aliases", "arguments", "context", "known", "listing"),
+        *(
+            "_reads",
+            "_sites",
+            "_temporaries",
+            "aliases",
+            "arguments",
+            "context",
+            "known",
+            "listing",
+        ),
         *("loops", "name", "nesting", "return_line", "split", "unwritten"),
     )
 
@@ -142,6 +151,7 @@ class Procedure:
         self.aliases: dict[Variable, str] = {}
         self.known: Intervals = {}
         self._sites: list[Site] = []
+        self._reads: list[tuple[checked.Place, str]] = []
         self._temporaries = 0
 
     # --- writing ------------------------------------------------------------------------------
@@ -155,14 +165,19 @@ class Procedure:
         """Remember that the lines of the present statement may stop here."""
         self._sites.append(Site(text, node, position))
 
+    def reads(self, node: checked.Place, text: str) -> None:
+        """Remember how the present statement reads a place, to show its value if it stops."""
+        self._reads.append((node, text))
+
     def forget_sites(self) -> None:
         """A new statement or condition begins."""
         self._sites = []
+        self._reads = []
 
     def line(self, text: str) -> None:
         """Write a line; what was remembered by `site` may stand in it."""
         if self._sites:
-            self.listing.note(self._sites)
+            self.listing.note(self._sites, self._reads)
         self.listing.add(text)
 
     def lines(self, texts: Sequence[str]) -> None:
@@ -257,6 +272,7 @@ class Procedure:
         ]
         part = self.start_part("value", used)
         part._sites += self._sites
+        part._reads += self._reads
         part.line(f"return {code.text}")
         return code._replace(text=self.finish_part(part), level=Level.ATOM, depth=1, simple=False)
 

@@ -4,20 +4,22 @@ Nothing is recorded while the program runs. The traceback has the line, and Pyth
 very expression that failed; `Listing` says what both were in the PLC text.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from itertools import islice
 from types import CodeType, FrameType, TracebackType
 from typing import TypeAlias
 
 from fbgen.diagnostics import DiagnosticError
-from fbgen.lang.checked import AddressRef, Expression, IndexRef, VariableRef
-from fbgen.lang.types import ArrayType
+from fbgen.lang.checked import AddressRef, Expression, IndexRef, Place, VariableRef
+from fbgen.lang.types import BOOL, ArrayType, Type
 from fbgen.source import Span
 from harness.engine import faults
 from harness.engine.compiled.addresses import spelled
 from harness.engine.compiled.code import Listing, Site
 from harness.engine.compiled.library import stops
-from harness.engine.interface import Limits
+from harness.engine.fault_values import can_be_shown, is_inside, with_values
+from harness.engine.interface import Limits, Value
 
 _Frame: TypeAlias = tuple[FrameType, int, int]
 """A frame of generated code, the line in it, and the offset of the instruction."""
@@ -43,6 +45,12 @@ class Stopper:
             depth = self._limits.call_depth
             return faults.nesting_too_deep(span, exception.block, depth)
         frame, line, offset = frames[-1]
+        stopped = self._stopped(exception, frame, line, offset)
+        return stopped and with_values(stopped, self._values(stopped, frame, line))
+
+    def _stopped(
+        self, exception: Exception, frame: FrameType, line: int, offset: int
+    ) -> DiagnosticError | None:
         site, span = self._place(frame, line, offset)
         if span is None:
             return None
@@ -55,6 +63,16 @@ class Stopper:
         if isinstance(exception, ZeroDivisionError | stops.ZeroDivisor):
             return faults.division_by_zero(span)
         return None if site is None else _of_site(exception, site, frame)
+
+    def _values(
+        self, stopped: DiagnosticError, frame: FrameType, line: int
+    ) -> Iterator[tuple[Place, Callable[[], Value]]]:
+        """How to read, in the frame that stopped, the places that stand in what failed."""
+        failed = stopped.diagnostics[0].span
+        names = dict(frame.f_locals)
+        for place, text in self._listings[frame.f_code.co_filename].reads.get(line, ()):
+            if failed is not None and can_be_shown(place) and is_inside(place.span, failed):
+                yield place, partial(_read, text, frame.f_globals, names, place.type)
 
     def _line_span(self, frame: FrameType, line: int) -> Span:
         span = self._listings[frame.f_code.co_filename].spans[line - 1]
@@ -79,6 +97,11 @@ class Stopper:
         if failed is None and len(sites) == 1:
             site = sites[0]
         return site, site.node.span if site is not None else listing.spans[line - 1]
+
+
+def _read(text: str, module: dict[str, object], names: dict[str, object], kind: Type) -> Value:
+    value: Value = eval(text, module, names)
+    return bool(value) if kind == BOOL else value
 
 
 def _failed_text(code: CodeType, offset: int, line: str) -> str | None:

@@ -1,8 +1,10 @@
 """What statements do, and the watchdog over their loops."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from enum import Enum, auto
+from functools import partial
 
+from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import (
     Assignment,
     Case,
@@ -13,6 +15,7 @@ from fbgen.lang.checked import (
     FunctionCall,
     If,
     InstanceCall,
+    Place,
     Repeat,
     Return,
     Statement,
@@ -20,6 +23,7 @@ from fbgen.lang.checked import (
 )
 from fbgen.lang.types import Elementary
 from fbgen.source import Span
+from harness.engine.fault_values import places_of, with_values
 from harness.engine.faults import endless_loop, step_is_zero
 from harness.engine.interface import Value
 from harness.engine.reference.arithmetic import wrap
@@ -78,10 +82,27 @@ class Statements:
     def run(self, statements: Sequence[Statement], frame: Frame) -> Flow:
         """One statement after the other, until one leaves the list."""
         for statement in statements:
-            flow = self._one(statement, frame)
+            try:
+                flow = self._one(statement, frame)
+            except DiagnosticError as failure:
+                if failure.diagnostics[0].notes:
+                    raise
+                raise with_values(failure, self._values(statement, failure, frame)) from None
             if flow is not Flow.NEXT:
                 return flow
         return Flow.NEXT
+
+    def _values(
+        self, statement: Statement, failure: DiagnosticError, frame: Frame
+    ) -> Iterator[tuple[Place, Callable[[], Value]]]:
+        """How to read the places that stand in what failed."""
+        failed = failure.diagnostics[0].span
+        if failed is not None:
+            for place in places_of(statement, failed):
+                yield place, partial(self._read, place, frame)
+
+    def _read(self, place: Place, frame: Frame) -> Value:
+        return self._places.find(place, frame).read()
 
     def _one(self, statement: Statement, frame: Frame) -> Flow:
         match statement:

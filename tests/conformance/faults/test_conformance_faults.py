@@ -83,3 +83,24 @@ def test_the_watchdog_counts_the_loops_of_called_blocks_too(engine_name: str) ->
     )
     with pytest.raises(DiagnosticError, match="FB6004"):
         program.instance("Outer")()
+
+
+@pytest.mark.parametrize(
+    ("which", "notes"),
+    [
+        (0, ["#total = 40", "#parts = 7"]),
+        (1, ["#row = 2"]),
+        (2, ["#row = 4"]),
+        (3, ["#text = '12 Hz'"]),
+        (4, ["#which = 4"]),
+        (5, ["#wait.PT = T#1s", "#limit = 16#0010", "#limit.%B1 = 16#00"]),
+    ],
+)
+def test_the_values_of_what_failed_stand_beside_it(
+    which: int, notes: list[str], engine_name: str
+) -> None:
+    program = load_program([Path(__file__).with_name("values_in_notes.scl")], engine=engine_name)
+    block = program.instance("Mixing")
+    with pytest.raises(DiagnosticError) as failure:
+        block(which=which, total=40, parts=7, text="12 Hz")
+    assert [note.message for note in failure.value.diagnostics[0].notes] == notes
