@@ -8,7 +8,7 @@ scheduled, so that the same seed gives the same trace, byte for byte.
 from collections.abc import Callable
 from heapq import heappop, heappush
 from random import Random
-from typing import Any
+from typing import Any, TypeAlias
 
 NS_PER_US = 1_000
 NS_PER_MS = 1_000_000
@@ -18,30 +18,12 @@ NEVER_NS = 1 << 63
 _ACTION = 3
 
 
-class Event(list[Any]):
-    """A call that is due at an instant; `cancel` takes it back. Only the kernel makes one.
+Event: TypeAlias = list[Any]
+"""A call that is due at an instant, as `at` gives it: to be given to `cancel`, no more.
 
-    It is a list of instant, priority, sequence number and action because the queue then compares
-    events as they are, and nothing is cheaper to make. The action is None once it was or will not
-    be called any more.
-    """
-
-    __slots__ = ()
-
-    @property
-    def time_ns(self) -> int:
-        """The instant."""
-        time_ns: int = self[0]
-        return time_ns
-
-    @property
-    def pending(self) -> bool:
-        """True until the event has run or was cancelled."""
-        return self[_ACTION] is not None
-
-    def cancel(self) -> None:
-        """Nothing happens at the instant any more; harmless on an event that has run."""
-        self[_ACTION] = None
+The instant, the priority, the number in the sequence, and the action, which is None once it was or
+will not be called any more. A plain list, because nothing is cheaper to make and to compare.
+"""
 
 
 class Kernel:
@@ -61,7 +43,7 @@ class Kernel:
         if time_ns < self.now_ns:
             time_ns = self.now_ns
         self._sequence = sequence = self._sequence + 1
-        event = Event((time_ns, priority, sequence, action))
+        event = [time_ns, priority, sequence, action]
         heappush(self._queue, event)
         return event
 
@@ -69,12 +51,19 @@ class Kernel:
         """Run `action` when `delay_ns` have passed."""
         return self.at(self.now_ns + delay_ns, action, priority)
 
+    def cancel(self, event: Event) -> None:
+        """Nothing happens at the instant any more; harmless on an event that has run."""
+        event[_ACTION] = None
+
     def next_event_ns(self) -> int | None:
         """The instant of the next event that was not cancelled, or None."""
         queue = self._queue
         while queue and queue[0][_ACTION] is None:
             heappop(queue)
-        return queue[0].time_ns if queue else None
+        if not queue:
+            return None
+        next_ns: int = queue[0][0]
+        return next_ns
 
     def run_until(self, time_ns: int) -> int:
         """Let everything up to and including `time_ns` happen; the clock then shows `time_ns`.

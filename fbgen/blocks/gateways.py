@@ -93,13 +93,6 @@ class GatewayView:
         return self._trigger.parts[0]
 
     @property
-    def send(self) -> str:
-        """When the outputs are written. The process image wants the trigger one cycle later."""
-        if self.access == "process_image":
-            return "TRUE"
-        return "#instTelegram.frameChanged OR #instIo.error"
-
-    @property
     def _trigger(self) -> FieldView:
         return next(item for item in self.outputs if item.name == "trigger")
 

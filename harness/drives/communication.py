@@ -131,7 +131,7 @@ class Communication:
         """Forget the running time-out: the new one starts with the next telegram."""
         self._deadline_ns = None
         if self._timer is not None:
-            self._timer.cancel()
+            self._kernel.cancel(self._timer)
             self._timer = None
 
     def restart(self, silence_ns: int) -> None:
@@ -144,7 +144,7 @@ class Communication:
     def stop(self) -> None:
         """Fall silent in the middle of a reply if need be, until `restart`."""
         if self._reply is not None:
-            self._reply.cancel()
+            self._kernel.cancel(self._reply)
         self.port.abort()
         self.stream.reset()
         self.timeout_changed()
@@ -153,7 +153,7 @@ class Communication:
     def _take(self, message: Request | BadRequest) -> None:
         address = message.address
         several = address == BROADCAST or isinstance(address, Group)
-        answers = self._answers(address)
+        answers = address == self.inv_no or self._answers(address)
         if not answers and not (several and self._is_meant(address)):
             return
         if isinstance(message, BadRequest):
@@ -168,7 +168,7 @@ class Communication:
         self._carry_out(message, answers)
 
     def _answers(self, address: Address) -> bool:
-        if address == self.inv_no or address is None:
+        if address is None:
             return True
         if isinstance(address, Group):
             return address.lowest == self.inv_no
@@ -214,11 +214,11 @@ class Communication:
         times = self._settings.reply_time
         span_ns = times.maximum_ns - times.minimum_ns
         delay_ns = times.minimum_ns + int(self._kernel.random.random() * (span_ns + 1))
-        delay_ns += round(self._registers.value("send_waiting_time") * NS_PER_S)
-        self._reply = self._kernel.after(delay_ns, partial(self._send, frame))
-        self._deaf_until_ns = (
-            self._kernel.now_ns + delay_ns + self.port.format.duration_ns(len(frame))
-        )
+        if self._registers.word("send_waiting_time"):
+            delay_ns += round(self._registers.value("send_waiting_time") * NS_PER_S)
+        begin_ns = self._kernel.now_ns + delay_ns
+        self._reply = self._kernel.at(begin_ns, partial(self._send, frame))
+        self._deaf_until_ns = begin_ns + self.port.format.duration_ns(len(frame))
 
     def _send(self, frame: bytes) -> None:
         self._reply = None

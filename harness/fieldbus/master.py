@@ -161,7 +161,7 @@ class DpMaster:
     def cycle(self) -> None:
         """One cycle right now, beside the grid: how a transfer to the CPU gets torn."""
         if self._event is not None:
-            self._event.cancel()
+            self._kernel.cancel(self._event)
         self._on_grid()
 
     @property

@@ -249,7 +249,7 @@ class DpSlave:
 
     def _stop_watchdog(self) -> None:
         if self._watchdog is not None:
-            self._watchdog.cancel()
+            self._kernel.cancel(self._watchdog)
             self._watchdog = None
 
     def _notify(self) -> None:

@@ -87,7 +87,7 @@ class Pair:
         now_ns = self._kernel.now_ns
         for transmission in [sent for sent in self._on_line if sent.sender is sender]:
             if transmission.event is not None:
-                transmission.event.cancel()
+                self._kernel.cancel(transmission.event)
             whole = sum(
                 transmission.byte_end_ns(index) <= now_ns for index in range(len(transmission.data))
             )

@@ -117,7 +117,7 @@ class Cpu(HardwareAccess):
             return
         self._life += 1
         if self._scan_event is not None:
-            self._scan_event.cancel()
+            self._kernel.cancel(self._scan_event)
             self._scan_event = None
         self.outputs[:] = bytes(len(self.outputs))
         for station in self.master.stations:

@@ -3,7 +3,7 @@
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, NoReturn
 
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.ast import BlockKind
@@ -341,10 +341,13 @@ class CompiledEngine:
         try:
             return action(*arguments)
         except Exception as exception:
-            stopped = self._stopped(exception)
-            if stopped is exception:
-                raise
-            raise stopped from None
+            self._raise(exception)
+
+    def _raise(self, exception: Exception) -> NoReturn:
+        stopped = self._stopped(exception)
+        if stopped is exception:
+            raise exception
+        raise stopped from None
 
     def run_block(self, name: str) -> None:
         """Run an organization block, a PROGRAM or a FUNCTION without parameters and result.
@@ -352,7 +355,13 @@ class CompiledEngine:
         A PROGRAM keeps its variables from run to run. Raises FB6022 for another kind of block.
         """
         run = self._runs.get(name) or self._make_run(name)
-        self._start(run)
+        cpu = self._cpu
+        cpu.passes = cpu.most_passes
+        cpu.depth = 0
+        try:
+            run()
+        except Exception as exception:
+            self._raise(exception)
 
     def _make_run(self, name: str) -> Callable[[], Any]:
         block = self._block(name)

@@ -298,7 +298,7 @@ class Tospbdp001:
     def _stop_sending(self) -> None:
         for event in (self._heartbeat_event, self._look_event, self._offline_event):
             if event is not None:
-                event.cancel()
+                self._kernel.cancel(event)
         self._heartbeat_event = self._look_event = self._offline_event = None
         self._buffer = None
         self._telegram_due_ns = -1
@@ -346,7 +346,7 @@ class Tospbdp001:
 
     def _watch_subnet(self) -> None:
         if self._offline_event is not None:
-            self._offline_event.cancel()
+            self._kernel.cancel(self._offline_event)
         self._offline_event = self._kernel.after(
             self.settings.offline_timeout_ns, self._subnet_offline
         )
