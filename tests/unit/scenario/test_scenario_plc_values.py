@@ -202,10 +202,11 @@ def test_a_program_that_stops_the_cpu_fails_a_scenario_that_does_not_look() -> N
         "FB8012",
         "mend what the notes say, or expect cpu.mode: STOP",
     )
-    (note,) = found.notes
+    note, *values = found.notes
     assert note.message == "the CPU went to STOP: division by zero [FB6003]"
     assert note.span is not None
     assert note.span.text == '"Types".list[0] / "Types".list[2]'
+    assert [value.message for value in values] == ['"Types".list[0] = 1', '"Types".list[2] = 0']
     run(steps + "  - expect: {cpu.mode: STOP, bus.mode: CLEAR}\n").run()
 
 
