@@ -100,10 +100,11 @@ def read_literal(text: str) -> LiteralValue:
     if "0" <= first <= "9":
         return _number(text, "")
     prefix, _, rest = text.partition("#")
-    return _typed(prefix.upper(), rest)
+    return _typed(prefix, rest)
 
 
-def _typed(prefix: str, rest: str) -> LiteralValue:
+def _typed(written: str, rest: str) -> LiteralValue:
+    prefix = written.upper()
     if prefix in _DURATIONS:
         return LiteralValue(LiteralKind.DURATION, _duration(rest), _DURATIONS[prefix])
     if prefix in _DATES:
@@ -129,6 +130,8 @@ def _typed(prefix: str, rest: str) -> LiteralValue:
     name = _SHORT_TYPES.get(prefix, ALIASES.get(prefix, prefix))
     kind_of_type = ELEMENTARY.get(name)
     if kind_of_type is None:
+        if rest.isidentifier():
+            return LiteralValue(LiteralKind.ENUMERATOR, rest, written)
         raise BadLiteralError(
             f"'{prefix}#' is not the prefix of a type", "use a type such as WORD#, DINT# or T#"
         )

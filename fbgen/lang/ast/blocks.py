@@ -184,7 +184,7 @@ class Task:
 
 @node
 class ProgramInstance:
-    """PROGRAM name WITH task : type;  `task` "" without WITH."""
+    """PROGRAM name WITH task : type(a := x, q => y);  `task` "" without WITH."""
 
     span: Span
     name: str
@@ -192,11 +192,16 @@ class ProgramInstance:
     type: NamedType
     leading: TriviaList = ()
     trailing: Trivia | None = None
+    arguments: tuple[Argument, ...] = ()
+    qualifiers: tuple[str, ...] = ()
 
 
 @node
 class Resource:
-    """RESOURCE name ON type ... END_RESOURCE."""
+    """RESOURCE name ON type ... END_RESOURCE.
+
+    Tasks and programs of a configuration without RESOURCE are in one with the name "".
+    """
 
     span: Span
     name: str

@@ -133,6 +133,8 @@ class Declaration:
     """`a, b AT %IB0 : INT := 5;` `at` is a direct address or the name of an overlaid variable.
 
     `arguments` are those that CODESYS hands to FB_init: `pump : Pump(11, speed := 50.0);`
+    `edge` is "R_EDGE" or "F_EDGE" behind the type of an input; `operator` is ":=", or "REF=" where
+    a reference is bound: `r : REFERENCE TO INT REF= x;`
     """
 
     span: Span
@@ -144,6 +146,8 @@ class Declaration:
     leading: TriviaList = ()
     trailing: Trivia | None = None
     arguments: tuple[Argument, ...] = ()
+    edge: str = ""
+    operator: str = ":="
 
 
 @node

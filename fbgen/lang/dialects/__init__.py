@@ -9,10 +9,11 @@ from fbgen.lang.dialects.dialect import Dialect, Feature
 from fbgen.lang.dialects.iec import IEC
 from fbgen.lang.dialects.step7 import STEP7
 from fbgen.lang.dialects.tia import TIA
+from fbgen.lang.dialects.twincat import TWINCAT
 
 __all__ = ["DIALECTS", "Dialect", "Feature", "dialect_named"]
 
-DIALECTS: dict[str, Dialect] = {dialect.name: dialect for dialect in (TIA, STEP7, IEC)}
+DIALECTS: dict[str, Dialect] = {dialect.name: dialect for dialect in (TIA, STEP7, IEC, TWINCAT)}
 """All dialects by name, in the order in which they are shown."""
 
 

@@ -1,8 +1,10 @@
-"""IEC 61131-3 Structured Text as MATIEC and OpenPLC take it.
+"""IEC 61131-3 Structured Text, read as the third edition has it and as CODESYS extends it.
 
-Source: IEC 61131-3 second edition, annexes B and C; what the third edition added is read only where
-noted. The operators of IL and the qualifiers of SFC (LD, S, R, N ...) are words of those languages
-only, so names may be spelled like them.
+What fbgen itself writes is the core of the second edition that MATIEC and OpenPLC take: the
+lowering sees to it. Source: IEC 61131-3 second edition, annexes B and C, and third edition; CODESYS
+help for `S=`, POINTER TO, UNION and JMP. The operators of IL and the qualifiers of SFC (LD, S, R, N
+...) are words of those languages only, so names may be spelled like them; the words of the third
+edition are reserved only where they begin something.
 """
 
 from fbgen.lang.dialects.dialect import Dialect, Feature
@@ -15,6 +17,18 @@ IEC = Dialect(
         {
             Feature.PROGRAMS,
             Feature.CONFIGURATIONS,
+            Feature.BIT_MEMBERS,
+            Feature.SLICES,
+            Feature.SHORT_CIRCUIT,
+            Feature.SET_ASSIGNMENTS,
+            Feature.CHAINED_ASSIGNMENTS,
+            Feature.JUMPS,
+            Feature.ENUMERATIONS,
+            Feature.SUBRANGES,
+            Feature.UNIONS,
+            Feature.OBJECTS,
+            Feature.CLASSES,
+            Feature.NAMESPACES,
             Feature.REFERENCES,
             Feature.ASSIGNMENT_ATTEMPTS,
             Feature.MARKED_ADDRESSES,
@@ -26,11 +40,7 @@ IEC = Dialect(
         Feature.QUOTED_NAMES: "write the name without quotes",
         Feature.LINE_COMMENTS: "write (* ... *)",
         Feature.REGIONS: "write the title as a comment: (* ... *)",
-        Feature.SLICES: "shift and mask: SHR(w, 3) AND WORD#16#0001",
-        Feature.BIT_MEMBERS: "shift and mask: SHR(w, 3) AND WORD#16#0001",
         Feature.COMPOUND_ASSIGNMENTS: "write the variable again: x := x + 1;",
-        Feature.CHAINED_ASSIGNMENTS: "write one assignment a statement",
-        Feature.SHORT_CIRCUIT: "nest two IFs, or write AND or OR, which work out both sides",
         Feature.PLAIN_ADDRESSES: "declare a variable AT the address: x AT %MW4 : WORD;",
         Feature.BRACKETED_INDICES: "declare an array AT the address and index that",
         Feature.CONST_SECTIONS: "write VAR CONSTANT name : TYPE := value; END_VAR",

@@ -19,13 +19,14 @@ from fbgen.lang.ast import (
     TriviaList,
     TypeDeclaration,
     TypeSpec,
+    UnionSpec,
     Unit,
     VarSection,
 )
 from fbgen.lang.dialects.dialect import Feature
-from fbgen.lang.parser.configurations import ConfigurationParser
 from fbgen.lang.parser.cursor import Unexpected
-from fbgen.lang.parser.declarations import SECTIONS, UNITS
+from fbgen.lang.parser.declarations import MEMBERS, SECTIONS, UNITS
+from fbgen.lang.parser.namespaces import NamespaceParser
 from fbgen.source import Span
 
 _HEADER_WORDS = frozenset({"AUTHOR", "FAMILY", "NAME", "VERSION"})
@@ -33,29 +34,39 @@ _HEADER_FLAGS = frozenset({"KNOW_HOW_PROTECT", "NON_RETAIN", "RETAIN", "UNLINKED
 _FEATURES = {
     "ORGANIZATION_BLOCK": Feature.ORGANIZATION_BLOCKS,
     "PROGRAM": Feature.PROGRAMS,
+    "CLASS": Feature.CLASSES,
 }
 
 
-class BlockParser(ConfigurationParser):
+class BlockParser(NamespaceParser):
     """Reads a whole file."""
 
     def file(self) -> File:
         """Everything the source holds."""
         units: list[Unit] = []
         while self.kinds[self.at] != "end":
+            units += self.units_until("end")
+        return File(self.source, self.dialect.name, tuple(units), self.take_leading())
+
+    def units_until(self, end: str) -> list[Unit]:
+        """All units up to the word `end`, or the end of the text."""
+        units: list[Unit] = []
+        depth = self.depth
+        while self.kinds[self.at] not in (end, "end"):
             start = self.at
             try:
                 units += self._units()
             except Unexpected:
-                self.depth = 0
+                self.depth = depth
                 self.open_lists.clear()
                 self._skip_unit(start)
-        return File(self.source, self.dialect.name, tuple(units), self.take_leading())
+        return units
 
     def _skip_unit(self, start: int) -> None:
         if self.at == start:
             self.at += 1
-        while self.kinds[self.at] not in UNITS and self.kinds[self.at] not in ("end", "VAR_GLOBAL"):
+        ends = ("end", "VAR_GLOBAL", "END_NAMESPACE")
+        while self.kinds[self.at] not in UNITS and self.kinds[self.at] not in ends:
             self.at += 1
 
     def _units(self) -> list[Unit]:
@@ -71,13 +82,34 @@ class BlockParser(ConfigurationParser):
         if kind == "VAR_GLOBAL":
             section = self.section()
             return [Globals(section.span, section)]
+        if kind == "INTERFACE":
+            return [self.interface()]
+        if kind == "NAMESPACE":
+            return [self.namespace()]
+        if kind == "USING":
+            return [self.using()]
         if kind == ";":
             self.at += 1
             return []
+        if kind in MEMBERS:
+            return self._homeless_members()
         raise self.failed(
             "a block, a type or a data block",
             f"a file holds units such as {', '.join(sorted(UNITS))}",
         )
+
+    def _homeless_members(self) -> list[Unit]:
+        """Report members behind nothing that could have them."""
+        first = self.at
+        if not self._findings:
+            self.report(
+                "FB3015",
+                f"{self.kinds[first]} without a block",
+                self.token_span(first),
+                "write it in a block, or behind the block that it belongs to",
+            )
+        self.members()
+        return []
 
     # --- blocks with code ---------------------------------------------------------------------
 
@@ -88,13 +120,17 @@ class BlockParser(ConfigurationParser):
         if kind.value in _FEATURES:
             self.need(_FEATURES[kind.value], first)
         end = f"END_{kind.value}"
+        modifiers = self.modifiers()
         name = self.name()
         return_type: TypeSpec | None = None
         header: list[HeaderItem] = []
         self._pragmas_into(header)
-        if kind is BlockKind.FUNCTION:
+        extends, implements = self.base_types("EXTENDS"), self.base_types("IMPLEMENTS")
+        if kind is BlockKind.FUNCTION and not self._lacks_result():
             self.expect(":", "':' and the type of the result", "without result it is ': Void'")
             return_type = self.type_spec()
+        if not self.dialect.has(Feature.HEADERS):
+            self.end_head()
         comments = self._header(header)
         sections, labels = self._interface()
         body_comments: TriviaList = ()
@@ -103,9 +139,11 @@ class BlockParser(ConfigurationParser):
             self.at += 1
             if comment := self.take_same_line():
                 body_comments = (*body_comments, comment)
-        body = self.body(end)
+        body, members = self.statements_and_members(end)
         closing = self.take_leading()
         self._end_unit(end, first)
+        if self.kinds[self.at] in MEMBERS:
+            members += tuple(self.members())
         return Block(
             self.span(first),
             kind,
@@ -118,8 +156,16 @@ class BlockParser(ConfigurationParser):
             comments,
             body_comments,
             closing,
-            labels=labels,
+            modifiers,
+            extends[0] if extends else None,
+            implements,
+            members,
+            labels,
         )
+
+    def _lacks_result(self) -> bool:
+        """Whether this is a function without result that does not say so."""
+        return self.kinds[self.at] != ":" and self.dialect.has(Feature.OBJECTS)
 
     def _interface(self) -> tuple[tuple[VarSection, ...], tuple[LabelSection, ...]]:
         """VAR, CONST and LABEL sections in any order."""
@@ -130,7 +176,7 @@ class BlockParser(ConfigurationParser):
             kind = self.kinds[self.at]
             if kind == "LABEL":
                 labels.append(self.label_section())
-            elif more := self._sections():
+            elif more := self.sections_here():
                 sections += more
             else:
                 return tuple(sections), tuple(labels)
@@ -141,7 +187,8 @@ class BlockParser(ConfigurationParser):
         else:
             self.missing_end(end, first)
 
-    def _sections(self) -> tuple[VarSection, ...]:
+    def sections_here(self) -> tuple[VarSection, ...]:
+        """All VAR sections at the cursor."""
         sections: list[VarSection] = []
         while True:
             kind = self.kinds[self.at]
@@ -241,10 +288,10 @@ class BlockParser(ConfigurationParser):
             struct = self.struct_type()
             self.accept(";")
         elif kind in SECTIONS:
-            sections = self._sections()
+            sections = self.sections_here()
         elif kind in ("name", '"'):
             comments += self.take_leading()
-            type_name = self._type_name()
+            type_name = self.named_type()
             self.accept(";")
         else:
             raise self.failed("STRUCT, VAR, or the name of a type or function block")
@@ -274,10 +321,6 @@ class BlockParser(ConfigurationParser):
         while item := self._header_item():
             header.append(item)
             self._pragmas_into(header)
-
-    def _type_name(self) -> NamedType:
-        name = self.name()
-        return NamedType(name.span, name.name, name.quoted)
 
     def _start_values(self) -> tuple[Assignment, ...]:
         assignments: list[Assignment] = []
@@ -329,7 +372,9 @@ class BlockParser(ConfigurationParser):
         return declarations
 
     def _type(self, first: int, leading: TriviaList) -> TypeDeclaration:
+        modifiers = self.modifiers()
         name = self.name()
+        extends = self.base_types("EXTENDS")
         header: list[HeaderItem] = []
         comments: TriviaList = ()
         if self.kinds[self.at] != ":":
@@ -340,13 +385,22 @@ class BlockParser(ConfigurationParser):
         initial: Expression | None = None
         if self.accept(":="):
             initial = self.initial_value()
-        if not self.accept(";") and not isinstance(spec, StructSpec):
+        if not self.accept(";") and not isinstance(spec, StructSpec | UnionSpec):
             self.missing_semicolon("the type")
         place = self.span(first)
         leading, trailing = self.settle(leading)
         closing = (trailing,) if trailing else ()
         return TypeDeclaration(
-            place, name, tuple(header), spec, initial, leading, comments, closing
+            place,
+            name,
+            tuple(header),
+            spec,
+            initial,
+            leading,
+            comments,
+            closing,
+            modifiers,
+            extends[0] if extends else None,
         )
 
 
@@ -360,4 +414,6 @@ def _with_closing(declaration: TypeDeclaration, closing: TriviaList) -> TypeDecl
         declaration.leading,
         declaration.header_comments,
         (*declaration.closing, *closing),
+        declaration.modifiers,
+        declaration.extends,
     )

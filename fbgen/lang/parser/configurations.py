@@ -5,7 +5,6 @@ Source: IEC 61131-3, configuration elements.
 
 from fbgen.lang.ast import (
     Configuration,
-    NamedType,
     ProgramInstance,
     Resource,
     Task,
@@ -34,6 +33,8 @@ class ConfigurationParser(StatementParser):
                 sections.append(self.section())
             elif kind == "RESOURCE":
                 resources.append(self._resource())
+            elif kind == "PROGRAM" or (kind == "name" and self.texts[self.at].upper() == "TASK"):
+                resources.append(self._single_resource())
             elif kind == ";":
                 self.at += 1
             else:
@@ -59,12 +60,26 @@ class ConfigurationParser(StatementParser):
         if not self.accept_word("ON"):
             raise self.failed("ON", "write RESOURCE name ON type")
         on = self.name().name
+        sections, tasks, programs = self._contents()
+        closing = self.take_leading()
+        self._close("END_RESOURCE", first, "TASK, PROGRAM or END_RESOURCE")
+        return Resource(self.span(first), name, on, sections, tasks, programs, leading, closing)
+
+    def _single_resource(self) -> Resource:
+        """Tasks and programs that stand in the configuration itself."""
+        first = self.at
+        _, tasks, programs = self._contents(frozenset())
+        return Resource(self.span(first), "", "", (), tasks, programs)
+
+    def _contents(
+        self, section_words: frozenset[str] = SECTIONS
+    ) -> tuple[tuple[VarSection, ...], tuple[Task, ...], tuple[ProgramInstance, ...]]:
         sections: list[VarSection] = []
         tasks: list[Task] = []
         programs: list[ProgramInstance] = []
         while True:
             kind = self.kinds[self.at]
-            if kind in SECTIONS:
+            if kind in section_words:
                 sections.append(self.section())
             elif kind == "PROGRAM":
                 programs.append(self._program_instance())
@@ -73,19 +88,7 @@ class ConfigurationParser(StatementParser):
             elif kind == ";":
                 self.at += 1
             else:
-                break
-        closing = self.take_leading()
-        self._close("END_RESOURCE", first, "TASK, PROGRAM or END_RESOURCE")
-        return Resource(
-            self.span(first),
-            name,
-            on,
-            tuple(sections),
-            tuple(tasks),
-            tuple(programs),
-            leading,
-            closing,
-        )
+                return tuple(sections), tuple(tasks), tuple(programs)
 
     def _task(self) -> Task:
         leading = self.take_leading()
@@ -104,18 +107,18 @@ class ConfigurationParser(StatementParser):
         leading = self.take_leading()
         first = self.at
         self.at += 1
+        qualifiers: tuple[str, ...] = ()
+        retained = self.texts[self.at].upper()
+        if retained in ("RETAIN", "NON_RETAIN") and self.word(self.at + 1):
+            qualifiers = (retained,)
+            self.at += 1
         name = self.name().name
         task = self.name().name if self.accept_word("WITH") else ""
         self.expect(":", "':'", "write PROGRAM instance WITH task : type;")
-        at = self.at
-        type_name = self.name()
-        if self.kinds[self.at] == "(":
-            raise self.unread(
-                "a program instance with connections", self.token_span(at), "use VAR_GLOBAL"
-            )
+        kind = self.named_type()
+        arguments = self.arguments() if self.accept("(") else ()
         if not self.accept(";"):
             self.missing_semicolon("the program instance")
         place = self.span(first)
         leading, trailing = self.settle(leading)
-        kind = NamedType(type_name.span, type_name.name, type_name.quoted)
-        return ProgramInstance(place, name, task, kind, leading, trailing)
+        return ProgramInstance(place, name, task, kind, leading, trailing, arguments, qualifiers)

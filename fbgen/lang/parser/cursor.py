@@ -13,6 +13,7 @@ from fbgen.lang.ast import HeaderItem, Trivia, TriviaKind, TriviaList
 from fbgen.lang.depth import DEEPEST
 from fbgen.lang.dialects.dialect import Dialect, Feature
 from fbgen.lang.lexer import tokenize
+from fbgen.lang.parser.soft_words import settle_soft_words
 from fbgen.source import Source, Span
 
 MOST_FINDINGS = 500
@@ -37,6 +38,7 @@ class Cursor:
         tokens = tokenize(source, dialect)
         for column in (tokens.kinds, tokens.texts, tokens.starts, tokens.ends):
             column.extend(column[-1:] * _FARTHEST_LOOK)  # type: ignore[arg-type]
+        settle_soft_words(tokens.kinds, tokens.texts)
         self.source = source
         self.dialect = dialect
         self.kinds = tokens.kinds

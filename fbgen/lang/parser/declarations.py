@@ -6,6 +6,7 @@ sources for attributes in odd places, END_STRUCT without semicolon and reserved 
 
 from fbgen.diagnostics import Note
 from fbgen.lang.ast import (
+    Argument,
     ArraySpec,
     Bounds,
     Declaration,
@@ -20,30 +21,44 @@ from fbgen.lang.ast import (
     StructSpec,
     TriviaList,
     TypeSpec,
+    UnionSpec,
     VarSection,
 )
 from fbgen.lang.dialects.dialect import Feature
 from fbgen.lang.dialects.words import words
 from fbgen.lang.parser.cursor import Unexpected
-from fbgen.lang.parser.expressions import ExpressionParser
+from fbgen.lang.parser.derived_types import DerivedTypeParser
 from fbgen.lang.parser.places import NAMES
+from fbgen.lang.parser.set_assignments import SetAssignmentParser
 
-SECTIONS = words("VAR VAR_INPUT VAR_OUTPUT VAR_IN_OUT VAR_TEMP VAR_GLOBAL VAR_EXTERNAL CONST")
-_QUALIFIERS = words("CONSTANT RETAIN NON_RETAIN PERSISTENT DB_SPECIFIC R_EDGE F_EDGE")
-UNITS = words("FUNCTION_BLOCK FUNCTION ORGANIZATION_BLOCK PROGRAM DATA_BLOCK TYPE CONFIGURATION")
+SECTIONS = words(
+    "VAR VAR_INPUT VAR_OUTPUT VAR_IN_OUT VAR_TEMP VAR_STAT VAR_INST VAR_GLOBAL VAR_EXTERNAL CONST"
+)
+_QUALIFIERS = words(
+    "CONSTANT RETAIN NON_RETAIN PERSISTENT DB_SPECIFIC R_EDGE F_EDGE "
+    "PUBLIC PRIVATE PROTECTED INTERNAL"
+)
+MEMBERS = words("METHOD PROPERTY ACTION")
+"""Keywords that begin a member of a block."""
+
+UNITS = MEMBERS | words(
+    "FUNCTION_BLOCK FUNCTION ORGANIZATION_BLOCK PROGRAM DATA_BLOCK TYPE CONFIGURATION "
+    "CLASS INTERFACE NAMESPACE USING"
+)
 """Keywords that begin a unit of a file."""
 
 _UNIT_ENDS = frozenset(
-    {f"END_{unit}" for unit in UNITS} | {"END_RESOURCE", "BEGIN", "end", "END_REGION"}
+    {f"END_{unit}" for unit in UNITS} | words("END_RESOURCE BEGIN end END_REGION END_GET END_SET")
 )
-_SECTION_ENDS = SECTIONS | _UNIT_ENDS | {"END_VAR", "END_STRUCT", "END_CONST", "LABEL", "END_LABEL"}
-_INNER_ENDS = frozenset({"END_VAR", "END_STRUCT", "END_CONST", "END_LABEL"})
+_INNER_ENDS = words("END_VAR END_STRUCT END_UNION END_CONST END_LABEL")
+_SECTION_ENDS = SECTIONS | _UNIT_ENDS | _INNER_ENDS | {"LABEL"}
 _ENDS_WITH_SEMICOLON = words("END_IF END_CASE END_FOR END_WHILE END_REPEAT END_STRUCT")
 _REFERENCES = {"REF_TO": "", "REFERENCE": "TO", "POINTER": "TO"}
 """Words in front of the type that is referred to, with the word that may follow them."""
+_EDGES = words("R_EDGE F_EDGE")
 
 
-class DeclarationParser(ExpressionParser):
+class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
     """Reads what is declared."""
 
     _in_const_section = False
@@ -68,16 +83,14 @@ class DeclarationParser(ExpressionParser):
             following = self.kinds[at + 1]
             if word in _REFERENCES and (not _REFERENCES[word] or following == _REFERENCES[word]):
                 return self._reference_type(word)
-            if following == "(" and self.kinds[at + 3] == "..":
-                raise self.unread("a subrange", self.token_span(at), "declare the whole type")
+            if following not in (";", ":="):
+                return self.type_with_more()
             self.at = at + 1
             if self.dialect.absent_types:
                 self.check_type(word, self.token_span(at))
             return NamedType(self.token_span(at), self.texts[at])
         if kind == "(":
-            raise self.unread(
-                "an enumeration", self.token_span(at), "declare an INT and named constants"
-            )
+            return self.enumeration()
         raise self.failed("a type", "a type is BOOL, INT, ARRAY[0..7] OF BYTE, STRUCT or a name")
 
     def _reference_type(self, word: str) -> ReferenceSpec:
@@ -129,10 +142,10 @@ class DeclarationParser(ExpressionParser):
         first = self.expect("STRUCT")
         opening = self.take_same_line()
         self.deeper()
-        fields = self._declarations("END_STRUCT", first)
+        fields = self.fields("END_STRUCT", first)
         self.depth -= 1
         closing = self.take_leading()
-        self._end_section("END_STRUCT", first)
+        self.end_section("END_STRUCT", first)
         return StructSpec(self.span(first), fields, closing, opening)
 
     # --- sections -----------------------------------------------------------------------------
@@ -152,9 +165,9 @@ class DeclarationParser(ExpressionParser):
         if "CONSTANT" in qualifiers:
             self.need(Feature.VAR_CONSTANT, first)
         opening = self.take_same_line()
-        declarations = self._declarations("END_VAR", first)
+        declarations = self.fields("END_VAR", first)
         closing = self.take_leading()
-        self._end_section("END_VAR", first)
+        self.end_section("END_VAR", first)
         self.accept(";")
         span = self.span(first)
         leading, trailing = self.settle(leading)
@@ -170,11 +183,11 @@ class DeclarationParser(ExpressionParser):
         opening = self.take_same_line()
         self._in_const_section = True
         try:
-            declarations = self._declarations("END_CONST", first)
+            declarations = self.fields("END_CONST", first)
         finally:
             self._in_const_section = False
         closing = self.take_leading()
-        self._end_section("END_CONST", first)
+        self.end_section("END_CONST", first)
         self.accept(";")
         span = self.span(first)
         leading, trailing = self.settle(leading)
@@ -192,13 +205,14 @@ class DeclarationParser(ExpressionParser):
             names.append(self.name())
             if not self.accept(",") and not self.accept(";"):
                 break
-        self._end_section("END_LABEL", first)
+        self.end_section("END_LABEL", first)
         self.accept(";")
         span = self.span(first)
         leading, trailing = self.settle(leading)
         return LabelSection(span, tuple(names), leading, trailing)
 
-    def _end_section(self, end: str, first: int) -> None:
+    def end_section(self, end: str, first: int) -> None:
+        """Read the word `end`, or report that what began with token `first` lacks it."""
         if not self.accept(end):
             self.missing_end(end, first)
 
@@ -223,7 +237,7 @@ class DeclarationParser(ExpressionParser):
             (Note(f"{end} is missing at the latest here", self.token_span(self.at)),),
         )
 
-    def _declarations(self, end: str, first: int) -> tuple[Declaration, ...]:
+    def fields(self, end: str, first: int) -> tuple[Declaration, ...]:
         """Everything up to `end`, which is not read."""
         declarations: list[Declaration] = []
         depth = self.depth
@@ -290,20 +304,52 @@ class DeclarationParser(ExpressionParser):
         if self.extra_at <= self.at:
             type_attributes = type_attributes or self.pragma_text()
         initial: Expression | None = None
-        if kinds[self.at] == ":=":
+        arguments: tuple[Argument, ...] = ()
+        edge = operator = ""
+        if kinds[self.at] not in (";", ":="):
+            edge, arguments, operator = self._rest_of_type(type_spec)
+        if operator or kinds[self.at] == ":=":
             self.at += 1
             initial = self.initial_value()
         if kinds[self.at] == ";":
             self.at += 1
-        elif not isinstance(type_spec, StructSpec):
+        elif not isinstance(type_spec, StructSpec | UnionSpec):
             self.missing_semicolon("the declaration")
         span = self.span(first)
         trailing = None
         if self.extra_at <= self.at:
             leading, trailing = self.settle(leading)
+        if not (edge or arguments or operator):
+            return Declaration(
+                span, tuple(names), type_spec, initial, at, type_attributes, leading, trailing
+            )
         return Declaration(
-            span, tuple(names), type_spec, initial, at, type_attributes, leading, trailing
+            span,
+            tuple(names),
+            type_spec,
+            initial,
+            at,
+            type_attributes,
+            leading,
+            trailing,
+            arguments,
+            edge,
+            operator or ":=",
         )
+
+    def _rest_of_type(self, spec: TypeSpec) -> tuple[str, tuple[Argument, ...], str]:
+        """What can stand between a type and its initial value: an edge, the arguments of FB_init,
+        and `REF=` in place of `:=`."""
+        edge = ""
+        arguments: tuple[Argument, ...] = ()
+        if self.kinds[self.at] == "name" and self.texts[self.at].upper() in _EDGES:
+            edge = self.texts[self.at].upper()
+            self.at += 1
+        if self.kinds[self.at] == "(" and isinstance(spec, NamedType | ArraySpec):
+            self.need(Feature.OBJECTS, self.at)
+            self.at += 1
+            arguments = self.arguments()
+        return edge, arguments, self.set_operator()
 
     def _constant(
         self, first: int, names: tuple[DeclaredName, ...], leading: TriviaList
@@ -334,7 +380,7 @@ class DeclarationParser(ExpressionParser):
     def _declared_name(self) -> DeclaredName:
         at = self.at
         kind = self.kinds[at]
-        if kind == "name" or (self.word(at) and kind not in ("END_VAR", "END_STRUCT")):
+        if kind == "name" or (self.word(at) and kind not in _INNER_ENDS):
             self.at = at + 1
             if kind == "address":
                 self.declared_addresses.add(self.texts[at].casefold())

@@ -27,6 +27,7 @@ from fbgen.lang.dialects.dialect import Dialect, Feature
 from fbgen.lang.dialects.words import words
 from fbgen.lang.literals import BadLiteralError, LiteralValue, read_literal
 from fbgen.lang.parser.places import NAMES, AddressParser
+from fbgen.lang.parser.soft_words import SOFT_WORDS
 from fbgen.source import Source, Span
 
 PRECEDENCE = {
@@ -49,7 +50,7 @@ PRECEDENCE = {
     "DIV": 7,
     "**": 8,
 }
-SOFT_KEYWORDS = words(
+SOFT_KEYWORDS = SOFT_WORDS | words(
     "TYPE PROGRAM RESOURCE CONFIGURATION BEGIN STRUCT ARRAY REGION DATA_BLOCK FUNCTION "
     "ORGANIZATION_BLOCK LABEL CONST"
 )
@@ -138,6 +139,13 @@ class ExpressionParser(AddressParser):
         except BadLiteralError as problem:
             self.report("FB3004", str(problem), place, problem.help)
             return _NOTHING
+        if value.kind is LiteralKind.ENUMERATOR and not self.dialect.has(Feature.ENUMERATIONS):
+            self.report(
+                "FB3004",
+                f"'{value.type_name}#' is not the prefix of a type",
+                place,
+                "use a type such as WORD#, DINT# or T#",
+            )
         if value.type_name and self.dialect.absent_types:
             self.check_type(value.type_name, place)
         self._literals[text] = value

@@ -25,13 +25,13 @@ from fbgen.lang.ast import (
 )
 from fbgen.lang.depth import DEEPEST
 from fbgen.lang.dialects.dialect import Feature
-from fbgen.lang.parser.cursor import Unexpected
-from fbgen.lang.parser.statement_lists import ASSIGNMENTS, StatementListParser, enter
+from fbgen.lang.parser.statement_lists import ASSIGNMENTS, JUMPS, StatementListParser, enter
 from fbgen.source import Span
 
 _PLACES = (
     Name, Member, Index, Slice, DirectAddress, IndexedAddress, Peripheral, Dereference,
 )  # fmt: skip
+_SETS = frozenset({"S=", "R=", "REF="})
 _FEATURES = {
     **dict.fromkeys(ASSIGNMENTS, Feature.COMPOUND_ASSIGNMENTS),
     "?=": Feature.ASSIGNMENT_ATTEMPTS,
@@ -48,9 +48,11 @@ class SimpleStatementParser(StatementListParser):
         leading = self.take_leading() if self.extra_at <= first else ()
         target = self.operand()
         kind = self.kinds[self.at]
-        if kind in ASSIGNMENTS:
+        if kind == "name":
+            kind = self.set_operator() or kind
+        if kind in ASSIGNMENTS or kind in _SETS:
             self.at += 1
-            if kind != ":=":
+            if kind != ":=" and kind not in _SETS:
                 self.need(_FEATURES[kind], self.at - 1)
             value = self.expression()
             if self.kinds[self.at] in ASSIGNMENTS:
@@ -71,12 +73,13 @@ class SimpleStatementParser(StatementListParser):
             return CallStatement(place, target, leading, trailing)
         if kind == ":" and isinstance(target, Name) and not target.quoted:
             self.at += 1
-            self.need(Feature.GOTO, first)
+            if not self.dialect.has(Feature.JUMPS):
+                self.need(Feature.GOTO, first)
             self.accept(";")
             place = self.span(first)
             leading, trailing = self.finish(leading)
             return Label(place, target.name, leading, trailing)
-        raise self._no_statement(target)
+        raise self.no_statement(target, first)
 
     def _chained(self, value: Expression) -> Expression:
         """The `b := c` of `a := b := c`, where `b` has been read."""
@@ -96,18 +99,6 @@ class SimpleStatementParser(StatementListParser):
             place = _make(Span, (self.source, target.span[1], value.span[2]))
             value = Chained(place, target, operator, value)
         return value
-
-    def _no_statement(self, target: Expression) -> Unexpected:
-        if self.kinds[self.at] == "=":
-            return self.failed("':='", "an assignment is written ':=', '=' compares")
-        if isinstance(target, Name) and target.name.upper() in ("REGION", "END_REGION"):
-            self.missing_feature(Feature.REGIONS, target.span)
-            self.skip_line()
-            self._last_finding_at = self.at
-            return Unexpected()
-        return self.failed(
-            "':=' or '('", "a statement is an assignment 'x := 1;' or a call 'f(x := 1);'"
-        )
 
     def _empty(self) -> Empty:
         leading = self.take_leading()
@@ -132,7 +123,7 @@ class SimpleStatementParser(StatementListParser):
         first = self.at
         self.at += 1
         label = self.name().name
-        self.need(Feature.GOTO, first)
+        self.need(JUMPS[self.kinds[first]], first)
         self.semicolon()
         place = self.span(first)
         leading, trailing = self.finish(leading)
@@ -146,6 +137,7 @@ enter(
         "CONTINUE": SimpleStatementParser._jump,
         "RETURN": SimpleStatementParser._jump,
         "GOTO": SimpleStatementParser._goto,
+        "JMP": SimpleStatementParser._goto,
         ";": SimpleStatementParser._empty,
     }
 )

@@ -14,20 +14,25 @@ from fbgen.lang.parser.cursor import Unexpected
 from fbgen.lang.parser.declarations import UNITS, DeclarationParser
 from fbgen.lang.parser.expressions import SOFT_KEYWORDS
 from fbgen.lang.parser.places import NAMES
+from fbgen.lang.parser.unread import UnreadParser
 from fbgen.source import Source
 
 ASSIGNMENTS = frozenset({":=", "+=", "-=", "*=", "/=", "?="})
 """Kinds of tokens that assign."""
 
+JUMPS = {"GOTO": Feature.GOTO, "JMP": Feature.JUMPS}
+"""Kinds of tokens in front of a label to go to."""
+
 ENDS = (
     frozenset(f"END_{unit}" for unit in UNITS)
     | {"END_IF", "END_CASE", "END_FOR", "END_WHILE", "END_REPEAT", "END_REGION", "END_RESOURCE"}
     | {"END_VAR", "END_STRUCT", "END_CONST", "END_LABEL", "ELSE", "ELSIF", "UNTIL"}
+    | {"END_UNION", "END_GET", "END_SET"}
 )
 """Kinds of tokens that end something."""
 
 _LABEL_PARTS = NAMES | {".", "+", "-", "literal"}
-_STARTS = words("IF CASE FOR WHILE REPEAT REGION EXIT CONTINUE RETURN GOTO")
+_STARTS = words("IF CASE FOR WHILE REPEAT REGION EXIT CONTINUE RETURN GOTO JMP")
 _OPENERS = {
     "ELSE": "IF or CASE",
     "ELSIF": "IF",
@@ -44,13 +49,13 @@ def enter(readers: Mapping[str, Callable[[Any], Statement]]) -> None:
     READERS.update(readers)
 
 
-class StatementListParser(DeclarationParser):
+class StatementListParser(DeclarationParser, UnreadParser):
     """Reads lists of statements. `open_lists` has, per open statement, what can end its lists."""
 
     def __init__(self, source: Source, dialect: Dialect) -> None:
         super().__init__(source, dialect)
         self.open_lists: list[frozenset[str]] = []
-        self.has_goto = "GOTO" in self.kinds
+        self.has_goto = "GOTO" in self.kinds or "JMP" in self.kinds
         self.jump_targets: frozenset[str] = frozenset()
 
     def body(self, end: str) -> tuple[Statement, ...]:
@@ -65,7 +70,7 @@ class StatementListParser(DeclarationParser):
         except ValueError:
             last = len(kinds)
         return frozenset(
-            self.texts[at + 1].casefold() for at in range(self.at, last - 1) if kinds[at] == "GOTO"
+            self.texts[at + 1].casefold() for at in range(self.at, last - 1) if kinds[at] in JUMPS
         )
 
     def inside(self, ends: set[str], read: Callable[[], _S]) -> _S:
@@ -171,13 +176,6 @@ class StatementListParser(DeclarationParser):
         while self.kinds[at] == "." and self.kinds[at + 1] != "end":
             at += 2
         return self.kinds[at] in ASSIGNMENTS or self.kinds[at] in ("(", "[")
-
-    def skip_line(self) -> None:
-        """Step over the rest of the line, at least one token, but not beyond the end."""
-        if self.kinds[self.at] != "end":
-            self.at += 1
-        while self.kinds[self.at] != "end" and not self.starts_line(self.at):
-            self.at += 1
 
     # --- ends ---------------------------------------------------------------------------------
 

@@ -1,26 +1,24 @@
 """Types, declarations and sections as lines."""
 
 from fbgen.lang.ast import (
-    ArraySpec,
-    Bounds,
     Declaration,
     DeclaredName,
     DirectAddress,
+    EnumSpec,
     LabelSection,
     NamedType,
-    ReferenceSpec,
-    StringSpec,
     StructSpec,
     Trivia,
     TypeSpec,
+    UnionSpec,
     VarSection,
 )
 from fbgen.lang.dialects.dialect import Feature
-from fbgen.lang.printer.statements import StatementPrinter
+from fbgen.lang.printer.derived_types import TypePrinter
 from fbgen.source import Span
 
 
-class DeclarationPrinter(StatementPrinter):
+class DeclarationPrinter(TypePrinter):
     """Writes what is declared."""
 
     def section(self, section: VarSection) -> None:
@@ -60,15 +58,18 @@ class DeclarationPrinter(StatementPrinter):
             place = self.expression(at) if isinstance(at, DirectAddress) else self.name(at)
             located = f" AT {place}"
         attributes = f" {declaration.type_attributes}" if declaration.type_attributes else ""
-        initial = declaration.initial
-        value = f" := {self.expression(initial)}" if initial is not None else ""
+        more = f" {declaration.edge}" if declaration.edge else ""
+        if declaration.arguments:
+            more += f"({self.arguments(declaration.arguments)})"
+        if declaration.initial is not None:
+            more += f" {declaration.operator} {self.expression(declaration.initial)}"
         if isinstance(declaration.type, NamedType) and not declaration.type.name:
-            self.lines.add(f"{names}{value};", declaration.span, declaration.trailing)
+            self.lines.add(f"{names}{more};", declaration.span, declaration.trailing)
             return
         self.typed(
             f"{names}{located} :{attributes} ",
             declaration.type,
-            f"{value};",
+            f"{more};",
             declaration.span,
             declaration.trailing,
         )
@@ -77,49 +78,22 @@ class DeclarationPrinter(StatementPrinter):
         self, before: str, spec: TypeSpec, after: str, place: Span, trailing: Trivia | None
     ) -> None:
         """A line, or lines, around a type."""
-        inner, outside = _innermost(spec)
-        text = before + "".join(self._array_text(array) for array in outside)
-        if not isinstance(inner, StructSpec):
+        inner, outside = self.innermost(spec)
+        text = before + outside
+        if isinstance(inner, EnumSpec):
+            self.enumeration(text, inner, after, place, trailing)
+            return
+        if not isinstance(inner, StructSpec | UnionSpec):
             self.lines.add(f"{text}{self.type_text(inner)}{after}", place, trailing)
             return
-        self.lines.add(f"{text}STRUCT", place._replace(end=inner.span.start), inner.opening)
+        word = "STRUCT" if isinstance(inner, StructSpec) else "UNION"
+        self.lines.add(f"{text}{word}", place._replace(end=inner.span.start), inner.opening)
         self.lines.level += 1
         for field in inner.fields:
             self.declaration(field)
         self.lines.trivia(inner.closing)
         self.lines.level -= 1
-        self.lines.add(f"END_STRUCT{after}", place._replace(end=place.start), trailing)
-
-    def type_text(self, spec: TypeSpec) -> str:
-        """A type on one line; a structure has none."""
-        if isinstance(spec, NamedType):
-            return f'"{spec.name}"' if spec.quoted else spec.name
-        if isinstance(spec, StringSpec):
-            name = "WSTRING" if spec.wide else "STRING"
-            return name if spec.length is None else f"{name}[{self.expression(spec.length)}]"
-        if isinstance(spec, ArraySpec):
-            return self._array_text(spec) + self.type_text(spec.element)
-        if isinstance(spec, ReferenceSpec):
-            return f"{spec.keyword} {self.type_text(spec.target)}"
-        raise ValueError("a structure does not fit on one line")
-
-    def _array_text(self, array: ArraySpec) -> str:
-        bounds = ", ".join(self._bounds(one) for one in array.bounds)
-        return f"ARRAY[{bounds}] OF "
-
-    def _bounds(self, bounds: Bounds) -> str:
-        if bounds.first is None or bounds.last is None:
-            return "*"
-        return f"{self.expression(bounds.first)}..{self.expression(bounds.last)}"
-
-
-def _innermost(spec: TypeSpec) -> tuple[TypeSpec, list[ArraySpec]]:
-    """The element of arrays of arrays, and the arrays around it."""
-    outside: list[ArraySpec] = []
-    while isinstance(spec, ArraySpec):
-        outside.append(spec)
-        spec = spec.element
-    return spec, outside
+        self.lines.add(f"END_{word}{after}", place._replace(end=place.start), trailing)
 
 
 def _declared(name: DeclaredName) -> str:

@@ -42,7 +42,8 @@ class ExpressionPrinter:
 
     def __init__(self, dialect: Dialect) -> None:
         self.dialect = dialect
-        self._slices = dialect.has(Feature.SLICES)
+        self._bit_members = dialect.has(Feature.BIT_MEMBERS)
+        self._bare_bits = not dialect.has(Feature.PROGRAMS)
         self._plain_addresses = dialect.has(Feature.PLAIN_ADDRESSES)
         self._power_first = dialect.has(Feature.POWER_FIRST)
 
@@ -108,7 +109,7 @@ class ExpressionPrinter:
         return f"{self.expression(index.base)}[{indices}]"
 
     def _slice(self, part: Slice) -> str:
-        mark = f"%{part.size}" if self._slices else ""
+        mark = "" if part.size == "X" and self._bit_members else f"%{part.size}"
         return f"{self.expression(part.base)}.{mark}{part.index}"
 
     def _address(self, address: DirectAddress) -> str:
@@ -125,7 +126,7 @@ class ExpressionPrinter:
     def _area(self, address: DirectAddress | IndexedAddress) -> tuple[str, str]:
         """Area and size, and what stands behind a peripheral address."""
         area = _GERMAN.get(address.area, address.area) if address.german else address.area
-        bare = address.size == "X" and (self._plain_addresses or self._slices)
+        bare = address.size == "X" and self._bare_bits
         size = "" if bare else address.size
         if address.peripheral and self._plain_addresses:
             return f"P{area}{size}", ""

@@ -25,7 +25,7 @@ from fbgen.lang.ast import (
     TriviaList,
     While,
 )
-from fbgen.lang.dialects.dialect import Dialect
+from fbgen.lang.dialects.dialect import Dialect, Feature
 from fbgen.lang.printer.expressions import ExpressionPrinter
 from fbgen.lang.printer.lines import WIDTH, Lines
 from fbgen.source import Span
@@ -111,7 +111,8 @@ class StatementPrinter(ExpressionPrinter):
         self.lines.add(f"{node.keyword};", node.span, node.trailing)
 
     def _goto(self, node: Goto) -> None:
-        self.lines.add(f"GOTO {node.label};", node.span, node.trailing)
+        word = "JMP" if self.dialect.has(Feature.JUMPS) else "GOTO"
+        self.lines.add(f"{word} {node.label};", node.span, node.trailing)
 
     def _label(self, node: Label) -> None:
         self.lines.add(f"{node.name}:", node.span, node.trailing)

@@ -4,7 +4,7 @@ Source: the order of header lines and the place of comments in published TIA Por
 comment may stand between a block's first line and its first section, so those go above the block.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any
 
 from fbgen.lang.ast import (
@@ -14,6 +14,8 @@ from fbgen.lang.ast import (
     File,
     Globals,
     HeaderItem,
+    Interface,
+    Namespace,
     ProgramInstance,
     Resource,
     StructSpec,
@@ -21,25 +23,44 @@ from fbgen.lang.ast import (
     TriviaKind,
     TriviaList,
     TypeDeclaration,
+    Unit,
+    Using,
     VarSection,
 )
 from fbgen.lang.dialects.dialect import Feature
-from fbgen.lang.printer.declarations import DeclarationPrinter
-from fbgen.source import Span
+from fbgen.lang.printer.members import (
+    MemberPrinter,
+    first_of,
+    last_of,
+    without_last_blanks,
+)
 
 _HEADER_ORDER = ("TITLE", "{}", "AUTHOR", "FAMILY", "NAME", "VERSION")
 
 
-class UnitPrinter(DeclarationPrinter):
+class UnitPrinter(MemberPrinter):
     """Writes a whole file."""
 
     def file(self, file: File) -> None:
         """All units, one blank line between them."""
-        for number, unit in enumerate(file.units):
+        self._units(file.units)
+        self.lines.trivia(without_last_blanks(file.closing))
+
+    def _units(self, units: tuple[Unit, ...]) -> None:
+        for number, unit in enumerate(units):
             if number:
                 self.lines.blank()
             _WRITERS[type(unit)](self, unit)
-        self.lines.trivia(_without_last_blanks(file.closing))
+
+    def _namespace(self, node: Namespace) -> None:
+        self.lines.trivia(node.leading)
+        words = ("NAMESPACE", *node.modifiers, node.name)
+        self.lines.add(" ".join(words), first_of(node.span))
+        self.lines.level += 1
+        self._units(node.units)
+        self.lines.trivia(without_last_blanks(node.closing))
+        self.lines.level -= 1
+        self.lines.add("END_NAMESPACE", last_of(node.span))
 
     # --- blocks with code ---------------------------------------------------------------------
 
@@ -49,20 +70,20 @@ class UnitPrinter(DeclarationPrinter):
         if sections and self.dialect.has(Feature.HEADERS):
             above, sections = _first_comments_apart(sections)
         self.lines.trivia((*block.leading, *block.header_comments, *above))
-        result = f" : {self.type_text(block.return_type)}" if block.return_type else ""
-        self.lines.add(f"{block.kind.value} {self.name(block.name)}{result}", _line(block.span))
+        self.lines.add(self.head_of_block(block), first_of(block.span))
         self._header_items(block.header)
-        self._sections(sections)
+        self.sections(sections)
         self.lines.level += 1
         for labels in block.labels:
             self.label_section(labels)
         self.lines.level -= 1
-        self.lines.trivia(_without_last_blanks(block.body_comments))
+        self.members(block.members)
+        self.lines.trivia(without_last_blanks(block.body_comments))
         if self.dialect.has(Feature.HEADERS):
             self.lines.blank()
-            self.lines.add("BEGIN", _line(block.span))
-        self.statements(block.body, _without_last_blanks(block.closing))
-        self.lines.add(f"END_{block.kind.value}", _end(block.span))
+            self.lines.add("BEGIN", first_of(block.span))
+        self.statements(block.body, without_last_blanks(block.closing))
+        self.lines.add(f"END_{block.kind.value}", last_of(block.span))
 
     def _header_items(self, header: tuple[HeaderItem, ...]) -> None:
         order = {keyword: number for number, keyword in enumerate(_HEADER_ORDER)}
@@ -77,27 +98,21 @@ class UnitPrinter(DeclarationPrinter):
                 text = item.keyword
             self.lines.add(text, item.span)
 
-    def _sections(self, sections: Iterable[VarSection]) -> None:
-        self.lines.level += 1
-        for section in sections:
-            self.section(section)
-        self.lines.level -= 1
-
     # --- data blocks and types ----------------------------------------------------------------
 
     def _data_block(self, block: DataBlock) -> None:
         self.lines.trivia((*block.leading, *block.header_comments))
-        self.lines.add(f"DATA_BLOCK {self.name(block.name)}", _line(block.span))
+        self.lines.add(f"DATA_BLOCK {self.name(block.name)}", first_of(block.span))
         self._header_items(block.header)
         if block.type:
             self.lines.add(self.type_text(block.type), block.type.span)
         if block.struct:
             self._own_structure(block.struct)
-        self._sections(block.sections)
+        self.sections(block.sections)
         self.lines.blank()
-        self.lines.add("BEGIN", _line(block.span))
-        self.statements(block.assignments, _without_last_blanks(block.closing))
-        self.lines.add("END_DATA_BLOCK", _end(block.span))
+        self.lines.add("BEGIN", first_of(block.span))
+        self.statements(block.assignments, without_last_blanks(block.closing))
+        self.lines.add("END_DATA_BLOCK", last_of(block.span))
 
     def _own_structure(self, struct: StructSpec) -> None:
         self.lines.level += 1
@@ -106,47 +121,55 @@ class UnitPrinter(DeclarationPrinter):
 
     def _type(self, declaration: TypeDeclaration) -> None:
         self.lines.trivia((*declaration.leading, *declaration.header_comments))
-        name = self.name(declaration.name)
+        name = " ".join((*declaration.modifiers, self.name(declaration.name)))
+        if declaration.extends is not None:
+            name += f" EXTENDS {self.type_text(declaration.extends)}"
         initial = declaration.initial
         value = f" := {self.expression(initial)};" if initial is not None else ";"
         if isinstance(declaration.type, StructSpec) and self.dialect.has(Feature.HEADERS):
-            self.lines.add(f"TYPE {name}", _line(declaration.span))
+            self.lines.add(f"TYPE {name}", first_of(declaration.span))
             self._header_items(declaration.header)
             self.lines.level += 1
             self.typed("", declaration.type, value, declaration.type.span, None)
         else:
-            self.lines.add("TYPE", _line(declaration.span))
+            self.lines.add("TYPE", first_of(declaration.span))
             self.lines.level += 1
             self.typed(f"{name} : ", declaration.type, value, declaration.span, None)
-        self.lines.trivia(_without_last_blanks(declaration.closing))
+        self.lines.trivia(without_last_blanks(declaration.closing))
         self.lines.level -= 1
-        self.lines.add("END_TYPE", _end(declaration.span))
+        self.lines.add("END_TYPE", last_of(declaration.span))
 
     # --- configurations -----------------------------------------------------------------------
 
     def _configuration(self, node: Configuration) -> None:
         self.lines.trivia(node.leading)
-        self.lines.add(f"CONFIGURATION {node.name}", _line(node.span))
-        self._sections(node.sections)
+        self.lines.add(f"CONFIGURATION {node.name}", first_of(node.span))
+        self.sections(node.sections)
         self.lines.level += 1
         for resource in node.resources:
             self._resource(resource)
-        self.lines.trivia(_without_last_blanks(node.closing))
+        self.lines.trivia(without_last_blanks(node.closing))
         self.lines.level -= 1
-        self.lines.add("END_CONFIGURATION", _end(node.span))
+        self.lines.add("END_CONFIGURATION", last_of(node.span))
 
     def _resource(self, node: Resource) -> None:
         self.lines.trivia(node.leading)
-        self.lines.add(f"RESOURCE {node.name} ON {node.on}", _line(node.span))
-        self._sections(node.sections)
+        if not node.name:
+            self._tasks_and_programs(node)
+            return
+        self.lines.add(f"RESOURCE {node.name} ON {node.on}", first_of(node.span))
+        self.sections(node.sections)
         self.lines.level += 1
+        self._tasks_and_programs(node)
+        self.lines.trivia(without_last_blanks(node.closing))
+        self.lines.level -= 1
+        self.lines.add("END_RESOURCE", last_of(node.span))
+
+    def _tasks_and_programs(self, node: Resource) -> None:
         for task in node.tasks:
             self._task(task)
         for program in node.programs:
             self._program(program)
-        self.lines.trivia(_without_last_blanks(node.closing))
-        self.lines.level -= 1
-        self.lines.add("END_RESOURCE", _end(node.span))
 
     def _task(self, node: Task) -> None:
         self.lines.trivia(node.leading)
@@ -156,7 +179,9 @@ class UnitPrinter(DeclarationPrinter):
     def _program(self, node: ProgramInstance) -> None:
         self.lines.trivia(node.leading)
         task = f" WITH {node.task}" if node.task else ""
-        text = f"PROGRAM {node.name}{task} : {self.type_text(node.type)};"
+        words = " ".join(("PROGRAM", *node.qualifiers, node.name))
+        connections = f"({self.arguments(node.arguments)})" if node.arguments else ""
+        text = f"{words}{task} : {self.type_text(node.type)}{connections};"
         self.lines.add(text, node.span, node.trailing)
 
     def _globals(self, node: Globals) -> None:
@@ -182,25 +207,13 @@ def _first_comments_apart(
     return comments, (bare, *sections[1:])
 
 
-def _without_last_blanks(trivia: TriviaList) -> TriviaList:
-    """Blank lines in front of an end are dropped."""
-    while trivia and trivia[-1].kind is TriviaKind.BLANK_LINE:
-        trivia = trivia[:-1]
-    return trivia
-
-
-def _line(place: Span) -> Span:
-    return place._replace(end=place.start)
-
-
-def _end(place: Span) -> Span:
-    return place._replace(start=max(place.start, place.end - 1))
-
-
 _WRITERS: dict[type, Callable[[UnitPrinter, Any], None]] = {
     Block: UnitPrinter._block,
     DataBlock: UnitPrinter._data_block,
     TypeDeclaration: UnitPrinter._type,
     Configuration: UnitPrinter._configuration,
+    Interface: UnitPrinter.interface,
+    Namespace: UnitPrinter._namespace,
+    Using: UnitPrinter.using,
     Globals: UnitPrinter._globals,
 }

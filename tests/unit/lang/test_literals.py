@@ -127,7 +127,7 @@ def test_bool_with_a_prefix() -> None:
         "REAL#x",
         "'$'",
         "'$q'",
-        "Color#Red",
+        "Color#2Red",
         "STRING#5",
         "9" * 5000,
     ],
