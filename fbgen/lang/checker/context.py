@@ -19,7 +19,8 @@ class Context:
     """Rules, names and findings for one block, and what was seen while its text was checked.
 
     `used` and `written` collect the symbols that the text mentions and assigns, `calls` the
-    blocks it calls with the place of the first call.
+    blocks it calls with the place of the first call, `respelled` the first mention of a symbol in
+    other capitals than it is declared with.
     """
 
     __slots__ = (
@@ -29,6 +30,7 @@ class Context:
         "findings",
         "library",
         "loops",
+        "respelled",
         "rules",
         "scope",
         "used",
@@ -46,6 +48,7 @@ class Context:
         self.used: set[Symbol] = set()
         self.written: set[Variable] = set()
         self.calls: dict[Block, Span] = {}
+        self.respelled: dict[Symbol, Span] = {}
 
     def local(self, key: str) -> Symbol | None:
         """The symbol that the block itself declares under a casefolded name."""

@@ -1,5 +1,7 @@
 """The errors and warnings of one check, in the order of the text."""
 
+from collections.abc import Collection
+
 from fbgen.diagnostics import Diagnostic, Note, Severity
 from fbgen.source import Span
 
@@ -31,6 +33,15 @@ class Findings:
             (code, span, message),
             Diagnostic(code, message, span, help_text, severity=Severity.WARNING),
         )
+
+    def add(self, diagnostic: Diagnostic) -> None:
+        """A warning or hint that was made elsewhere."""
+        key = (diagnostic.code, diagnostic.span, diagnostic.message)
+        self._found.setdefault(key, diagnostic)
+
+    def found(self) -> Collection[Diagnostic]:
+        """All findings so far, in no order."""
+        return self._found.values()
 
     def in_order(self, sources: tuple[str, ...]) -> tuple[Diagnostic, ...]:
         """All findings by file, in the order of `sources`, then by place."""

@@ -70,6 +70,8 @@ def check_name(ctx: Context, node: ast.Name, _expected: Type | None = None) -> E
             _unknown_name(ctx, node)
         return erroneous(node.span)
     ctx.used.add(symbol)
+    if node.name != symbol.name:
+        ctx.respelled.setdefault(symbol, node.span)
     if isinstance(symbol, NamedConstant):
         return Constant(node.span, symbol.value, symbol.type)
     if (

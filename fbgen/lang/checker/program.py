@@ -7,6 +7,7 @@ from contextlib import contextmanager
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang import ast
+from fbgen.lang.analysis import analyse
 from fbgen.lang.checked import Block, Program, Statement, Variable
 from fbgen.lang.checker import expressions  # noqa: F401  (enters the checks of expressions)
 from fbgen.lang.checker.configuration import tasks_of
@@ -16,7 +17,6 @@ from fbgen.lang.checker.recursion import report_recursive_calls
 from fbgen.lang.checker.rules import Rules, rules_for
 from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS
 from fbgen.lang.checker.statements import check_body
-from fbgen.lang.checker.usage import report_unused
 
 _FRAMES = 12_000
 """Python frames for the deepest nesting that `context.NESTING_LIMIT` lets through."""
@@ -30,8 +30,12 @@ def check(
     Raises one DiagnosticError with all errors over all files. `rules` replaces the dialect's own
     rules, for a project with other compiler settings.
     """
-    program, found = check_reporting(files, dialect, rules=rules)
-    if program is None:
+    rules = rules or rules_for(dialect)
+    findings = Findings()
+    with _room_for_nesting(), _without_collector():
+        program, _ = _check(files, rules, findings)
+    if findings.has_errors:
+        found = findings.in_order(tuple(file.source.name for file in files))
         raise DiagnosticError(one for one in found if one.severity is Severity.ERROR)
     return program
 
@@ -46,7 +50,8 @@ def check_reporting(
     rules = rules or rules_for(dialect)
     findings = Findings()
     with _room_for_nesting(), _without_collector():
-        program = _check(files, rules, findings)
+        program, library = _check(files, rules, findings)
+        analyse(program, library, findings)
     found = findings.in_order(tuple(file.source.name for file in files))
     return (None if findings.has_errors else program), list(found)
 
@@ -73,7 +78,7 @@ def _without_collector() -> Iterator[None]:
             gc.enable()
 
 
-def _check(files: Sequence[ast.File], rules: Rules, findings: Findings) -> Program:
+def _check(files: Sequence[ast.File], rules: Rules, findings: Findings) -> tuple[Program, Library]:
     library = Library(rules, findings)
     library.collect(files)
     library.declare_constants()
@@ -86,9 +91,8 @@ def _check(files: Sequence[ast.File], rules: Rules, findings: Findings) -> Progr
     for block in blocks.values():
         bodies[block] = check_body(library.context_of(block), block.syntax.body)
     report_recursive_calls(library, blocks)
-    report_unused(library, blocks)
     tasks = tasks_of(library)
-    return Program(
+    program = Program(
         dialect=rules.dialect,
         blocks=blocks,
         bodies=bodies,
@@ -101,3 +105,4 @@ def _check(files: Sequence[ast.File], rules: Rules, findings: Findings) -> Progr
         standard_blocks=STANDARD_BLOCKS,
         tasks=tasks,
     )
+    return program, library

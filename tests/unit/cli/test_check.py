@@ -44,7 +44,7 @@ def test_a_mistake_is_shown_with_its_place(fbgen: Fbgen, folder: Path) -> None:
 def test_a_wrong_type_is_found_unless_only_syntax_is_asked_for(fbgen: Fbgen, folder: Path) -> None:
     path = folder / "bad.scl"
     path.write_text(BAD_TYPE, encoding="utf-8")
-    assert fbgen("check", str(path)).err.startswith("error[FB4")
+    assert "error[FB4" in fbgen("check", str(path)).err
     assert fbgen("check", str(path), "--syntax-only").status == 0
 
 

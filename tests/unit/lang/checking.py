@@ -14,6 +14,15 @@ def program_of(text: str, dialect: str = "iec") -> Program:
 
 def findings_of(text: str, dialect: str = "iec", name: str = "test") -> list[Diagnostic]:
     """All errors and warnings."""
+    return [one for one in _all_of(text, dialect, name) if one.severity is not Severity.INFO]
+
+
+def hints_of(text: str, dialect: str = "iec", name: str = "test") -> list[Diagnostic]:
+    """What is neither an error nor a warning."""
+    return [one for one in _all_of(text, dialect, name) if one.severity is Severity.INFO]
+
+
+def _all_of(text: str, dialect: str, name: str) -> list[Diagnostic]:
     return check_reporting([parse(Source(name, text), dialect)], dialect)[1]
 
 

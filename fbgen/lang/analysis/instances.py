@@ -1,0 +1,86 @@
+"""Timers, counters and edges: called once in a cycle, in every cycle.
+
+Sources: IEC 61131-3 third edition, tables 43 to 46 (each call is one step of the block); TIA Portal
+help, "Calling timers" (a timer is brought up to date by its call).
+"""
+
+from typing import TYPE_CHECKING
+
+from fbgen.diagnostics import Note
+from fbgen.lang.analysis.effects import PlaceKey
+from fbgen.lang.analysis.report import Report
+from fbgen.lang.checked import Constant, InstanceCall, StandardBlock
+
+if TYPE_CHECKING:
+    from fbgen.lang.analysis.flow import Flow
+
+_ONE_STEP_A_CALL = ("TON", "TOF", "TP", "TONR", "CTU", "CTD", "CTUD", "R_TRIG", "F_TRIG")
+_STARTS = ("IN", "CU", "CD", "CLK")
+_RESETS = ("R", "LD", "RESET")
+
+
+def counts_its_calls(block: StandardBlock) -> bool:
+    """True for blocks that depend on when and how often they are called."""
+    return block.name.partition("_L")[0].startswith(_ONE_STEP_A_CALL)
+
+
+def resets(call: InstanceCall) -> bool:
+    """True for a call that only puts the block back: it may be followed by another one."""
+    for variable, value in call.inputs:
+        if isinstance(value, Constant) and (
+            (variable.name.upper() in _STARTS and value.value is False)
+            or (variable.name.upper() in _RESETS and value.value is True)
+        ):
+            return True
+    return False
+
+
+class InstanceTracker:
+    """The calls of the instances of a block, path by path."""
+
+    __slots__ = ("_bits", "_calls", "_report")
+
+    def __init__(self, report: Report) -> None:
+        self._report = report
+        self._bits: dict[PlaceKey, int] = {}
+        self._calls: dict[PlaceKey, list[tuple[InstanceCall, int]]] = {}
+
+    def called(self, flow: "Flow", node: InstanceCall, key: PlaceKey, *, in_loop: bool) -> None:
+        """FB4221: twice on one path, or in a loop."""
+        if not isinstance(node.block, StandardBlock) or not counts_its_calls(node.block):
+            return
+        calls = self._calls.setdefault(key, [])
+        bit = self._bits.setdefault(key, 1 << (len(flow.bits) + len(self._bits)))
+        if in_loop:
+            self._report.warning(
+                "FB4221",
+                f"'{node.instance.span.text}' is called in a loop, so it takes several steps in"
+                " one cycle",
+                node.span,
+                "call it once outside of the loop, or use an array of instances",
+            )
+        elif flow.may & bit:
+            self._report.warning(
+                "FB4221",
+                f"'{node.instance.span.text}' is called a second time in the same cycle",
+                node.span,
+                "call it once and use its outputs, or declare an instance for each call",
+                notes=(Note("the first call is here", calls[0][0].span),) if calls else (),
+            )
+        calls.append((node, flow.depth))
+        if not resets(node):
+            flow.may |= bit
+
+    def report_conditional(self) -> None:
+        """FB4220: the only call of an instance stands under a condition."""
+        for calls in self._calls.values():
+            node, depth = calls[0]
+            if len(calls) > 1 or depth == 0:
+                continue
+            self._report.warning(
+                "FB4220",
+                f"'{node.instance.span.text}' is called under a condition only: while that does"
+                f" not hold, the {node.block.name} stands still",
+                node.span,
+                "call it in every cycle and put the condition into its input",
+            )

@@ -1,0 +1,116 @@
+"""Rules over all blocks: instances that several blocks call or nobody calls, dropped results."""
+
+from collections.abc import Sequence
+
+from fbgen.diagnostics import Note
+from fbgen.lang.analysis.effects import PlaceKey, root_of
+from fbgen.lang.analysis.facts import CalledInstance
+from fbgen.lang.analysis.flow import Flow
+from fbgen.lang.checked import FunctionCall, Variable, VariableKind
+from fbgen.lang.types import BOOL, BlockType
+
+_OWN = (VariableKind.STATIC, VariableKind.TEMP, VariableKind.GLOBAL)
+
+
+def check_uncalled(flows: Sequence[Flow]) -> None:
+    """FB4222: outputs of an instance are read, and nothing calls it."""
+    served: set[Variable] = set()
+    for flow in flows:
+        served |= flow.facts.touched
+        for called in flow.facts.instances:
+            root = root_of(called.call.instance)
+            if root is not None:
+                served.add(root)
+    for flow in flows:
+        reported: set[Variable] = set()
+        for member in flow.facts.members_read:
+            root = root_of(member.base)
+            if root is None or root in served or root in reported or root.kind not in _OWN:
+                continue
+            kind = member.base.type
+            assert isinstance(kind, BlockType)
+            block = flow.program.block_of(kind.name)
+            if not any(
+                one.kind is VariableKind.OUTPUT and one.name == member.name
+                for one in block.variables
+            ):
+                continue
+            reported.add(root)
+            flow.report.warning(
+                "FB4222",
+                f"output '{member.name}' of '{root.name}' is read, but nothing calls it",
+                member.span,
+                f"call it: {root.name}(...);",
+                about=root,
+            )
+
+
+def check_shared_instances(flows: Sequence[Flow]) -> None:
+    """FB4223: one instance in the hands of two blocks mixes up the states of both."""
+    first: dict[PlaceKey, tuple[Flow, CalledInstance]] = {}
+    for flow in flows:
+        reported: set[PlaceKey] = set()
+        for called in flow.facts.instances:
+            root = root_of(called.call.instance)
+            if called.key is None or root is None or root.kind is not VariableKind.GLOBAL:
+                continue
+            other, earlier = first.setdefault(called.key, (flow, called))
+            if other is flow or called.key in reported:
+                continue
+            reported.add(called.key)
+            flow.report.warning(
+                "FB4223",
+                f"'{called.call.instance.span.text}' is called by {other.block.name} too",
+                called.call.span,
+                "call it in one block only, or give each block an instance of its own",
+                notes=(Note("the first call is here", earlier.call.span),),
+            )
+
+
+def check_dropped_results(flows: Sequence[Flow]) -> None:
+    """FB4234 and FB4235: a function is called and its result goes nowhere."""
+    by_block = {flow.block: flow for flow in flows}
+    for flow in flows:
+        for call in flow.facts.dropped:
+            callee = by_block.get(call.function)
+            result = call.function.result
+            if callee is None or result is None:
+                continue
+            if _does_nothing_else(call, callee):
+                flow.report.warning(
+                    "FB4234",
+                    f"the result of {call.function.name} is dropped, and it does nothing else",
+                    call.span,
+                    f"use the result: x := {call.function.name}(...);",
+                )
+            elif call.type == BOOL and result in callee.facts.written:
+                flow.report.warning(
+                    "FB4235",
+                    f"the answer of {call.function.name} is dropped",
+                    call.span,
+                    f"ask for it: IF {call.function.name}(...) THEN",
+                )
+
+
+def _does_nothing_else(call: FunctionCall, callee: Flow) -> bool:
+    facts = callee.facts
+    return not (
+        call.in_outs
+        or call.outputs
+        or facts.uses_outside
+        or facts.addresses_written
+        or facts.instances
+        or facts.dropped
+        or any(variable.kind is VariableKind.GLOBAL for variable in facts.written)
+        or not callee.block.syntax.body
+    )
+
+
+def written_from_outside(flows: Sequence[Flow]) -> set[tuple[str, str]]:
+    """(block, variable), casefolded, of what other blocks write in instances."""
+    found = set()
+    for flow in flows:
+        for member in flow.facts.members_written:
+            kind = member.base.type
+            found.add((kind.name.casefold(), member.name.casefold()))
+    return found

@@ -1,0 +1,132 @@
+"""Declarations that nobody uses, variables that only get or only give values, unset results."""
+
+from collections.abc import Iterable, Set
+from typing import TYPE_CHECKING
+
+from fbgen.lang.analysis.flow import Flow
+from fbgen.lang.ast import BlockKind
+from fbgen.lang.checked import Variable, VariableKind
+from fbgen.lang.types import Elementary, StringType
+
+if TYPE_CHECKING:
+    from fbgen.lang.checker.context import Context
+    from fbgen.lang.checker.symbols import Entry
+
+_INNER = (VariableKind.STATIC, VariableKind.TEMP)
+_RESULTS = (VariableKind.RESULT, VariableKind.OUTPUT)
+_PARAMETERS = (VariableKind.INPUT, VariableKind.IN_OUT)
+
+
+def check_usage(flow: Flow, ctx: "Context", members_written: Set[tuple[str, str]]) -> None:
+    """FB4101, FB4201, FB4202, FB4203, FB4205 for one block.
+
+    `members_written` are (block, variable) that somebody writes from outside, casefolded.
+    """
+    for entry in ctx.scope.entries.values():
+        if not isinstance(entry, Variable):
+            if entry not in ctx.used:
+                _unused(flow, "constant", entry)
+        elif entry.kind in _INNER:
+            if entry in ctx.used or entry.address is not None:
+                _one_way(flow, ctx, entry, members_written)
+            elif entry.address is None:
+                _unused(flow, "variable", entry)
+        elif flow.block.kind is not BlockKind.ORGANIZATION_BLOCK and flow.block.syntax.body:
+            _parameter(flow, ctx, entry)
+
+
+def _unused(flow: Flow, what: str, entry: "Entry") -> None:
+    flow.report.warning(
+        "FB4101",
+        f"{what} '{entry.name}' of {flow.block.name} is never used",
+        entry.span,
+        "remove it",
+    )
+
+
+def _parameter(flow: Flow, ctx: "Context", entry: Variable) -> None:
+    if entry.kind in _PARAMETERS:
+        if entry not in ctx.used:
+            flow.report.warning(
+                "FB4201",
+                f"{entry.kind.value} '{entry.name}' of {flow.block.name} is never used",
+                entry.span,
+                "remove it, or use it",
+            )
+    elif (
+        entry.kind is VariableKind.OUTPUT
+        and entry.initial is None
+        and entry not in flow.facts.written
+    ):
+        flow.report.warning(
+            "FB4202",
+            f"nothing writes output '{entry.name}' of {flow.block.name}",
+            entry.span,
+            "assign it, or remove it",
+            about=entry,
+        )
+
+
+def _one_way(
+    flow: Flow, ctx: "Context", entry: Variable, members_written: Set[tuple[str, str]]
+) -> None:
+    facts = flow.facts
+    if entry in facts.touched or entry.address is not None or ctx.is_read_only(entry):
+        return
+    written, read = entry in facts.written, entry in facts.read
+    hidden = entry.kind is VariableKind.TEMP or (
+        not ctx.rules.statics_visible and flow.block.kind is BlockKind.FUNCTION_BLOCK
+    )
+    if written and not read and hidden:
+        flow.report.warning(
+            "FB4203",
+            f"variable '{entry.name}' of {flow.block.name} gets a value that nobody reads",
+            facts.written[entry],
+            "use the value, or remove the variable",
+            about=entry,
+        )
+    elif (
+        read
+        and not written
+        and entry not in flow.bits
+        and entry.initial is None
+        and isinstance(entry.type, Elementary | StringType)
+        and (flow.block.name.casefold(), entry.name.casefold()) not in members_written
+    ):
+        flow.report.warning(
+            "FB4205",
+            f"variable '{entry.name}' of {flow.block.name} is read, but nothing writes it",
+            entry.span,
+            "assign it, give it an initial value, or make it an input",
+            about=entry,
+        )
+
+
+def check_results(flow: Flow) -> None:
+    """FB4102 and FB4204: what a function hands back and does not set, or not on every path."""
+    block = flow.block
+    if block.kind is not BlockKind.FUNCTION or not flow.alive:
+        return
+    for variable in _results(flow):
+        if variable not in flow.facts.written:
+            if variable is block.result:
+                flow.report.warning(
+                    "FB4102",
+                    f"{block.name} never sets its result",
+                    variable.span,
+                    f"assign it: {block.name} := ...;",
+                    about=variable,
+                )
+        elif variable in flow.bits and not flow.must & flow.bits[variable]:
+            flow.report.warning(
+                "FB4204",
+                f"{block.name} does not set its {variable.kind.value}"
+                f"{'' if variable is block.result else f' {variable.name!r}'} on every path",
+                variable.span,
+                "set it at the beginning, or in every branch",
+                about=variable,
+            )
+
+
+def _results(flow: Flow) -> Iterable[Variable]:
+    return (one for one in flow.block.variables if one.kind in _RESULTS)
