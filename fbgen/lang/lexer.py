@@ -52,7 +52,7 @@ _PATTERN = (
     # names, and literals that begin with a type: T#5s, WORD#16#FF, D#2024-02-29, STRING#'x'
     r"(?:[A-Za-z_][A-Za-z0-9_]*+\w*+|[^\W\d]\w*+)(?:#(?:'(?:[^'$\r\n]|\$[^\r\n])*+'"
     # ... and P#DB1.DBX0.0 BYTE 10, and B#(1, 2)
-    r"|(?<=\b[Pp]\#)(?:[Dd][BbIi][0-9]++\.)?[A-Za-z]*+[0-9]++\.[0-7]"
+    r"|(?<=\b[Pp]\#)(?:[Dd][BbIi][0-9]++\.)?[A-Za-z]*+[ \t]*+[0-9]++\.[0-7]"
     r"(?:[ \t]++[A-Za-z_]++[ \t]++[0-9]++)?+"
     r"|(?<=\b[BbWw]\#)\([0-9,# \t]*+\)|(?<=\b[Dd][Ww]\#)\([0-9,# \t]*+\)"
     r"|[0-9]{{4}}-[0-9]{{1,2}}-[0-9]{{1,2}}(?:-[0-9:]++(?:\.[0-9_]++)?)?"
@@ -120,7 +120,8 @@ def tokenize(source: Source, dialect: Dialect) -> Tokens:
     """Cut a source into tokens. Never fails: what is no token has kind `character`."""
     pattern = _pattern(dialect.has(Feature.REGIONS), dialect.has(Feature.QUOTED_NAMES))
     tokens = _cut(source, pattern.split(source.text), dialect)
-    if source.text.count("(*") > tokens.kinds.count("(*") and any(map(_may_nest, tokens.texts)):
+    opened = source.text.count("(*") + source.text.count("/*")
+    if opened > tokens.kinds.count("(*") and any(map(_may_nest, tokens.texts)):
         tokens = _cut(source, _split_nested(pattern, source.text), dialect)
     return _without_trivia(tokens)
 

@@ -80,8 +80,9 @@ _UNITS = tuple(_UNIT_NS)
 _ESCAPED = {"$": "$", "'": "'", '"': '"', "L": "\n", "N": "\n", "P": "\f", "R": "\r", "T": "\t"}
 _FIRST_DAY = date(1990, 1, 1)
 _MAX_DIGITS = 4000
+_COUNTER_DIGITS = 3
 _POINTER = re.compile(
-    r"(?:(?P<db>D[BI][0-9]+)\.)?(?P<area>[A-Z]*)(?P<byte>[0-9]+)\.(?P<bit>[0-7])"
+    r"(?:(?P<db>D[BI][0-9]+)\.)?(?P<area>[A-Z]*) ?(?P<byte>[0-9]+)\.(?P<bit>[0-7])"
     r"(?:\s+(?P<type>[A-Z_]+)\s+(?P<count>[0-9]+))?\Z"
 )
 _POINTER_AREAS = words("P PE PA PI PQ E A I Q M L V DBX DIX DB DI").union(("",))
@@ -127,6 +128,8 @@ def _typed(written: str, rest: str) -> LiteralValue:
         return LiteralValue(kind, _string(rest, wide), prefix)
     if rest.startswith("("):
         return _bytes(prefix, rest)
+    if prefix == "C":
+        return _count(rest)
     name = _SHORT_TYPES.get(prefix, ALIASES.get(prefix, prefix))
     kind_of_type = ELEMENTARY.get(name)
     if kind_of_type is None:
@@ -150,6 +153,7 @@ def _pointer(rest: str) -> LiteralValue:
         raise BadLiteralError(
             f"'{rest}' is not a pointer", "pointers look like P#M0.0 or P#DB1.DBX0.0 BYTE 10"
         )
+    text = text.replace(f"{match['area']} {match['byte']}", f"{match['area']}{match['byte']}", 1)
     return LiteralValue(LiteralKind.POINTER, text, "ANY" if match["type"] else "POINTER")
 
 
@@ -162,6 +166,13 @@ def _bytes(prefix: str, rest: str) -> LiteralValue:
         )
     value = int.from_bytes(bytes(int(part) for part in values), "big")
     return LiteralValue(LiteralKind.INTEGER, value, "WORD" if len(values) == 2 else "DWORD")
+
+
+def _count(rest: str) -> LiteralValue:
+    """`C#100`: the value of a counter, three decimal digits in a WORD."""
+    if not (rest.isascii() and rest.isdecimal() and len(rest) <= _COUNTER_DIGITS):
+        raise BadLiteralError(f"'{rest}' is no counter value", "counters go from C#0 to C#999")
+    return LiteralValue(LiteralKind.INTEGER, int(rest, 16), "WORD", 16)
 
 
 def _is_byte(text: str) -> bool:

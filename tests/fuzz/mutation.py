@@ -7,7 +7,8 @@ _TOKENS = (
     b"IF", b"END_IF;", b"CASE", b"OF", b"(*", b"*)", b"//", b"'", b'"', b"#", b"%", b":=", b"..",
     b"16#", b"T#", b"{", b"}", b"[", b"]", b"(", b")", b"\x00", b"\xff", b"\r", b"&", b"*", b"!!",
     b"- ", b": ", b"|", b">", b"\t", b"\xe2\x80\xae", b"\xee\x80\x80", b"VAR", b"END_VAR",
-    b"REGION",
+    b"REGION", b"END_REGION", b":P", b"^", b"?=", b"P#", b"B#(", b"M0.", b"DB1.", b"%DB1.",
+    b"CONST", b"LABEL", b"GOTO", b"TITLE =", b"VERSION", b"\xc2\xa0", b"(/*",
 )  # fmt: skip
 _MOST_BYTES = 20_000
 

@@ -55,7 +55,8 @@ def targets() -> Mapping[str, Target]:
     texts = _files("tests/golden/manual_example_gsd10.tia.txt", "tests/unit/bad/FB[34]*.scl")
     texts += _files("tests/conformance/*/*.scl")
     return {
-        "tia": Target(_plc_text("tia"), texts),
+        "tia": Target(_plc_text("tia"), texts + _files("tests/corpus/tia/*")),
+        "step7": Target(_plc_text("step7"), _files("tests/corpus/step7/*")),
         "iec": Target(_plc_text("iec"), _files("bench/handshake.st", "tests/unit/bad/FB[34]*.st")),
         "plant": Target(
             lambda data: read_plant(Source("fuzz.yaml", _text(data))),

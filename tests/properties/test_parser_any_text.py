@@ -7,20 +7,24 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fbgen.diagnostics import DiagnosticError, Severity, render
+from fbgen.lang.dialects import DIALECTS
 from fbgen.lang.encoding import decode
 from fbgen.lang.parser import parse_recovering
 from fbgen.lang.printer import print_file
 from fbgen.source import Source
 
-_SAMPLES = Path(__file__).parent.parent / "unit" / "lang" / "samples"
+_TESTS = Path(__file__).parent.parent
+_SAMPLES = _TESTS / "unit" / "lang" / "samples"
 _PIECES = [
     re.findall(r"\s+|\w+|.", path.read_text(encoding="utf-8"))
-    for path in sorted(_SAMPLES.glob("*.scl"))
+    for path in sorted([*_SAMPLES.glob("*.scl"), *(_TESTS / "corpus").glob("*/*.*")])
 ]
-_DIALECT = st.sampled_from(["tia", "iec"])
+_ALL_PIECES = sorted({piece for pieces in _PIECES for piece in pieces})
+_DIALECT = st.sampled_from(sorted(DIALECTS))
 _NASTY = st.sampled_from(
     (
         *("(*", "*)", '"', "'", "{", "}", "(", "[", "$", "%", "#", "16#", "//", "..", ":=", "T#"),
+        *(":P", "^", "?=", "P#", "B#(", "M0.", "DB1.", "%DB1.", "CONST", "END_CONST", "LABEL"),
         *("REGION ", "END_REGION", "END_IF", "ELSE", "BEGIN", "D#1-1-1", "§", "¼"),
         *("\x00", "\u2028", "\ue000", "\n"),
     )
@@ -49,7 +53,7 @@ def test_any_bytes(data: bytes, dialect: str) -> None:
     _read(text, dialect)
 
 
-@given(st.lists(st.one_of(_NASTY, st.sampled_from(_PIECES[0])), max_size=60), _DIALECT)
+@given(st.lists(st.one_of(_NASTY, st.sampled_from(_ALL_PIECES)), max_size=60), _DIALECT)
 def test_any_mix_of_tokens(pieces: list[str], dialect: str) -> None:
     _read("".join(pieces), dialect)
 

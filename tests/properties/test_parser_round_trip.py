@@ -59,7 +59,7 @@ def _bare(node: object) -> object:
     return node
 
 
-@given(_TREES, st.sampled_from(["tia", "iec"]))
+@given(_TREES, st.sampled_from(sorted(DIALECTS)))
 def test_a_printed_expression_reads_as_the_same_tree(tree: ast.Expression, dialect: str) -> None:
     text = ExpressionPrinter(DIALECTS[dialect]).expression(tree)
     kind = "FUNCTION_BLOCK"

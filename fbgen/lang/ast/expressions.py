@@ -158,6 +158,7 @@ class Argument:
     value: "Expression | None"
     leading: TriviaList = ()
     trailing: Trivia | None = None
+    quoted: bool = False
 
 
 @node
@@ -213,10 +214,11 @@ class Parenthesized:
 
 @node
 class ArrayLiteral:
-    """`[1, 2, 3(0)]`: initial values of an array."""
+    """`[1, 2, 3(0)]`: initial values of an array; `bare`: without brackets, as in STEP 7."""
 
     span: Span
     items: tuple["Repeated | Expression", ...]
+    bare: bool = False
 
 
 @node

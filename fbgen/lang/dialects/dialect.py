@@ -34,6 +34,7 @@ class Feature(Enum):
     DB_ADDRESSES = "absolute addresses in data blocks"
     BRACKETED_INDICES = "absolute addresses with an index in brackets"
     VAR_CONSTANT = "VAR CONSTANT"
+    BARE_ARRAYS = "initial values of arrays without brackets"
     CONST_SECTIONS = "CONST sections"
     LABEL_SECTIONS = "LABEL sections"
     DATA_BLOCKS = "DATA_BLOCK"

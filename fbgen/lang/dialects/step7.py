@@ -26,6 +26,7 @@ STEP7 = Dialect(
             Feature.PLAIN_ADDRESSES,
             Feature.DB_ADDRESSES,
             Feature.BRACKETED_INDICES,
+            Feature.BARE_ARRAYS,
             Feature.CONST_SECTIONS,
             Feature.LABEL_SECTIONS,
             Feature.DATA_BLOCKS,

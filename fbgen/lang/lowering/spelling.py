@@ -73,7 +73,7 @@ def literal_text(literal: Literal) -> str | None:
         if literal.type_name not in ELEMENTARY:
             return None
         rest = literal.text.partition("#")[2]
-        if rest.startswith("("):
+        if rest.startswith("(") or literal.text[:2] in ("C#", "c#"):
             rest = str(literal.value)
         short = {"DATE": "D", "TIME_OF_DAY": "TOD", "DATE_AND_TIME": "DT"}
         return f"{short.get(literal.type_name, literal.type_name)}#{rest.upper()}"

@@ -14,6 +14,7 @@ from fbgen.lang.ast import (
     Globals,
     HeaderItem,
     LabelSection,
+    Name,
     NamedType,
     StructSpec,
     TriviaList,
@@ -31,6 +32,8 @@ from fbgen.source import Span
 
 _HEADER_WORDS = frozenset({"AUTHOR", "FAMILY", "NAME", "VERSION"})
 _HEADER_FLAGS = frozenset({"KNOW_HOW_PROTECT", "NON_RETAIN", "RETAIN", "UNLINKED", "READ_ONLY"})
+_FOREIGN_SECTIONS = {"CONST": Feature.CONST_SECTIONS, "LABEL": Feature.LABEL_SECTIONS}
+_NUMBERED = frozenset({"FB", "FC", "OB", "DB", "UDT", "SFB", "SFC"})
 _FEATURES = {
     "ORGANIZATION_BLOCK": Feature.ORGANIZATION_BLOCKS,
     "PROGRAM": Feature.PROGRAMS,
@@ -121,7 +124,7 @@ class BlockParser(NamespaceParser):
             self.need(_FEATURES[kind.value], first)
         end = f"END_{kind.value}"
         modifiers = self.modifiers()
-        name = self.name()
+        name = self._block_name()
         return_type: TypeSpec | None = None
         header: list[HeaderItem] = []
         self._pragmas_into(header)
@@ -167,6 +170,22 @@ class BlockParser(NamespaceParser):
         """Whether this is a function without result that does not say so."""
         return self.kinds[self.at] != ":" and self.dialect.has(Feature.OBJECTS)
 
+    def _block_name(self) -> Name:
+        """A name, or an absolute one with a blank in it: `FB 10` is FB10."""
+        first = self.at
+        name = self.name()
+        number = self.texts[self.at]
+        if (
+            name.name.upper() in _NUMBERED
+            and not name.quoted
+            and self.dialect.has(Feature.PLAIN_ADDRESSES)
+            and self.kinds[self.at] == "literal"
+            and number.isdecimal()
+        ):
+            self.at += 1
+            return Name(self.span(first), f"{name.name}{number}")
+        return name
+
     def _interface(self) -> tuple[tuple[VarSection, ...], tuple[LabelSection, ...]]:
         """VAR, CONST and LABEL sections in any order."""
         sections: list[VarSection] = []
@@ -178,8 +197,22 @@ class BlockParser(NamespaceParser):
                 labels.append(self.label_section())
             elif more := self.sections_here():
                 sections += more
-            else:
+            elif not (kind == "name" and self._foreign_section(self.texts[self.at].upper())):
                 return tuple(sections), tuple(labels)
+
+    def _foreign_section(self, word: str) -> bool:
+        """Whether CONST or LABEL begins a section here, where the dialect has none."""
+        feature = _FOREIGN_SECTIONS.get(word)
+        if feature is None or not self.word(self.at + 1):
+            return False
+        at = self.at + 1
+        while self.texts[at].upper() != f"END_{word}":
+            if self.kinds[at] in UNITS or self.kinds[at] in ("BEGIN", "end"):
+                return False
+            at += 1
+        self.missing_feature(feature, self.token_span(self.at))
+        self.kinds[self.at], self.kinds[at] = word, f"END_{word}"
+        return True
 
     def _end_unit(self, end: str, first: int) -> None:
         if self.accept(end):
@@ -265,7 +298,7 @@ class BlockParser(NamespaceParser):
         end = len(text) if end < 0 else end
         while self.starts[self.at] < end:
             self.at += 1
-        self.drop_extras(end)
+        self.drop_extras(self.starts[first], end)
         raw = text[self.ends[first + 1] : end]
         return HeaderItem(Span(self.source, self.starts[first], end), word, raw.strip())
 
@@ -276,7 +309,7 @@ class BlockParser(NamespaceParser):
         first = self.at
         self.at += 1
         self.need(Feature.DATA_BLOCKS, first)
-        name = self.name()
+        name = self._block_name()
         header: list[HeaderItem] = []
         comments = self._header(header)
         type_name: NamedType | None = None

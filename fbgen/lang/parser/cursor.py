@@ -169,9 +169,13 @@ class Cursor:
             )
 
     def need(self, feature: Feature, first: int) -> None:
-        """Report the tokens from `first` up to here if the dialect does not have the feature."""
+        """Report the tokens from `first` up to here if the dialect does not have the feature.
+
+        If `first` is the next token, that one is reported.
+        """
         if feature not in self.dialect.features:
-            self.missing_feature(feature, self.span(first))
+            place = self.span(first) if first < self.at else self.token_span(first)
+            self.missing_feature(feature, place)
 
     def unread(self, what: str, span: Span, hint: str) -> Unexpected:
         """Report something that is right but cannot be read yet; raise the result to give up."""
@@ -265,10 +269,16 @@ class Cursor:
             self._step()
         return tuple(taken)
 
-    def drop_extras(self, end: int) -> None:
-        """Drop the trivia that begin before the offset `end`, as they are part of a raw line."""
-        while self.extra_at <= self.at and (self._extras[self._next_extra].trivia.span.start < end):
-            self._step()
+    def drop_extras(self, start: int, end: int) -> None:
+        """Drop the trivia that begin between two offsets, as they are part of a raw line."""
+        first = self._next_extra
+        while first < len(self._extras) and self._extras[first].trivia.span.start < start:
+            first += 1
+        last = first
+        while last < len(self._extras) and self._extras[last].trivia.span.start < end:
+            last += 1
+        del self._extras[first:last]
+        self._look()
 
     def take_pragma(self) -> HeaderItem | None:
         """A pragma in front of the next token, as attributes; comments before it stay."""

@@ -310,7 +310,8 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
             edge, arguments, operator = self._rest_of_type(type_spec)
         if operator or kinds[self.at] == ":=":
             self.at += 1
-            initial = self.initial_value()
+            is_array = isinstance(type_spec, ArraySpec)
+            initial = self.array_value() if is_array else self.initial_value()
         if kinds[self.at] == ";":
             self.at += 1
         elif not isinstance(type_spec, StructSpec | UnionSpec):

@@ -69,6 +69,7 @@ class ExpressionParser(AddressParser):
         super().__init__(source, dialect)
         self._literals: dict[str, LiteralValue] = {}
         self._power_first = dialect.has(Feature.POWER_FIRST)
+        self._bare_arrays = dialect.has(Feature.BARE_ARRAYS)
 
     def expression(self) -> Expression:
         """One expression."""
@@ -242,7 +243,13 @@ class ExpressionParser(AddressParser):
                 if not more and trailing is None:
                     trailing = self.take_inline()
                 argument = Argument(
-                    argument.span, argument.kind, argument.name, argument.value, leading, trailing
+                    argument.span,
+                    argument.kind,
+                    argument.name,
+                    argument.value,
+                    leading,
+                    trailing,
+                    argument.quoted,
                 )
             arguments.append(argument)
             if not more:
@@ -256,16 +263,16 @@ class ExpressionParser(AddressParser):
         leading = self.take_leading() if self.extra_at <= first else ()
         following = self.kinds[first + 1] if self.kinds[first] != "end" else "end"
         if following in (":=", "=>"):
-            name = self.name().name
+            name = self.name()
             self.at = first + 2
-            if following == "=>" and self.kinds[self.at] in (",", ")"):
-                return Argument(self.span(first), ArgumentKind.OUTPUT, name, None, leading)
             kind = ArgumentKind.INPUT if following == ":=" else ArgumentKind.OUTPUT
-            value = self.expression()
-        else:
-            kind, name = ArgumentKind.POSITIONAL, ""
-            value = self.expression()
-        return Argument(self.span(first), kind, name, value, leading)
+            value: Expression | None = None
+            if following == ":=" or self.kinds[self.at] not in (",", ")"):
+                value = self.expression()
+            span = self.span(first)
+            return Argument(span, kind, name.name, value, leading, None, name.quoted)
+        value = self.expression()
+        return Argument(self.span(first), ArgumentKind.POSITIONAL, "", value, leading)
 
     # --- initial values -----------------------------------------------------------------------
 
@@ -291,6 +298,22 @@ class ExpressionParser(AddressParser):
         self.expect("]", "']' or ','", "initial values of an array look like [1, 2, 3(0)]")
         self.depth -= 1
         return ArrayLiteral(self.span(first), tuple(items))
+
+    def array_value(self) -> Expression:
+        """What stands behind ':=' where an array is declared."""
+        if self._bare_arrays and self.kinds[self.at] != "[":
+            return self._bare_array()
+        return self.initial_value()
+
+    def _bare_array(self) -> Expression:
+        """`1, 2, 3(0)`: a lone value is that value, all else an array."""
+        first = self.at
+        items = [self._array_item()]
+        while self.accept(","):
+            items.append(self._array_item())
+        if len(items) == 1 and not isinstance(items[0], Repeated):
+            return items[0]
+        return ArrayLiteral(self.span(first), tuple(items), True)
 
     def _array_item(self) -> Expression:
         first = self.at
@@ -334,10 +357,11 @@ class ExpressionParser(AddressParser):
         if self.kinds[first] == ",":
             return self._empty_field()
         if self.kinds[first + 1] == ":=":
-            name = self.name().name
+            name = self.name()
             self.at = first + 2
             value = self.initial_value()
-            return Argument(self.span(first), ArgumentKind.INPUT, name, value, leading)
+            span = self.span(first)
+            return Argument(span, ArgumentKind.INPUT, name.name, value, leading, None, name.quoted)
         value = self.initial_value()
         return Argument(self.span(first), ArgumentKind.POSITIONAL, "", value, leading)
 

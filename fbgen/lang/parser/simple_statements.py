@@ -42,7 +42,7 @@ _make = tuple.__new__
 class SimpleStatementParser(StatementListParser):
     """Reads statements without statements in them."""
 
-    def _simple(self) -> Statement:
+    def simple(self) -> Statement:
         """An assignment, a call or a label."""
         first = self.at
         leading = self.take_leading() if self.extra_at <= first else ()
@@ -132,7 +132,7 @@ class SimpleStatementParser(StatementListParser):
 
 enter(
     {
-        **dict.fromkeys(("name", "#", '"', '#"', "address"), SimpleStatementParser._simple),
+        **dict.fromkeys(("name", "#", '"', '#"', "address"), SimpleStatementParser.simple),
         "EXIT": SimpleStatementParser._jump,
         "CONTINUE": SimpleStatementParser._jump,
         "RETURN": SimpleStatementParser._jump,

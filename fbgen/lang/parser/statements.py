@@ -4,7 +4,7 @@ Source: IEC 61131-3, iteration statements; TIA Portal help, "REGION"; published 
 REGION lines.
 """
 
-from fbgen.lang.ast import For, Region, Repeat, While
+from fbgen.lang.ast import For, Region, Repeat, Statement, While
 from fbgen.lang.parser.branches import BranchParser
 from fbgen.lang.parser.statement_lists import enter
 
@@ -59,7 +59,10 @@ class StatementParser(BranchParser):
         leading, trailing = self.finish(leading)
         return Repeat(place, body, condition, leading, opening, closing, trailing)
 
-    def _region(self) -> Region:
+    def _region(self) -> Statement:
+        if self.kinds[self.at + 1] == ":=":
+            self.kinds[self.at] = "name"
+            return self.simple()
         leading = self.take_leading()
         first = self.at
         title = self.texts[first].strip()[len("REGION") :].strip()

@@ -45,6 +45,7 @@ class ExpressionPrinter:
         self._bit_members = dialect.has(Feature.BIT_MEMBERS)
         self._bare_bits = not dialect.has(Feature.PROGRAMS)
         self._plain_addresses = dialect.has(Feature.PLAIN_ADDRESSES)
+        self._bare_arrays = dialect.has(Feature.BARE_ARRAYS)
         self._power_first = dialect.has(Feature.POWER_FIRST)
 
     def expression(self, expression: Expression) -> str:
@@ -76,7 +77,8 @@ class ExpressionPrinter:
         value = "" if argument.value is None else self.expression(argument.value)
         if argument.kind is ArgumentKind.POSITIONAL:
             return value
-        return f"{argument.name} {argument.kind.value} {value}".rstrip()
+        name = f'"{argument.name}"' if argument.quoted else argument.name
+        return f"{name} {argument.kind.value} {value}".rstrip()
 
     def label(self, label: Expression | LabelRange) -> str:
         """One value or range of a CASE."""
@@ -180,7 +182,8 @@ class ExpressionPrinter:
         return f"({self.expression(inner.inner)})"
 
     def _array(self, array: ArrayLiteral) -> str:
-        return f"[{', '.join(self.expression(item) for item in array.items)}]"
+        items = ", ".join(self.expression(item) for item in array.items)
+        return items if array.bare and self._bare_arrays else f"[{items}]"
 
     def _repeated(self, repeated: Repeated) -> str:
         value = "" if repeated.value is None else self.expression(repeated.value)

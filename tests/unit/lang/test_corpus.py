@@ -1,28 +1,56 @@
-"""Programs in the style of real projects: read without findings, printed, read again."""
+"""Our corpus reads without findings, and printing it keeps the tree, the comments and itself."""
 
+import re
 from pathlib import Path
 
 import pytest
-from trees import comments, read, shape
+from trees import comments, shape
 
+from fbgen.diagnostics import render
+from fbgen.lang.ast import TriviaKind
+from fbgen.lang.dialects import dialect_named
 from fbgen.lang.encoding import read_source
-from fbgen.lang.parser import parse_recovering
+from fbgen.lang.lexer import tokenize
+from fbgen.lang.parser import parse, parse_recovering
 from fbgen.lang.printer import print_file
+from fbgen.source import Source
 
-_CORPUS = Path(__file__).parent.parent.parent / "corpus"
-_TEXTS = [
-    (path.parent.name, path.name)
-    for dialect in ("iec", "twincat")
-    for path in sorted((_CORPUS / dialect).glob("*.st"))
+_CORPUS = Path(__file__).parents[2] / "corpus"
+_FILES = sorted(_CORPUS.glob("*/*.*"))
+_CASES = [
+    pytest.param(path, path.parent.name, id=f"{path.parent.name}-{path.stem}") for path in _FILES
 ]
 
 
-@pytest.mark.parametrize(("dialect", "name"), _TEXTS)
-def test_a_program_of_the_corpus_survives_printing(dialect: str, name: str) -> None:
-    tree, findings = parse_recovering(read_source(_CORPUS / dialect / name), dialect)
-    assert findings == []
-    once = print_file(tree).text
-    again = read(once, dialect)
-    assert shape(again) == shape(tree)
-    assert comments(again) == comments(tree)
-    assert print_file(again).text == once
+@pytest.mark.parametrize(("path", "dialect"), _CASES)
+def test_it_is_read_without_findings(path: Path, dialect: str) -> None:
+    _, findings = parse_recovering(read_source(path), dialect)
+    assert [render(found) for found in findings] == []
+
+
+@pytest.mark.parametrize(("path", "dialect"), _CASES)
+def test_its_print_has_the_same_tree_and_comments(path: Path, dialect: str) -> None:
+    file = parse(read_source(path), dialect)
+    again = parse(Source("again", print_file(file).text), dialect)
+    assert shape(again) == shape(file)
+    assert comments(again) == comments(file)
+
+
+@pytest.mark.parametrize(("path", "dialect"), _CASES)
+def test_printing_twice_changes_nothing_more(path: Path, dialect: str) -> None:
+    once = print_file(parse(read_source(path), dialect)).text
+    assert print_file(parse(Source("once", once), dialect)).text == once
+
+
+@pytest.mark.parametrize(("path", "dialect"), _CASES)
+def test_no_comment_is_lost(path: Path, dialect: str) -> None:
+    source = read_source(path)
+    raw_lines = [match.span() for match in re.finditer(r"(?m)^TITLE.*$", source.text)]
+    written = sorted(
+        extra.trivia.text
+        for extra in tokenize(source, dialect_named(dialect)).extras
+        if extra.trivia.kind in (TriviaKind.LINE_COMMENT, TriviaKind.BLOCK_COMMENT)
+        and not any(start <= extra.trivia.span.start < end for start, end in raw_lines)
+    )
+    kept = [text for text in comments(parse(source, dialect)) if not text.startswith("{")]
+    assert kept == written

@@ -46,19 +46,28 @@ def value(expression: str, dialect: str = "tia") -> ast.Expression:
 
 
 def shape(node: object) -> object:
-    """A tree as nested tuples, without places and comments, to compare two of them."""
+    """A tree as nested tuples, without places and comments, to compare two of them.
+
+    Header lines are sorted, as printing brings them into the order of TIA Portal.
+    """
     if isinstance(node, (Span, Source)):
         return None
     if isinstance(node, tuple):
         return tuple(shape(item) for item in node)
     if is_dataclass(node) and not isinstance(node, type):
         parts = tuple(
-            (field.name, shape(getattr(node, field.name)))
+            (field.name, shape(_in_order(getattr(node, field.name))))
             for field in fields(node)
             if field.name not in _TRIVIA_SLOTS and field.name != "source"
         )
         return (type(node).__name__, *parts)
     return node
+
+
+def _in_order(value: object) -> object:
+    if isinstance(value, tuple) and value and isinstance(value[0], ast.HeaderItem):
+        return tuple(sorted(value, key=lambda item: (item.keyword, item.text)))
+    return value
 
 
 def comments(node: object) -> list[str]:
