@@ -10,6 +10,7 @@ from fbgen.source import Source
 from harness.engine.compiled import CompiledEngine
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.interface import Value
+from harness.engine.loading import load_program
 from harness.kernel import Kernel
 
 _HANDSHAKE = Path(__file__).with_name("handshake.st")
@@ -51,10 +52,17 @@ def _inputs(text: str) -> list[dict[str, Value]]:
     return given
 
 
-def _keyword_calls(text: str) -> tuple[Callable[[], None], Callable[[], None]]:
-    """One period of calls from Python with the inputs as keywords, and the loop without them."""
-    kernel = Kernel()
-    call = load(text, kernel).instance("FB_HS").keyword_call()
+def _calls(text: str, bound: bool) -> tuple[Callable[[], None], Callable[[], None]]:
+    """One period of calls from Python with the inputs as keywords, and the loop without them.
+
+    `bound` looks `fb.__call__` up once before instead of calling `fb` itself.
+    """
+    program = load_program([Source("bench.st", text)], "iec")
+    fb = program.instance("FB_HS")
+    call = fb.__call__ if bound else fb
+    environment = program.engine.environment
+    assert isinstance(environment, StandaloneEnvironment)
+    kernel = environment.kernel
     given = [tuple(inputs.values()) for inputs in _inputs(text)]
 
     def calls() -> None:
@@ -69,20 +77,6 @@ def _keyword_calls(text: str) -> tuple[Callable[[], None], Callable[[], None]]:
     return calls, without
 
 
-def _mapping_calls(text: str) -> Callable[[], None]:
-    """The same calls with a mapping of the inputs."""
-    kernel = Kernel()
-    call = load(text, kernel).instance("FB_HS").call
-    given = _inputs(text)
-
-    def calls() -> None:
-        for inputs in given:
-            kernel.now_ns += _SCAN_NS
-            call(inputs)
-
-    return calls
-
-
 def _long(statements: int) -> Callable[[], None]:
     lines = "  a := a + 1;\n  b := b + a;\n" * (statements // 2)
     text = f"FUNCTION_BLOCK Long\nVAR a : DINT; b : DINT; END_VAR\n{lines}END_FUNCTION_BLOCK\n"
@@ -90,9 +84,8 @@ def _long(statements: int) -> Callable[[], None]:
     return lambda: call({})
 
 
-def _difference(name: str, whole: Figure, rest: Figure) -> Figure:
-    seconds, turns = whole.seconds - rest.seconds, whole.turns - rest.turns
-    return Figure(name, seconds, turns, "at most 60 turns")
+def _difference(name: str, whole: Figure, rest: Figure, limit: str) -> Figure:
+    return Figure(name, whole.seconds - rest.seconds, whole.turns - rest.turns, limit)
 
 
 def figures() -> Iterator[Figure]:
@@ -103,11 +96,13 @@ def figures() -> Iterator[Figure]:
     rest = measure("the same without the call", _scans(without), per=_PERIOD)
     yield whole
     yield rest
-    yield _difference("call of FB_HS by keyword in PROGRAM main", whole, rest)
-    calls, loop = _keyword_calls(text)
-    whole, rest = measure("", calls, per=_PERIOD), measure("", loop, per=_PERIOD)
-    yield _difference("call of FB_HS by keyword in Python", whole, rest)
-    yield measure("call of FB_HS with a mapping of inputs", _mapping_calls(text), per=_PERIOD)
+    name = "call of FB_HS by keyword in PROGRAM main"
+    yield _difference(name, whole, rest, "at most 60 turns")
+    for name, bound in (("call(...), where call = fb.__call__", True), ("fb(...)", False)):
+        calls, loop = _calls(text, bound)
+        whole, rest = measure("", calls, per=_PERIOD), measure("", loop, per=_PERIOD)
+        limit = "at most 60 turns" if bound else ""
+        yield _difference(f"{name} in Python", whole, rest, limit)
 
     def first_scan() -> None:
         load(text).run_block("main")

@@ -5,9 +5,9 @@ means; `harness.engine.compiled` is the fast one. They share this face, the faul
 the layout of memory, and nothing that calculates.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol, TypeAlias
+from typing import Any, Protocol, TypeAlias
 
 from fbgen.lang.checked import AnyBlock, Program
 from fbgen.lang.types import Scalar
@@ -20,6 +20,9 @@ Scalars are as `fbgen.lang.types` says. A structure or an instance is a mapping 
 names to values. An array is a flat sequence, the last index fastest. What an engine gives is a
 copy (`dict` and `list`); what it takes it copies.
 """
+
+Convert: TypeAlias = Callable[[Mapping[str, Any]], Mapping[str, Value]]
+"""What makes plain values of what a caller gave by name."""
 
 State: TypeAlias = object
 """What `snapshot` gives: to be kept, compared with `==` and given back to `restore`, no more."""
@@ -63,6 +66,13 @@ class Instance(Protocol):
 
         After a fault the variables hold whatever they held when it was found, and how far the
         call had come is up to the engine.
+        """
+        ...
+
+    def keyword_call(self, convert: Convert) -> Callable[..., None]:
+        """A function that does the same with the inputs and in-outs as keywords.
+
+        What is not simply the value of a single input goes through `convert` first.
         """
         ...
 

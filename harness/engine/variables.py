@@ -6,7 +6,7 @@ instance as a view that follows the program. A name that is no Python name, or t
 `_`, is reached by an item.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Protocol, TypeAlias
 
 from fbgen.diagnostics import DiagnosticError
@@ -119,19 +119,27 @@ Item: TypeAlias = Scalar | View
 
 
 class BlockInstance(View):
-    """A function block with its own state: a call `fb(execute=True)`, and its variables."""
+    """A function block with its own state: a call `fb(execute=True)`, and its variables.
+
+    Inputs and in-outs that are not given keep their value. Each instance is of a class of its own,
+    because that is how Python finds `__call__`; whoever calls one instance very often saves a third
+    by `call = fb.__call__`.
+    """
 
     __slots__ = ("_instance",)
 
+    __call__: Callable[..., None]
     _instance: Instance
+
+    def __new__(cls, instance: Instance, program: Program) -> "BlockInstance":
+        """An instance whose call is the engine's own function."""
+        call = staticmethod(instance.keyword_call(_plain_values))
+        own: type[BlockInstance] = type(cls.__name__, (cls,), {"__slots__": (), "__call__": call})
+        return object.__new__(own)
 
     def __init__(self, instance: Instance, program: Program) -> None:
         super().__init__(instance, "", BlockType(instance.block.name), program)
         object.__setattr__(self, "_instance", instance)
-
-    def __call__(self, **inputs: Value | View) -> None:
-        """One call of the block; inputs that are not given keep their value."""
-        self._instance.call({name: plain(value) for name, value in inputs.items()})
 
     def _value(self) -> dict[str, Value]:
         return {
@@ -185,6 +193,10 @@ _NAMESPACE = StructType("global variables", ())
 def plain(value: Value | View) -> Value:
     """A copy of what a view shows: `dict` and `list`; any other value as it is."""
     return value._value() if isinstance(value, View) else value
+
+
+def _plain_values(values: Mapping[str, Value | View]) -> dict[str, Value]:
+    return {name: plain(value) for name, value in values.items()}
 
 
 def _indices(item: int | tuple[int, ...]) -> tuple[int, ...]:

@@ -11,7 +11,7 @@ from harness.engine.compiled.evaluation import enter
 from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.model import Model, Part, Record, has_memory, is_scalar
-from harness.engine.compiled.outside_calls import input_types, write_call
+from harness.engine.compiled.outside_calls import input_types
 from harness.engine.compiled.procedure import (
     BlockContext,
     FrameNeededError,
@@ -150,7 +150,6 @@ def _class(context: BlockContext, body: Sequence[Statement]) -> Listing:
         procedure.line(f"    _enter({context.block.name!r})")
         procedure.line("    self._uncounted()")
         procedure.line("    _leave()")
-    write_call(listing, record, context.facts, context.block)
     context.tables.update(input_types(record))
     listing.indent = 0
     return listing

@@ -28,7 +28,7 @@ from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.stopping import Stopper
 from harness.engine.environment import Environment, StandaloneEnvironment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block, wrong_path
-from harness.engine.interface import FunctionResult, Limits, State, Value
+from harness.engine.interface import Convert, FunctionResult, Limits, State, Value
 from harness.engine.paths import parse_path
 from harness.engine.values import accept_scalar
 
@@ -55,7 +55,16 @@ class CompiledEngine:
     """One program on one controller. `probe` adds lines to the generated code, for coverage."""
 
     __slots__ = (
-        *("_cpu", "_environment", "_facts", "_globals", "_initial", "_listings", "_located"),
+        *(
+            "_cpu",
+            "_environment",
+            "_facts",
+            "_globals",
+            "_initial",
+            "_listings",
+            "_located",
+            "_makers",
+        ),
         *("_memory", "_model", "_namespace", "_program", "_programs", "_records", "_runs"),
         "_stopper",
     )
@@ -91,8 +100,7 @@ class CompiledEngine:
             "_environment": environment,
             "_cpu": self._cpu,
             "_set_others": self._set_others,
-            "_connect": self._connect,
-            "_stopped": self._stopped,
+            "_stopped_by": self._stopped,
             **(probe.names if probe is not None else {}),
         }
         self._memory = Memory(self._model, self._facts, self._namespace)
@@ -112,6 +120,7 @@ class CompiledEngine:
             if block.kind is BlockKind.PROGRAM
         }
         self._runs: dict[str, Callable[[], Any]] = {}
+        self._makers: dict[str, Callable[..., Any]] = {}
         self._records = {
             self._namespace[record.class_name]: record for record in self._model.block_records
         }
@@ -199,33 +208,28 @@ class CompiledEngine:
             record,
             data,
             self._memory,
-            call=self._call_of(record, data),
-            stopped=self._stopped,
-            make_keyword_call=self._keyword_call,
+            make_call=self._keyword_call,
         )
 
-    def _call_of(self, record: Record, data: Any) -> Callable[..., None]:
-        if isinstance(record.block, Block):
-            call: Callable[..., None] = data._call
-            return call
-        assert record.block is not None
-        run = getattr(data, run_method(record.block))
-
-        def call_standard(inputs: Mapping[str, Value]) -> None:
-            self._set_others(data, inputs)
-            run()
-
-        return call_standard
-
-    def _keyword_call(self, record: Record, data: Any) -> Callable[..., None]:
+    def _keyword_call(self, record: Record, data: Any, convert: Convert) -> Callable[..., None]:
+        """A function that calls an instance, with its inputs and in-outs as keywords."""
         block = record.block
+        assert block is not None
         if not isinstance(block, Block):
-            call = self._call_of(record, data)
-            return lambda **inputs: call(inputs)
-        name = f"<{block.name}, called by keyword>"
+            run = getattr(data, run_method(block))
+
+            def call_standard(**inputs: Any) -> None:
+                self._set_others(data, convert(inputs))
+                self._start(run)
+
+            return call_standard
         self._connect(data)
-        self._run_listing(name, write_keyword_call(record, self._facts, block))
-        function: Callable[..., None] = self._namespace.pop("make")(data)
+        make = self._makers.get(record.class_name)
+        if make is None:
+            listing = write_keyword_call(record, self._facts, block)
+            self._run_listing(f"<{block.name}, called from outside>", listing)
+            make = self._makers[record.class_name] = self._namespace.pop("_make")
+        function: Callable[..., None] = make(data, convert)
         return function
 
     def global_instance(self, name: str) -> CompiledInstance:
@@ -246,7 +250,7 @@ class CompiledEngine:
         return self._stopper.diagnostic(exception) or exception
 
     def _set_others(self, data: Any, inputs: Mapping[str, Value]) -> None:
-        """Inputs and in-outs of an instance that its `_call` does not take itself."""
+        """Inputs and in-outs of an instance that its call does not take by their names."""
         record = self._records[type(data)]
         for name, value in inputs.items():
             part = record.part(name)

@@ -6,14 +6,14 @@ from typing import Any
 from fbgen.lang.checked import AnyBlock
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.model import Record
-from harness.engine.interface import State, Value
+from harness.engine.interface import Convert, State, Value
 from harness.engine.paths import parse_path
 
 
 class CompiledInstance:
-    """One instance. `call` runs its generated method, `stopped` says what to raise if it fails."""
+    """One instance. `make_call` makes the function that calls it, when it is called first."""
 
-    __slots__ = ("_call", "_data", "_make_keyword_call", "_memory", "_record", "_stopped")
+    __slots__ = ("_call", "_data", "_make_call", "_memory", "_record")
 
     def __init__(
         self,
@@ -21,16 +21,13 @@ class CompiledInstance:
         data: Any,
         memory: Memory,
         *,
-        call: Callable[[Mapping[str, Value]], None],
-        stopped: Callable[[Exception], Exception],
-        make_keyword_call: Callable[[Record, Any], Callable[..., None]],
+        make_call: Callable[[Record, Any, Convert], Callable[..., None]],
     ) -> None:
         self._record = record
         self._data = data
         self._memory = memory
-        self._call = call
-        self._stopped = stopped
-        self._make_keyword_call = make_keyword_call
+        self._call: Callable[..., None] | None = None
+        self._make_call = make_call
 
     @property
     def block(self) -> AnyBlock:
@@ -40,20 +37,13 @@ class CompiledInstance:
 
     def call(self, inputs: Mapping[str, Value]) -> None:
         """One call. Inputs and in-outs by name; what is not given keeps its value."""
-        try:
-            self._call(inputs)
-        except Exception as exception:
-            stopped = self._stopped(exception)
-            if stopped is exception:
-                raise
-            raise stopped from None
+        if self._call is None:
+            self._call = self.keyword_call(dict)
+        self._call(**inputs)
 
-    def keyword_call(self) -> Callable[..., None]:
-        """A function that calls the block, with its single-valued inputs as keywords.
-
-        It does what `call` does and costs less: for those who call one instance very often.
-        """
-        return self._make_keyword_call(self._record, self._data)
+    def keyword_call(self, convert: Convert) -> Callable[..., None]:
+        """A function that calls the block with inputs and in-outs as keywords, the fastest way."""
+        return self._make_call(self._record, self._data, convert)
 
     def get(self, path: str) -> Value:
         """The value of a variable or of a part of it; an in-out as the last call left it."""

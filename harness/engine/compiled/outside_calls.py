@@ -1,7 +1,7 @@
 """Calls from outside as Python source: they check the inputs, store them, and run the block.
 
-Every block has a method that takes a mapping. A function that takes the inputs as keywords is
-faster still, because Python then builds no mapping; it is made for those who ask for it.
+A function that takes the inputs as keywords is the fastest way, because Python then builds no
+mapping. It is written when somebody calls an instance of the block for the first time.
 """
 
 from collections.abc import Sequence
@@ -52,49 +52,38 @@ def _write_start(listing: Listing, facts: Facts, block: Block) -> None:
         listing.add("_cpu.depth = 0")
 
 
-def write_call(listing: Listing, record: Record, facts: Facts, block: Block) -> None:
-    """The method of a block that takes its inputs as a mapping."""
-    listing.add("")
-    listing.add("def _call(self, inputs):")
-    listing.indent += 4
-    _write_start(listing, facts, block)
-    listing.add("others = len(inputs)")
-    for part in _inputs(record):
-        listing.add(f"if {part.name!r} in inputs:")
-        listing.add(f"    value = inputs[{part.name!r}]")
-        listing.add("    others -= 1")
-        plain, accepted = _is_plain(part, "value"), _accepted(record, part, "value")
-        text = f"value if {plain} else {accepted}" if plain else accepted
-        listing.add(f"    self.{part.slot} = {text}")
-    listing.add("if others: _set_others(self, inputs)")
-    if any(part.kind is VariableKind.IN_OUT for part in record.parts):
-        listing.add("_connect(self)")
-    listing.add("self._run()")
-    listing.indent -= 4
-
-
 def write_keyword_call(record: Record, facts: Facts, block: Block) -> Listing:
-    """A function `make(data)` that gives a function with the inputs of `data` as keywords."""
+    """A function `_make(data, convert)` that makes one with the inputs of `data` as keywords.
+
+    What is no single value, is named in another way than it was declared, or is no input at all,
+    arrives in `_others`: `_set_others` sees to it.
+    """
+    inputs = [part for part in _inputs(record) if part.slot == part.name]
+    keywords = "".join(f"{part.slot}=_keep, " for part in inputs)
+    only = "*, " if inputs else ""
     listing = Listing()
-    keywords = "".join(f"{part.slot}=_keep, " for part in _inputs(record))
-    listing.add("def make(data):")
+    listing.add("def _make(_data, _convert):")
     listing.indent = 4
-    listing.add("run = data._run")
-    listing.add(f"def call({keywords.removesuffix(', ')}):")
+    listing.add("_run = _data._run")
+    listing.add(f"def _call({only}{keywords}**_others):")
     listing.indent = 8
     listing.add("try:")
     listing.indent = 12
     _write_start(listing, facts, block)
-    for part in _inputs(record):
+    for part in inputs:
         keyword = "if"
         if plain := _is_plain(part, part.slot):
-            listing.add(f"if {plain}: data.{part.slot} = {part.slot}")
+            listing.add(f"if {plain}: _data.{part.slot} = {part.slot}")
             keyword = "elif"
         listing.add(f"{keyword} {part.slot} is not _keep:")
-        listing.add(f"    data.{part.slot} = {_accepted(record, part, part.slot)}")
-    listing.add("run()")
+        listing.add(f"    _data.{part.slot} = {_accepted(record, part, part.slot)}")
+    listing.add("if _others: _set_others(_data, _convert(_others))")
+    listing.add("_run()")
     listing.indent = 8
-    listing.add("except Exception as exception: raise _stopped(exception) from None")
+    listing.add("except Exception as _exception:")
+    listing.add("    _stopped = _stopped_by(_exception)")
+    listing.add("    if _stopped is _exception: raise")
+    listing.add("    raise _stopped from None")
     listing.indent = 4
-    listing.add("return call")
+    listing.add("return _call")
     return listing

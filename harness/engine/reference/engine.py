@@ -1,15 +1,16 @@
 """The reference evaluator as an engine: what is called and looked into from outside."""
 
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from typing import Any
 
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, Program, StandardBlock, Variable, VariableKind
 from fbgen.lang.types import BlockType
 from harness.engine.environment import Environment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block
-from harness.engine.interface import FunctionResult, Limits, State, Value
+from harness.engine.interface import Convert, FunctionResult, Limits, State, Value
 from harness.engine.paths import parse_path
 from harness.engine.reference.allocation import Allocator
 from harness.engine.reference.calls import Calls
@@ -223,6 +224,14 @@ class ReferenceInstance:
                 self._calls.run_standard(self._storage, block)
             else:
                 self._calls.run_instance(self._storage, None)
+
+    def keyword_call(self, convert: Convert) -> Callable[..., None]:
+        """A function that does the same with the inputs and in-outs as keywords."""
+
+        def call(**inputs: Any) -> None:
+            self.call(convert(inputs))
+
+        return call
 
     def get(self, path: str) -> Value:
         """The value of a variable or of a part of it."""

@@ -40,7 +40,7 @@ def test_inputs_that_are_not_given_keep_their_value(adder: CompiledInstance) -> 
 
 
 def test_the_call_by_keyword_does_the_same(adder: CompiledInstance) -> None:
-    call = adder.keyword_call()
+    call = adder.keyword_call(dict)
     adder.call({"pair": {"a": 10}})
     call(number=5, type=2)
     call(real=2.5, flag=True)
@@ -49,7 +49,7 @@ def test_the_call_by_keyword_does_the_same(adder: CompiledInstance) -> None:
 
 
 def test_the_call_by_keyword_works_before_any_other(adder: CompiledInstance) -> None:
-    adder.keyword_call()(number=3)
+    adder.keyword_call(dict)(number=3)
     assert adder.get("total") == 3
 
 
@@ -72,7 +72,7 @@ def test_values_that_an_input_cannot_hold_are_refused(
     adder: CompiledInstance, name: str, value: object
 ) -> None:
     with pytest.raises(DiagnosticError, match="FB6021") as failure:
-        adder.keyword_call()(**{name: value})
+        adder.keyword_call(dict)(**{name: value})
     with pytest.raises(DiagnosticError) as second_failure:
         adder.call({name: value})  # type: ignore[dict-item]  # wrong on purpose
     assert name in str(failure.value)
@@ -81,22 +81,22 @@ def test_values_that_an_input_cannot_hold_are_refused(
 
 
 def test_whole_numbers_are_fine_for_a_real(adder: CompiledInstance) -> None:
-    adder.keyword_call()(real=3)
+    adder.keyword_call(dict)(real=3)
     assert adder.get("real") == 3.0
     assert isinstance(adder.get("real"), float)
 
 
 def test_what_stops_a_call_by_keyword_is_a_diagnostic(adder: CompiledInstance) -> None:
     with pytest.raises(DiagnosticError, match="FB6006"):
-        adder.keyword_call()(real=1.0e9)
+        adder.keyword_call(dict)(real=1.0e9)
 
 
 def test_standard_blocks_are_called_in_the_same_ways() -> None:
     program = read_program([Source("empty.scl", TEXT)])
     counter = CompiledEngine(program, StandaloneEnvironment()).instance("CTU")
     counter.call({"CU": True, "pv": 2})
-    counter.keyword_call()(CU=False)
-    counter.keyword_call()(CU=True)
+    counter.keyword_call(dict)(CU=False)
+    counter.keyword_call(dict)(CU=True)
     assert (counter.get("CV"), counter.get("Q")) == (2, True)
     with pytest.raises(DiagnosticError, match="FB6020"):
         counter.call({"CD": True})

@@ -32,7 +32,7 @@ def method(body: str) -> str:
     source = engine_of(
         f'FUNCTION_BLOCK "Block"{DECLARATIONS}BEGIN\n{body}\nEND_FUNCTION_BLOCK\n'
     ).python_source("Block")
-    found = re.search(r"def _run\(self\):\n(.*?)\n\s*\n    def _call", source, re.DOTALL)
+    found = re.search(r"def _run\(self\):\n(.*)\Z", source.rstrip(), re.DOTALL)
     assert found is not None
     return "\n".join(line[8:] for line in found[1].split("\n"))
 
