@@ -7,8 +7,9 @@ changed, compared by identity, each with the span of what was written. Long chai
 left-deep trees: walk them with a loop down the left side, not by recursion.
 
 Evaluation: operands from left to right, both sides of AND and OR always (an engine may leave the
-right side out where that cannot be noticed); the arguments of a call before the call. `Binary` and
-`Unary` wrap around in the width of their type; REAL results are rounded to 32 bit.
+right side out where that cannot be noticed), of AND_THEN and OR_ELSE only as needed; the arguments
+of a call before the call. `Binary` and `Unary` wrap around in the width of their type; REAL results
+are rounded to 32 bit.
 """
 
 from collections.abc import Mapping
@@ -176,8 +177,9 @@ class Unary:
 
 @node
 class Binary:
-    """Two operands and an operator: OR XOR AND + - * / MOD ** = <> < > <= >=.
+    """Two operands and an operator: OR XOR AND OR_ELSE AND_THEN + - * / MOD ** = <> < > <= >=.
 
+    OR_ELSE and AND_THEN take BOOL and leave their right side out where the left one decides.
     Both operands have the same type, except: TIME * and / take a number on the right; ** takes any
     number on the right. Comparisons give BOOL, everything else the type of its left operand.
     DIV is "/" on integers. Integer division cuts towards zero, MOD has the sign of the dividend.
@@ -244,8 +246,26 @@ class SystemCall:
     type: Type
 
 
+@node
+class Attempt:
+    """The value of `operand`; `flag`, a BOOL, becomes FALSE if that does not work.
+
+    It does not work if a whole number does not fit into the type of the result (of + - *, of a
+    changed sign, of a conversion): the value is then wrapped around as ever. And if it would stop
+    the program: by a division by zero, a number out of range, a text or BCD pattern that is no
+    number, a MUX selector without input; the value is then zero or the empty text. `flag` stays as
+    it is where it does work. Only what `operand` itself does counts, not what is inside of it,
+    unless that would stop the program.
+    """
+
+    span: Span
+    operand: "Unary | Binary | Convert | StandardCall"
+    flag: VariableRef
+    type: Type
+
+
 Expression: TypeAlias = (
-    Constant | Place | Unary | Binary | Convert | StandardCall | FunctionCall | SystemCall
+    Constant | Place | Unary | Binary | Convert | StandardCall | FunctionCall | SystemCall | Attempt
 )
 
 
@@ -377,6 +397,28 @@ class Return:
     span: Span
 
 
+@node
+class Label:
+    """A place in a list of statements that `Goto` can go on at; `name` is casefolded."""
+
+    span: Span
+    name: str
+
+
+@node
+class Goto:
+    """Go on behind the `Label` with that name.
+
+    The label stands in the same block, in the lists around the jump or inside of an IF or CASE in
+    one of them, but never inside of a loop that the jump is not in. `backward`: the label stands
+    before the jump in the text; such a jump counts as a pass of a loop.
+    """
+
+    span: Span
+    label: str
+    backward: bool
+
+
 Statement: TypeAlias = (
     Assignment
     | Evaluate
@@ -389,6 +431,8 @@ Statement: TypeAlias = (
     | Exit
     | Continue
     | Return
+    | Label
+    | Goto
 )
 
 

@@ -31,7 +31,8 @@ class Writer:
     draw: Callable[..., object]
     mark: str
     loops: int = 0
-    counters: int = 0
+    labels: list[str] = field(default_factory=list)
+    label_count: int = 0
     writable: dict[str, list[str]] = field(default_factory=dict)
     readable: dict[str, list[str]] = field(default_factory=dict)
 
@@ -91,7 +92,10 @@ class Writer:
         return choices[self.number(0, len(choices) - 1)](kind, depth - 1)
 
     def _logic(self, kind: str, depth: int) -> str:
-        operator = self.one_of(("AND", "OR", "XOR", "NOT"))
+        operators = ("AND", "OR", "XOR", "NOT")
+        if kind == "BOOL" and not self.mark:
+            operators += ("AND_THEN", "OR_ELSE")
+        operator = self.one_of(operators)
         left = self.expression(kind, depth)
         if operator == "NOT":
             return f"(NOT {left})"
@@ -204,6 +208,10 @@ class Writer:
     def statement(self, depth: int, indent: str) -> str:
         """Some statement; compound ones only while `depth` lasts."""
         kinds = [self._assignment] * 5 + [self._call, self._jump]
+        if self.mark:
+            kinds += [self._chain, self._enabled]
+        if self.mark and depth > 0:
+            kinds += [self._labelled, self._repeated_by_jump]
         if depth > 0:
             kinds += [self._if, self._if, self._case, self._for, self._while, self._repeat]
         return kinds[self.number(0, len(kinds) - 1)](depth - 1, indent)
@@ -212,6 +220,51 @@ class Writer:
         kind = self.one_of(TYPES)
         target = self.one_of(self.writable[kind])
         return f"{indent}{target} := {self.expression(kind, 3)};\n"
+
+    def _chain(self, depth: int, indent: str) -> str:
+        """Several targets in one statement, with whole numbers of one or two types."""
+        first, last = self.one_of(self.writable["DINT"]), self.one_of(self.writable["INT"])
+        middle = self.one_of(self.writable["INT"])
+        sign = self.one_of((":=", "+=", "-=", "*="))
+        return f"{indent}{first} := {middle} {sign} {last} := {self.expression('INT', 2)};\n"
+
+    def _enabled(self, depth: int, indent: str) -> str:
+        """A call with EN and ENO, of the function, the inner block or a conversion."""
+        enable, ok = self.expression("BOOL", 1), self.one_of(self.writable["BOOL"])
+        value, target = self.expression("INT", 2), self.one_of(self.writable["INT"])
+        match self.number(0, 2):
+            case 0:
+                place = self.one_of(self.writable["DINT"])
+                call = f'{target} := "Twice"(EN := {enable}, value := {value}, total := {place}'
+            case 1:
+                call = f"#instInner(EN := {enable}, value := {value}, place := {target}"
+            case _:
+                source = self.one_of(("DINT", "REAL", "LREAL", "UINT"))
+                call = f"{target} := {source}_TO_INT(IN := {self.expression(source, 2)}"
+        return f"{indent}{call}, ENO => {ok});\n"
+
+    def _new_label(self) -> str:
+        self.label_count += 1
+        return f"label{self.label_count}"
+
+    def _labelled(self, depth: int, indent: str) -> str:
+        """Statements with a label behind them that they may jump to."""
+        label = self._new_label()
+        self.labels.append(label)
+        body = self._jump(0, indent) + self.statements(depth, indent)
+        self.labels.remove(label)
+        return f"{body}{indent}{label}: ;\n"
+
+    def _repeated_by_jump(self, depth: int, indent: str) -> str:
+        """A loop without a keyword, which EXIT does not know."""
+        label, counter = self._new_label(), f"{self.mark}guard"
+        body = self.statements(depth, indent)
+        condition = self.expression("BOOL", 1)
+        return (
+            f"{indent}{label}: {counter} := {counter} + 1;\n{body}"
+            f"{indent}IF {counter} < 45 AND {condition} THEN\n{indent}    GOTO {label};\n"
+            f"{indent}END_IF;\n"
+        )
 
     def _call(self, depth: int, indent: str) -> str:
         mark = self.mark
@@ -249,6 +302,7 @@ class Writer:
     def _jump(self, depth: int, indent: str) -> str:
         condition = self.expression("BOOL", 1)
         jumps = ("EXIT", "CONTINUE", "RETURN") if self.loops else ("RETURN",)
+        jumps = (*jumps, *(f"GOTO {label}" for label in self.labels))
         return f"{indent}IF {condition} THEN\n{indent}    {self.one_of(jumps)};\n{indent}END_IF;\n"
 
     def _if(self, depth: int, indent: str) -> str:
@@ -350,13 +404,15 @@ def _declarations(mark: str) -> str:
         + f"FUNCTION {quote}Twice{quote} : INT\n"
         "VAR_INPUT value : INT; END_VAR\nVAR_IN_OUT total : DINT; END_VAR\n" + begin
         + f"    {mark}total := {mark}total + {mark}value;\n    {mark}Twice := {mark}value * 2;\n"
-        "END_FUNCTION\n"
+        + ("    IF #value > 100 THEN ENO := FALSE; END_IF;\n" if mark else "")
+        + "END_FUNCTION\n"
         f"FUNCTION_BLOCK {quote}Inner{quote}\n"
         "VAR_INPUT value : INT; END_VAR\nVAR_OUTPUT sum : INT; END_VAR\n"
         "VAR_IN_OUT place : INT; END_VAR\nVAR calls : UINT; END_VAR\n" + begin
         + f"    {mark}calls := {mark}calls + 1;\n    {mark}place := {mark}place + {mark}value;\n"
         f"    {mark}sum := {mark}sum + {mark}place;\n"
-        "END_FUNCTION_BLOCK\n"
+        + ("    ENO := #sum MOD 3 <> 0;\n" if mark else "")
+        + "END_FUNCTION_BLOCK\n"
         f"FUNCTION_BLOCK {quote}Outer{quote}\n"
         f"VAR_INPUT\n{section('in')}END_VAR\nVAR_OUTPUT\n{section('out')}END_VAR\n"
         f"VAR\n{section('stat')}{lists}    frame : {frame};\n"

@@ -62,7 +62,15 @@ def _by_name(
     complete = True
     for argument in call.arguments:
         key = argument.name.casefold()
-        if key not in known:
+        if key not in known and key in ("en", "eno"):
+            complete = False
+            ctx.findings.error(
+                "FB4084",
+                f"{argument.name} is not possible in a call inside of an expression",
+                argument.span,
+                "assign the result of the call to a variable first: x := f(EN := ..., ENO => ...);",
+            )
+        elif key not in known:
             complete = False
             ctx.findings.error(
                 "FB4006",

@@ -26,13 +26,13 @@ from fbgen.lang.checker.arguments import bind
 from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import keeps_representation
+from fbgen.lang.checker.enabling import ENABLED, attempted
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, default_value, erroneous
-from fbgen.lang.checker.places import find_symbol, is_place
+from fbgen.lang.checker.places import is_place, names_block
 from fbgen.lang.checker.standard_blocks import TIMER_METHODS, standard_block
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.standard_functions import OPERATORS_BY_NAME, STANDARD_FUNCTIONS
-from fbgen.lang.checker.symbols import Symbol
 from fbgen.lang.checker.system_instructions import (
     INSTRUCTIONS,
     RETURN_VALUE,
@@ -71,7 +71,7 @@ def check_call(ctx: Context, node: ast.Call, expected: Type | None) -> Expressio
     if instruction is not None:
         return system_call(ctx, node, instruction)[0]
     if is_standard_function(name):
-        return check_standard_call(ctx, node, name, expected)
+        return attempted(ctx, check_standard_call(ctx, node, name, expected))
     unknown_callee(ctx, node, name)
     return erroneous(node.span)
 
@@ -79,17 +79,7 @@ def check_call(ctx: Context, node: ast.Call, expected: Type | None) -> Expressio
 def _called_name(ctx: Context, node: ast.Call) -> str | None:
     """The name of the function that is called; None for instances and what is no name."""
     callee = node.callee
-    if not isinstance(callee, ast.Name) or callee.local:
-        return None
-    symbol = find_symbol(ctx, callee)
-    if symbol is None or is_result(symbol):
-        return callee.name
-    return None
-
-
-def is_result(symbol: Symbol) -> bool:
-    """True for the result variable of a FUNCTION, which has the function's name."""
-    return isinstance(symbol, Variable) and symbol.kind is VariableKind.RESULT
+    return callee.name if isinstance(callee, ast.Name) and names_block(ctx, callee) else None
 
 
 def _user_block(ctx: Context, callee: ast.Expression, name: str) -> Block | None:
@@ -237,9 +227,19 @@ def _missing(ctx: Context, node: ast.Call, name: str, missing: Sequence[str]) ->
 def _bind_variables(
     ctx: Context, node: ast.Call, name: str, block: AnyBlock, by_assignment: bool
 ) -> _Bound | None:
+    implicit = ctx.library.implicit
+    own_eno = next((one for one in block.variables if one in implicit), None)
     parameters = [
-        (variable.name, variable) for variable in block.variables if variable.kind in _PARAMETERS
+        (variable.name, variable)
+        for variable in block.variables
+        if variable.kind in _PARAMETERS and variable is not own_eno
     ]
+    status = None
+    if own_eno is not None:
+        # It may stand beside arguments without names.
+        status = next((one for one in node.arguments if one.name.casefold() == ENABLED), None)
+        rest = tuple(one for one in node.arguments if one is not status)
+        node = ast.Call(node.span, node.callee, rest)
     bound = bind(ctx, node, name, parameters)
     if bound is None:
         for argument in node.arguments:
@@ -250,6 +250,8 @@ def _bind_variables(
     in_outs: list[tuple[Variable, Place]] = []
     outputs: list[tuple[Variable, Place]] = []
     complete = True
+    if own_eno is not None and status is not None:
+        bound.append((own_eno, status))
     for variable, argument in bound:
         if argument.value is None:
             continue

@@ -1,5 +1,6 @@
 """What the checking of one block's text works with."""
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from fbgen.lang.checked import Block, Variable
@@ -11,6 +12,16 @@ from fbgen.source import Span
 if TYPE_CHECKING:
     from fbgen.lang.checker.library import Library
 
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a jump or a label stands: its name as written, and the loops around it."""
+
+    name: str
+    span: Span
+    loops: tuple[Span, ...]
+
+
 NESTING_LIMIT = 1000
 """How many nodes may be nested in each other; the parser's own limit comes long before it."""
 
@@ -20,16 +31,24 @@ class Context:
 
     `used` and `written` collect the symbols that the text mentions and assigns, `calls` the
     blocks it calls with the place of the first call, `respelled` the first mention of a symbol in
-    other capitals than it is declared with.
+    other capitals than it is declared with, `labels` and `jumps` what GOTO needs. `loops` are the
+    loops around the present statement, the outermost first. `own_eno` is the ENO of a block that
+    uses it, `overflow_flag` the same where errors of calculation make it FALSE, and `call_flag`
+    what the ENO of a standard function is collected in.
     """
 
     __slots__ = (
         "block",
+        "call_flag",
         "calls",
         "depth",
         "findings",
+        "jumps",
+        "labels",
         "library",
         "loops",
+        "overflow_flag",
+        "own_eno",
         "respelled",
         "rules",
         "scope",
@@ -44,7 +63,12 @@ class Context:
         self.scope = scope
         self.block = block
         self.depth = 0
-        self.loops = 0
+        self.loops: tuple[Span, ...] = ()
+        self.labels: dict[str, Place] = {}
+        self.jumps: list[Place] = []
+        self.own_eno: Variable | None = None
+        self.overflow_flag: Variable | None = None
+        self.call_flag: Variable | None = None
         self.used: set[Symbol] = set()
         self.written: set[Variable] = set()
         self.calls: dict[Block, Span] = {}

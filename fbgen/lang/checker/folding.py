@@ -24,7 +24,11 @@ LOGIC: dict[str, Callable[[int, int], int]] = {
     "AND": operator.and_,
     "OR": operator.or_,
     "XOR": operator.xor,
+    "AND_THEN": operator.and_,
+    "OR_ELSE": operator.or_,
 }
+SHORT_CIRCUIT = ("AND_THEN", "OR_ELSE")
+"""Those of `LOGIC` that take BOOL only and may leave their right side out."""
 _LARGEST_EXPONENT = 64
 
 

@@ -11,6 +11,7 @@ from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, Variable, VariableKind
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.enabling import enable_variables
 from fbgen.lang.checker.findings import Findings
 from fbgen.lang.checker.initials import Initials
 from fbgen.lang.checker.interfaces import Interfaces
@@ -34,6 +35,8 @@ class Library:
         self.findings = findings
         self.globals = Scope()
         self.types = TypeResolver(self)
+        self.implicit: set[Variable] = set()
+        """The ENO outputs that nobody declared: no parameters in the order of a call."""
         self._interfaces = Interfaces(self)
         self._initials = Initials(self)
         self._units: dict[str, tuple[str, Span]] = {}
@@ -255,12 +258,31 @@ class Library:
             ctx.scope.entries[result.name.casefold()] = result
         self._interfaces.declare_constants(ctx, node.sections, kind)
         variables = self._interfaces.declare(ctx, node.sections, kind)
+        variables += self._enable_variables(ctx, node)
         if result is not None:
             variables.append(result)
         block = Block(node.span, node.name.name, kind, tuple(variables), result, node)
         ctx.block = block
         self._contexts[block] = ctx
         return block
+
+    def _enable_variables(self, ctx: Context, node: ast.Block) -> list[Variable]:
+        """What the block has because it speaks of ENO, if it does not declare that itself."""
+        names, flag = enable_variables(node, self.rules.dialect)
+        found = [] if flag is None else [flag]
+        ctx.call_flag = flag
+        for name, variable in names.items():
+            if name in ctx.scope.entries:
+                continue
+            ctx.scope.entries[name] = variable
+            if variable is not ctx.own_eno:
+                found.append(variable)
+            ctx.own_eno = variable
+            if variable.kind is VariableKind.OUTPUT:
+                self.implicit.add(variable)
+        if ctx.own_eno is not None and self.rules.dialect == "step7":
+            ctx.overflow_flag = ctx.own_eno
+        return found
 
     def _result(self, ctx: Context, node: ast.Block) -> Variable | None:
         if node.return_type is None:

@@ -12,6 +12,7 @@ from fbgen.lang.checker import folding
 from fbgen.lang.checker.coercion import as_typed, converted, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import UNSIGNED_OF, common_type, wider_types
+from fbgen.lang.checker.enabling import attempted
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import (
     ERRONEOUS,
@@ -72,6 +73,8 @@ def combine(
         result = _comparison(ctx, span, operator, left, right)
     else:
         result = _arithmetic(ctx, span, operator, left, right)
+        if result is not None and ctx.overflow_flag is not None:
+            result = attempted(ctx, result)
     if result is None:
         _refuse(ctx, span, operator, left, right)
         return erroneous(span)
@@ -91,6 +94,8 @@ def _refuse(ctx: Context, span: Span, operator: str, left: Expression, right: Ex
 
 
 def _operator_help(operator: str, left: Type, right: Type, both_typed: bool) -> str:
+    if operator in folding.SHORT_CIRCUIT:
+        return f"{operator} takes BOOLs only; compare numbers first: x <> 0"
     if operator in folding.LOGIC:
         return f"{operator} takes BOOLs or bit strings; convert integers: INT_TO_WORD(x)"
     if BOOL in (left, right) and operator in folding.COMPARISONS:
@@ -189,6 +194,8 @@ def _logic(
         return None
     left, right = pair
     kind = left.type
+    if operator in folding.SHORT_CIRCUIT and kind != BOOL:
+        return None
     if isinstance(left, Constant) and isinstance(right, Constant) and is_untyped(kind):
         if kind == UNTYPED_REAL:
             return None
@@ -392,7 +399,7 @@ def check_unary(ctx: Context, node: ast.Unary, expected: Type | None) -> Express
     if isinstance(result, Constant) and result.type == UNTYPED_INTEGER and _too_large(result):
         result = None
     if result is not None:
-        return result
+        return result if node.operator == "NOT" else attempted(ctx, result)
     help_text = (
         "NOT takes BOOLs or bit strings; convert integers: INT_TO_WORD(x)"
         if node.operator == "NOT"

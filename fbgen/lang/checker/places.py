@@ -62,6 +62,21 @@ def find_symbol(ctx: Context, node: ast.Name) -> Symbol | None:
     return ctx.local(key) or ctx.of_program(key)
 
 
+def names_block(ctx: Context, node: ast.Name) -> bool:
+    """True for a name in a call that means a block or an instruction, not a variable.
+
+    The result variable of a FUNCTION has the name of the function; a name in quotes is global, also
+    where a local variable has the same.
+    """
+    if node.local:
+        return False
+    symbol = find_symbol(ctx, node)
+    if symbol is None or (isinstance(symbol, Variable) and symbol.kind is VariableKind.RESULT):
+        return True
+    is_own = symbol is ctx.local(node.name.casefold())
+    return node.quoted and is_own and ctx.library.user_block(node.name) is not None
+
+
 def check_name(ctx: Context, node: ast.Name, _expected: Type | None = None) -> Expression:
     """A variable, or the value of a named constant."""
     symbol = find_symbol(ctx, node)

@@ -11,7 +11,9 @@ from fbgen.lang.analysis import analyse
 from fbgen.lang.checked import Block, Program, Statement, Variable
 from fbgen.lang.checker import expressions  # noqa: F401  (enters the checks of expressions)
 from fbgen.lang.checker.configuration import tasks_of
+from fbgen.lang.checker.enabling import begin_enabled
 from fbgen.lang.checker.findings import Findings
+from fbgen.lang.checker.jumps import check_jumps
 from fbgen.lang.checker.library import Library
 from fbgen.lang.checker.recursion import report_recursive_calls
 from fbgen.lang.checker.rules import Rules, rules_for
@@ -89,7 +91,9 @@ def _check(files: Sequence[ast.File], rules: Rules, findings: Findings) -> tuple
     for block in blocks.values():
         library.context_of(block).resolve_all()
     for block in blocks.values():
-        bodies[block] = check_body(library.context_of(block), block.syntax.body)
+        ctx = library.context_of(block)
+        bodies[block] = begin_enabled(ctx, check_body(ctx, block.syntax.body))
+        check_jumps(ctx, block.syntax)
     report_recursive_calls(library, blocks)
     tasks = tasks_of(library)
     program = Program(

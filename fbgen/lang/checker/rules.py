@@ -21,7 +21,8 @@ class Rules:
     the global variables it uses in VAR_EXTERNAL. `any_integer_to_real`: whole numbers of 32 bits
     become REAL by themselves. `outputs_by_assignment`: outputs of a FUNCTION may be given by `:=`.
     `shifts_integers`: SHL, SHR, ROL and ROR take integers too. `lowest_bit_is_bool`: X_TO_BOOL of
-    an integer looks at its lowest bit only, else at the whole number.
+    an integer looks at its lowest bit only, else at the whole number. `labels_declared`: jump
+    labels stand in a LABEL section.
     """
 
     dialect: str
@@ -36,6 +37,7 @@ class Rules:
     outputs_by_assignment: bool
     shifts_integers: bool
     lowest_bit_is_bool: bool
+    labels_declared: bool
 
 
 _TIA = Rules(
@@ -51,6 +53,7 @@ _TIA = Rules(
     outputs_by_assignment=False,
     shifts_integers=True,
     lowest_bit_is_bool=True,
+    labels_declared=False,
 )
 _STEP7 = Rules(
     dialect="step7",
@@ -65,6 +68,7 @@ _STEP7 = Rules(
     outputs_by_assignment=True,
     shifts_integers=True,
     lowest_bit_is_bool=True,
+    labels_declared=True,
 )
 _IEC = Rules(
     dialect="iec",
@@ -79,6 +83,7 @@ _IEC = Rules(
     outputs_by_assignment=False,
     shifts_integers=False,
     lowest_bit_is_bool=False,
+    labels_declared=False,
 )
 _TWINCAT = Rules(
     dialect="twincat",
@@ -93,6 +98,7 @@ _TWINCAT = Rules(
     outputs_by_assignment=False,
     shifts_integers=True,
     lowest_bit_is_bool=False,
+    labels_declared=False,
 )
 
 RULES = {rules.dialect: rules for rules in (_TIA, _STEP7, _IEC, _TWINCAT)}

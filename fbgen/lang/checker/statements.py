@@ -9,25 +9,26 @@ from typing import Any
 from fbgen.diagnostics import Note
 from fbgen.lang import ast, checked
 from fbgen.lang.checked import Constant, Expression, Statement
+from fbgen.lang.checker.assignments import check_assignment
 from fbgen.lang.checker.calls import (
     function_call,
     instance_call,
     is_built_in,
-    is_result,
     system_call,
     unknown_callee,
 )
 from fbgen.lang.checker.coercion import as_typed, coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import SIGNED_OF
+from fbgen.lang.checker.enabling import enabled, speaks_of_enable
 from fbgen.lang.checker.evaluation import check_expression
+from fbgen.lang.checker.jumps import check_goto, check_label
 from fbgen.lang.checker.literals import ERRONEOUS
-from fbgen.lang.checker.operators import combine
-from fbgen.lang.checker.places import find_symbol
+from fbgen.lang.checker.places import names_block
 from fbgen.lang.checker.standard_calls import check_standard_call
 from fbgen.lang.checker.system_instructions import instruction_named
 from fbgen.lang.checker.targets import check_target
-from fbgen.lang.types import BOOL, BlockType, Elementary, Family
+from fbgen.lang.types import BOOL, Elementary, Family
 from fbgen.source import Span
 
 _SELECTORS = (Family.SIGNED, Family.UNSIGNED, Family.BITS)
@@ -45,42 +46,22 @@ def check_body(ctx: Context, nodes: Sequence[ast.Statement]) -> tuple[Statement,
     return tuple(found)
 
 
-def _assignment(ctx: Context, node: ast.Assignment) -> Sequence[Statement]:
-    place = check_target(ctx, node.target, "this assignment")
-    expected = place.type if place is not None else None
-    value = check_expression(ctx, node.value, expected)
-    if place is None or value.type == ERRONEOUS:
-        return ()
-    if isinstance(place.type, BlockType):
-        ctx.findings.error(
-            "FB4010",
-            f"{spelled(place.type)} cannot be assigned",
-            node.span,
-            "assign the inputs that you want to change: inst.in := ...",
-        )
-        return ()
-    if node.operator == "?=":
-        ctx.findings.error(
-            "FB4054", "the assignment attempt ?= is not supported", node.span, "write ':='"
-        )
-        return ()
-    if node.operator != ":=":
-        value = combine(ctx, node.span, node.operator[:-1], place, value)
-    value = coerce(ctx, value, place.type, "this assignment")
-    return () if value.type == ERRONEOUS else (checked.Assignment(node.span, place, value),)
-
-
 def _call(ctx: Context, node: ast.CallStatement) -> Sequence[Statement]:
-    call = node.call
+    if speaks_of_enable(node.call):
+        return enabled(ctx, node.span, node.call, lambda call: _plain_call(ctx, node, call))
+    return _plain_call(ctx, node, node.call)
+
+
+def _plain_call(ctx: Context, node: ast.CallStatement, call: ast.Call) -> Sequence[Statement]:
     callee = call.callee
-    name = callee.name if isinstance(callee, ast.Name) and not callee.local else ""
-    symbol = find_symbol(ctx, callee) if name and isinstance(callee, ast.Name) else None
-    if not name or (symbol is not None and not is_result(symbol)):
+    if not isinstance(callee, ast.Name) or not names_block(ctx, callee):
         instance = instance_call(ctx, call)
         return () if instance is None else (instance,)
-    quoted = isinstance(callee, ast.Name) and callee.quoted
+    name = callee.name
     block = ctx.library.user_block(name)
-    if block is not None and not (ctx.rules.quoted_blocks and not quoted and is_built_in(name)):
+    if block is not None and not (
+        ctx.rules.quoted_blocks and not callee.quoted and is_built_in(name)
+    ):
         if block.kind is ast.BlockKind.FUNCTION_BLOCK:
             check_expression(ctx, call)
             return ()
@@ -238,9 +219,7 @@ def _for(ctx: Context, node: ast.For) -> Sequence[Statement]:
     first = _bound(ctx, node.first, counter, "the start of FOR")
     last = _bound(ctx, node.last, counter, "the end of FOR")
     step = _step(ctx, node, counter)
-    ctx.loops += 1
-    body = check_body(ctx, node.body)
-    ctx.loops -= 1
+    body = _loop_body(ctx, node)
     if variable is None or counter is None or step is None:
         return ()
     return (checked.For(node.span, variable, first, last, step, body),)
@@ -272,20 +251,21 @@ def _step(ctx: Context, node: ast.For, kind: Elementary | None) -> Expression | 
     return coerce(ctx, step, kind, "the step of FOR")
 
 
-def _loop_body(ctx: Context, nodes: Sequence[ast.Statement]) -> tuple[Statement, ...]:
-    ctx.loops += 1
-    body = check_body(ctx, nodes)
-    ctx.loops -= 1
+def _loop_body(ctx: Context, node: ast.For | ast.While | ast.Repeat) -> tuple[Statement, ...]:
+    around = ctx.loops
+    ctx.loops = (*around, node.span)
+    body = check_body(ctx, node.body)
+    ctx.loops = around
     return body
 
 
 def _while(ctx: Context, node: ast.While) -> Sequence[Statement]:
     condition = _condition(ctx, node.condition, "WHILE")
-    return (checked.While(node.span, condition, _loop_body(ctx, node.body)),)
+    return (checked.While(node.span, condition, _loop_body(ctx, node)),)
 
 
 def _repeat(ctx: Context, node: ast.Repeat) -> Sequence[Statement]:
-    body = _loop_body(ctx, node.body)
+    body = _loop_body(ctx, node)
     return (checked.Repeat(node.span, body, _condition(ctx, node.condition, "UNTIL")),)
 
 
@@ -296,7 +276,7 @@ def _region(ctx: Context, node: ast.Region) -> Sequence[Statement]:
 def _jump(ctx: Context, node: ast.Jump) -> Sequence[Statement]:
     if node.keyword == "RETURN":
         return (checked.Return(node.span),)
-    if ctx.loops == 0:
+    if not ctx.loops:
         ctx.findings.error(
             "FB4034",
             f"{node.keyword} stands outside of a loop",
@@ -307,22 +287,12 @@ def _jump(ctx: Context, node: ast.Jump) -> Sequence[Statement]:
     return (checked.Exit(node.span) if node.keyword == "EXIT" else checked.Continue(node.span),)
 
 
-def _goto(ctx: Context, node: ast.Goto | ast.Label) -> Sequence[Statement]:
-    ctx.findings.error(
-        "FB4054",
-        "jumps to labels are not supported",
-        node.span,
-        "use IF, CASE or a loop with EXIT",
-    )
-    return ()
-
-
 def _empty(_ctx: Context, _node: ast.Empty) -> Sequence[Statement]:
     return ()
 
 
 _CHECKS: dict[type, Callable[[Context, Any], Sequence[Statement]]] = {
-    ast.Assignment: _assignment,
+    ast.Assignment: check_assignment,
     ast.CallStatement: _call,
     ast.If: _if,
     ast.Case: _case,
@@ -331,7 +301,7 @@ _CHECKS: dict[type, Callable[[Context, Any], Sequence[Statement]]] = {
     ast.Repeat: _repeat,
     ast.Region: _region,
     ast.Jump: _jump,
-    ast.Goto: _goto,
-    ast.Label: _goto,
+    ast.Goto: check_goto,
+    ast.Label: check_label,
     ast.Empty: _empty,
 }

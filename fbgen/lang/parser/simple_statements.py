@@ -36,6 +36,7 @@ _FEATURES = {
     **dict.fromkeys(ASSIGNMENTS, Feature.COMPOUND_ASSIGNMENTS),
     "?=": Feature.ASSIGNMENT_ATTEMPTS,
 }
+_CHAINS = frozenset({*ASSIGNMENTS, "name"})
 _make = tuple.__new__
 
 
@@ -55,7 +56,7 @@ class SimpleStatementParser(StatementListParser):
             if kind != ":=" and kind not in _SETS:
                 self.need(_FEATURES[kind], self.at - 1)
             value = self.expression()
-            if self.kinds[self.at] in ASSIGNMENTS:
+            if self.kinds[self.at] in _CHAINS:
                 value = self._chained(value)
             if self.kinds[self.at] == ";":
                 self.at += 1
@@ -83,22 +84,30 @@ class SimpleStatementParser(StatementListParser):
 
     def _chained(self, value: Expression) -> Expression:
         """The `b := c` of `a := b := c`, where `b` has been read."""
-        self.need(Feature.CHAINED_ASSIGNMENTS, self.at)
         targets: list[tuple[Expression, str]] = []
-        while (operator := self.kinds[self.at]) in ASSIGNMENTS:
+        while operator := self._next_sign():
+            if not targets:
+                self.need(Feature.CHAINED_ASSIGNMENTS, self.at)
             if not isinstance(value, _PLACES):
                 raise self.failed("';'", "only variables stand in front of ':='")
             if self.depth + len(targets) > DEEPEST:
                 self.too_deep()
             targets.append((value, operator))
             self.at += 1
-            if operator != ":=":
+            if operator != ":=" and operator not in _SETS:
                 self.need(_FEATURES[operator], self.at - 1)
             value = self.expression()
         for target, operator in reversed(targets):
             place = _make(Span, (self.source, target.span[1], value.span[2]))
             value = Chained(place, target, operator, value)
         return value
+
+    def _next_sign(self) -> str:
+        """The sign of a further assignment in the statement, "" at its end."""
+        kind = self.kinds[self.at]
+        if kind == "name":
+            return self.set_operator()
+        return kind if kind in ASSIGNMENTS else ""
 
     def _empty(self) -> Empty:
         leading = self.take_leading()

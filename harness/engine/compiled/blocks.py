@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from fbgen.lang.checked import Block, Statement, Variable, VariableKind
 from fbgen.lang.types import ArrayType, StructType
-from harness.engine.compiled import calls, operators, places, standard_functions
+from harness.engine.compiled import attempts, calls, operators, places, standard_functions
 from harness.engine.compiled.code import Listing
 from harness.engine.compiled.evaluation import enter
 from harness.engine.compiled.facts import Facts
@@ -21,7 +21,7 @@ from harness.engine.compiled.procedure import (
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.statements import write_long
 
-for module in (places, operators, standard_functions, calls):
+for module in (places, operators, standard_functions, calls, attempts):
     enter(module.EXPRESSIONS)
 
 

@@ -56,7 +56,7 @@ def _is_outside_python(node: Place) -> bool:
     return isinstance(node, SliceRef | AddressRef)
 
 
-def _cell(procedure: Procedure, node: Place) -> Code:
+def cell(procedure: Procedure, node: Place) -> Code:
     """A reference to the place of a single value."""
     if isinstance(node, VariableRef):
         if procedure.has_cell(node.variable):
@@ -109,7 +109,7 @@ def in_out_arguments(
                 procedure.line(f"{name} = _ValueCell({value(procedure, node).text})")
                 result.append(InOut(variable, node, name, f"{name}.value"))
             else:
-                result.append(InOut(variable, node, _cell(procedure, node).text, ""))
+                result.append(InOut(variable, node, cell(procedure, node).text, ""))
         else:
             back = comes_back(variable, callee, facts)
             if back:
@@ -222,7 +222,7 @@ def _instruction_code(procedure: Procedure, node: SystemCall, cells: dict[str, s
         if area is None or not is_scalar(area.type):
             texts.append(value(procedure, argument).text)
         else:
-            texts.append(cells.get(name) or _cell(procedure, area).text)
+            texts.append(cells.get(name) or cell(procedure, area).text)
     low, high = limits(node.type)
     text = f"_instruction({', '.join(texts)})"
     return Code(text, low=low, high=high, depth=4, safe=False, pure=False)

@@ -10,6 +10,7 @@ from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, Program, Variable, VariableKind
 from fbgen.lang.types import BlockType
 from harness.engine.compiled.areas import read_located, write_located
+from harness.engine.compiled.attempts import attempts
 from harness.engine.compiled.blocks import write_block, write_structures
 from harness.engine.compiled.cells import ValueCell
 from harness.engine.compiled.code import Listing
@@ -97,6 +98,7 @@ class CompiledEngine:
             **LIBRARY,
             **library,
             **counting(self._cpu, limits),
+            **attempts(self._cpu),
             "_environment": environment,
             "_cpu": self._cpu,
             "_set_others": self._set_others,

@@ -9,9 +9,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from fbgen.lang.checked import (
+    Attempt,
     Block,
     For,
     FunctionCall,
+    Goto,
     InstanceCall,
     Place,
     Program,
@@ -127,6 +129,8 @@ class Facts:
                     for parameter, place in node.in_outs
                     if parameter in self.cells and isinstance(place, VariableRef)
                 }
+            elif isinstance(node, Attempt):
+                private.discard(node.flag.variable)
             elif isinstance(node, SystemCall):
                 private -= {
                     place.variable
@@ -153,7 +157,7 @@ class Facts:
                 case VariableRef():
                     if node.variable.kind is VariableKind.GLOBAL:
                         found.globals.add(node.variable)
-                case For() | While() | Repeat():
+                case For() | While() | Repeat() | Goto():
                     found.loops = True
                 case FunctionCall():
                     found.callees.add(node.function)
@@ -164,6 +168,8 @@ class Facts:
                         sites += _sites(block, node.block, node.in_outs, [root_of(node.instance)])
                 case SystemCall():
                     self._box(areas(node).values())
+                case Attempt():
+                    self._box([node.flag])
                 case _:
                     pass
         return sites

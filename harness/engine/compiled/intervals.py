@@ -42,7 +42,7 @@ def learned(condition: Expression, holds: bool, known: Intervals) -> Intervals:
         if isinstance(term, Unary) and term.operator == "NOT" and term.type == BOOL:
             terms.append((term.operand, not is_true))
         elif isinstance(term, Binary) and term.type == BOOL:
-            if term.operator == ("AND" if is_true else "OR"):
+            if term.operator in (("AND", "AND_THEN") if is_true else ("OR", "OR_ELSE")):
                 terms += [(term.left, is_true), (term.right, is_true)]
             elif term.operator in _MIRRORED:
                 _compare(term, is_true, result)

@@ -34,7 +34,7 @@ MOST_WRITTEN_OUT = 16
 WriteBody = Callable[[Procedure, Sequence[Statement], Branch | CaseArm | None], None]
 
 
-def _count(procedure: Procedure, passes: str) -> None:
+def count_passes(procedure: Procedure, passes: str) -> None:
     """Write the counting of passes that begin now, if the watchdog could ever bark."""
     if not procedure.context.facts.counts_loops:
         return
@@ -52,7 +52,7 @@ def _body(
     """The inside of a loop, whose head has been written."""
     if counted:
         procedure.listing.indent += 4
-        _count(procedure, "1")
+        count_passes(procedure, "1")
         procedure.listing.indent -= 4
     procedure.loops.append(Loop(before_continue))
     write_body(procedure, body, None)
@@ -171,7 +171,7 @@ def _write_range_loop(
     quiet = is_quiet(node.body, loop.interval, variable.variable)
     if quiet:
         # Nobody can tell whether the watchdog barks before the loop or in the middle of it.
-        _count(procedure, loop.number)
+        count_passes(procedure, loop.number)
     procedure.line(f"for {local} in {loop.passes}:")
     if quiet and not procedure.context.framed:
         procedure.unwritten = {}
@@ -192,39 +192,64 @@ def _write_range_loop(
         procedure.unwritten = None
 
 
-def _write_counting(procedure: Procedure, node: For, write_body: WriteBody) -> None:
-    """FOR as the standard describes it, for variables that the body may change."""
-    target = pinned(procedure, node.variable)
-    kind = target.type
-    assert isinstance(kind, Elementary)
-    assign(procedure, target, value(procedure, node.first), kind)
-    last = _kept(procedure, node.last)
-    step = _kept(procedure, node.step)
-    if not isinstance(node.step, Constant):
-        procedure.line(f"if {step.text} == 0: _no_step()")
-    current = place(procedure, target)
-    if isinstance(node.step, Constant):
-        sign = "<=" if step.low > 0 else ">="
-        procedure.line(f"while {current.at(Level.BIT_OR)} {sign} {last.text}:")
-    else:
+class Counting:
+    """FOR as the standard describes it, for variables that the body may change.
+
+    Making one writes the start of the loop.
+    """
+
+    __slots__ = ("_current", "_kind", "_last", "_node", "_procedure", "_step", "_target")
+
+    def __init__(self, procedure: Procedure, node: For) -> None:
+        self._procedure = procedure
+        self._node = node
+        self._target = pinned(procedure, node.variable)
+        kind = self._target.type
+        assert isinstance(kind, Elementary)
+        self._kind = kind
+        assign(procedure, self._target, value(procedure, node.first), kind)
+        self._last = _kept(procedure, node.last)
+        self._step = _kept(procedure, node.step)
+        if not isinstance(node.step, Constant):
+            procedure.line(f"if {self._step.text} == 0: _no_step()")
+        self._current = place(procedure, self._target)
+
+    @property
+    def goes_on(self) -> str:
+        """The condition under which there is another pass."""
+        current, last, step = self._current, self._last, self._step
+        if isinstance(self._node.step, Constant):
+            sign = "<=" if step.low > 0 else ">="
+            return f"{current.at(Level.BIT_OR)} {sign} {last.text}"
         up = f"{current.at(Level.BIT_OR)} <= {last.text}"
         down = f"{current.at(Level.BIT_OR)} >= {last.text}"
-        procedure.line(f"while {up} if {step.text} > 0 else {down}:")
+        return f"{up} if {step.text} > 0 else {down}"
 
-    def advance(procedure: Procedure) -> None:
-        span, procedure.listing.span = procedure.listing.span, node.span
+    def advance(self, leave: Callable[[], None]) -> None:
+        """Write the step to the next pass; `leave` writes how the loop ends if there is none."""
+        procedure, kind, step = self._procedure, self._kind, self._step
+        span, procedure.listing.span = procedure.listing.span, self._node.span
         name = procedure.temporary()
-        procedure.line(f"{name} = {place(procedure, target).at(Level.SUM)} + {step.at(Level.SIGN)}")
+        current = place(procedure, self._target)
+        procedure.line(f"{name} = {current.at(Level.SUM)} + {step.at(Level.SIGN)}")
         low, high = kind.minimum + min(step.low, 0), kind.maximum + max(step.high, 0)
         code = Code(name, low=low, high=high, simple=True)
         inside = f"{kind.minimum} <= {name} <= {kind.maximum}"
         procedure.line(f"if not {inside}:")
         procedure.listing.indent += 4
-        assign(procedure, target, wrapped(code, kind, procedure.temporary), kind)
-        procedure.line("break")
+        assign(procedure, self._target, wrapped(code, kind, procedure.temporary), kind)
+        leave()
         procedure.listing.indent -= 4
-        assign(procedure, target, code._replace(low=kind.minimum, high=kind.maximum), kind)
+        assign(procedure, self._target, code.within(kind.minimum, kind.maximum), kind)
         procedure.listing.span = span
+
+
+def _write_counting(procedure: Procedure, node: For, write_body: WriteBody) -> None:
+    counting = Counting(procedure, node)
+    procedure.line(f"while {counting.goes_on}:")
+
+    def advance(procedure: Procedure) -> None:
+        counting.advance(lambda: procedure.line("break"))
 
     _body(procedure, node.body, advance, write_body, counted=True)
     procedure.listing.indent += 4

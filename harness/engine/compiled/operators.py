@@ -20,6 +20,7 @@ _BITWISE = {
     "OR": ("|", Level.BIT_OR),
     "XOR": ("^", Level.BIT_XOR),
 }
+_SHORT_CIRCUIT = {"AND_THEN": ("and", Level.AND), "OR_ELSE": ("or", Level.OR)}
 
 
 def _chain(procedure: Procedure, node: Binary | Convert) -> Code:
@@ -72,6 +73,9 @@ def _binary(procedure: Procedure, node: Binary, left: Code) -> Code:
     if operator in _COMPARISONS:
         left = _settled(procedure, left, operand_type)
         return _comparison(operator, left, value(procedure, node.right), operand_type)
+    if operator in _SHORT_CIRCUIT:
+        sign, level = _SHORT_CIRCUIT[operator]
+        return _joined(left, sign, value(procedure, node.right), level)
     if operator in _BITWISE:
         left = _settled(procedure, left, operand_type)
         right = value(procedure, node.right)

@@ -11,6 +11,7 @@ from fbgen.lang.checked import (
     Constant,
     For,
     FunctionCall,
+    Goto,
     InstanceCall,
     Program,
     Repeat,
@@ -46,6 +47,8 @@ def _of_nodes(
         inside = times
         match node:
             case While() | Repeat():
+                return inf
+            case Goto() if node.backward:
                 return inf
             case For():
                 passes = _passes(node, facts)

@@ -109,7 +109,7 @@ def _few_arms(procedure: Procedure, node: Case, selector: Code, write_body: Writ
     keyword = "if"
     for arm in node.arms:
         procedure.listing.span = arm.span
-        procedure.line(f"{keyword} {_condition(name, arm)}:")
+        procedure.line(f"{keyword} {arm_condition(name, arm)}:")
         write_body(procedure, arm.body, arm)
         keyword = "elif"
     if node.otherwise:
@@ -117,7 +117,8 @@ def _few_arms(procedure: Procedure, node: Case, selector: Code, write_body: Writ
         write_body(procedure, node.otherwise, None)
 
 
-def _condition(name: str, arm: CaseArm) -> str:
+def arm_condition(name: str, arm: CaseArm) -> str:
+    """The condition under which a selector that `name` holds chooses the arm."""
     singles = [first for first, last in arm.ranges if first == last]
     tests = [f"{first} <= {name} <= {last}" for first, last in arm.ranges if first != last]
     if len(singles) == 1:

@@ -30,6 +30,7 @@ from harness.engine.compiled.calls import (
 from harness.engine.compiled.evaluation import value
 from harness.engine.compiled.instances import instance_call
 from harness.engine.compiled.intervals import written_inside
+from harness.engine.compiled.jumps import Dispatcher, has_jumps
 from harness.engine.compiled.loops import write_for, write_repeat, write_while
 from harness.engine.compiled.model import has_memory
 from harness.engine.compiled.places import assign
@@ -42,6 +43,8 @@ DEEPEST_LOCALS = 20
 """Indentation up to which branches look for variables to keep in locals."""
 LONGEST_FUNCTION = 4000
 """Statements of a block that Python compiles as one function."""
+LONGEST_SEGMENT = 1000
+"""Statements between two labels that stay in the function of the block."""
 
 
 def write_body(
@@ -241,8 +244,21 @@ def _refresh(procedure: Procedure, body: Sequence[Statement]) -> None:
                 procedure.line(f"{name} = {procedure.text_of(variable)}")
 
 
+def _write_plain(procedure: Procedure, body: Sequence[Statement]) -> None:
+    """Statements between labels."""
+    for start in range(0, len(body), LONGEST_SEGMENT):
+        piece = body[start : start + LONGEST_SEGMENT]
+        if len(body) > LONGEST_SEGMENT:
+            _split(procedure, piece)
+        else:
+            write_statements(procedure, piece)
+
+
 def write_long(procedure: Procedure, body: Sequence[Statement]) -> None:
     """The statements of a whole block; in several functions if there are very many."""
+    if has_jumps(body):
+        Dispatcher(procedure, _write_plain, _probe).write(body)
+        return
     if len(body) <= LONGEST_FUNCTION:
         _keep_in_locals(procedure, body)
         write_statements(procedure, body)

@@ -6,6 +6,7 @@ from typing import Any, TypeAlias
 from fbgen.lang.checked import (
     AddressRef,
     Assignment,
+    Attempt,
     Binary,
     Branch,
     Case,
@@ -52,6 +53,7 @@ _CHILDREN: dict[type, Callable[[Any], Iterable[Node]]] = {
     FunctionCall: _arguments,
     SystemCall: lambda node: [expression for _, expression in node.arguments],
     InstanceCall: lambda node: [node.instance, *_arguments(node)],
+    Attempt: lambda node: (node.operand, node.flag),
     Evaluate: lambda node: (node.call,),
     Branch: lambda node: (node.condition, *node.body),
     CaseArm: lambda node: node.body,
@@ -99,6 +101,7 @@ _WRITTEN: dict[type, Callable[[Any], list[Place]]] = {
         *(place for _, place in (*node.in_outs, *node.outputs)),
     ],
     SystemCall: lambda node: list(areas(node).values()),
+    Attempt: lambda node: [node.flag],
 }
 
 

@@ -90,8 +90,10 @@ class Calls:
         if self._depth >= self._limits.call_depth:
             raise nesting_too_deep(span, block.name, self._limits.call_depth)
         self._depth += 1
-        self._statements.run(self._program.bodies[block], frame)
-        self._depth -= 1
+        try:
+            self._statements.run(self._program.bodies[block], frame)
+        finally:
+            self._depth -= 1
 
     def _call_function(self, call: FunctionCall, frame: Frame) -> Value | None:
         inner = Frame()

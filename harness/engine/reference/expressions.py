@@ -1,9 +1,12 @@
 """What expressions are worth."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
+from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import (
     AddressRef,
+    Attempt,
     Binary,
     Constant,
     Convert,
@@ -24,6 +27,7 @@ from harness.engine.environment import Area, Environment
 from harness.engine.interface import Value
 from harness.engine.reference.areas import StorageArea
 from harness.engine.reference.arithmetic import binary, unary
+from harness.engine.reference.attempts import is_bad_calculation, is_right, nothing
 from harness.engine.reference.conversion import convert
 from harness.engine.reference.date_functions import DATE_FUNCTIONS
 from harness.engine.reference.functions import NUMERIC_FUNCTIONS, Signature
@@ -91,7 +95,7 @@ class Expressions:
 
     def _calculated(
         self,
-        expression: Constant | Unary | Binary | Convert | StandardCall | SystemCall,
+        expression: Constant | Unary | Binary | Convert | StandardCall | SystemCall | Attempt,
         frame: Frame,
     ) -> Scalar:
         match expression:
@@ -106,6 +110,43 @@ class Expressions:
                 return self._standard_call(expression, frame)
             case SystemCall():
                 return self.system_call(expression, frame)
+            case Attempt():
+                return self._attempt(expression, frame)
+
+    def _attempt(self, attempt: Attempt, frame: Frame) -> Scalar:
+        """A calculation that says whether it works instead of stopping the program."""
+        operand = attempt.operand
+        values: list[Scalar] = []
+        try:
+            result = self._calculated(self._settled(operand, frame, values), frame)
+            works = is_right(operand, values, result)
+        except DiagnosticError as stop:
+            if not is_bad_calculation(stop):
+                raise
+            works, result = False, nothing(attempt.type)
+        if not works:
+            self._places.find(attempt.flag, frame).write(False)
+        return result
+
+    def _settled(
+        self,
+        operand: Unary | Binary | Convert | StandardCall,
+        frame: Frame,
+        values: list[Scalar],
+    ) -> Unary | Binary | Convert | StandardCall:
+        """The same calculation with its operands worked out; they go to `values` too."""
+
+        def settle(part: Expression) -> Constant:
+            values.append(self.scalar(part, frame))
+            return Constant(part.span, values[-1], part.type)
+
+        match operand:
+            case Binary():
+                return replace(operand, left=settle(operand.left), right=settle(operand.right))
+            case Unary() | Convert():
+                return replace(operand, operand=settle(operand.operand))
+            case StandardCall():
+                return replace(operand, arguments=tuple(map(settle, operand.arguments)))
 
     def _chain(self, expression: Binary | Convert, frame: Frame) -> Scalar:
         """A left-deep tree, which may have conversions between its links, from the left up."""
@@ -119,6 +160,9 @@ class Expressions:
             if isinstance(link, Convert):
                 source = link.operand.type
                 result = convert(result, source, link.type, link.rounding, link.span)
+            elif link.operator in ("AND_THEN", "OR_ELSE"):
+                if result is (link.operator == "AND_THEN"):
+                    result = self.scalar(link.right, frame)
             else:
                 right = self.scalar(link.right, frame)
                 result = binary(link.operator, result, right, link.left.type, link.span)

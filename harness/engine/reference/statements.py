@@ -13,8 +13,10 @@ from fbgen.lang.checked import (
     Exit,
     For,
     FunctionCall,
+    Goto,
     If,
     InstanceCall,
+    Label,
     Place,
     Repeat,
     Return,
@@ -38,6 +40,20 @@ class Flow(Enum):
     CONTINUE = auto()
     EXIT = auto()
     RETURN = auto()
+    GOTO = auto()
+
+
+_LEAVING = (Flow.EXIT, Flow.RETURN, Flow.GOTO)
+"""What ends a loop."""
+
+
+def _branches(statement: Statement) -> list[Sequence[Statement]]:
+    """The lists inside a statement that a jump can lead into."""
+    if isinstance(statement, If):
+        return [*(branch.body for branch in statement.branches), statement.otherwise]
+    if isinstance(statement, Case):
+        return [*(arm.body for arm in statement.arms), statement.otherwise]
+    return []
 
 
 class Watchdog:
@@ -63,7 +79,9 @@ class Watchdog:
 class Statements:
     """Carries out the statements of one program."""
 
-    __slots__ = ("_call_function", "_call_instance", "_expressions", "_places", "_watchdog")
+    __slots__ = (
+        *("_call_function", "_call_instance", "_expressions", "_goal", "_places", "_watchdog"),
+    )
 
     def __init__(
         self,
@@ -78,10 +96,14 @@ class Statements:
         self._watchdog = watchdog
         self._call_function = call_function
         self._call_instance = call_instance
+        self._goal = ""
 
     def run(self, statements: Sequence[Statement], frame: Frame) -> Flow:
         """One statement after the other, until one leaves the list."""
-        for statement in statements:
+        return self._follow(statements, frame, self._from(statements, 0, frame))
+
+    def _from(self, statements: Sequence[Statement], start: int, frame: Frame) -> Flow:
+        for statement in statements[start:]:
             try:
                 flow = self._one(statement, frame)
             except DiagnosticError as failure:
@@ -103,6 +125,30 @@ class Statements:
 
     def _read(self, place: Place, frame: Frame) -> Value:
         return self._places.find(place, frame).read()
+
+    def _follow(self, statements: Sequence[Statement], frame: Frame, flow: Flow) -> Flow:
+        """Go on in this list while jumps lead into it."""
+        while flow is Flow.GOTO:
+            landing = next((i for i, one in enumerate(statements) if self._leads_to(one)), None)
+            if landing is None:
+                return flow
+            flow = self._enter(statements[landing], frame)
+            if flow is Flow.NEXT:
+                flow = self._from(statements, landing + 1, frame)
+        return flow
+
+    def _leads_to(self, statement: Statement) -> bool:
+        """True for the label of the present jump, and for the IF or CASE around it."""
+        if isinstance(statement, Label):
+            return statement.name == self._goal
+        return any(self._leads_to(one) for body in _branches(statement) for one in body)
+
+    def _enter(self, statement: Statement, frame: Frame) -> Flow:
+        """Land on a label, or in the branch that has it; its condition is not asked."""
+        for body in _branches(statement):
+            if any(self._leads_to(one) for one in body):
+                return self._follow(body, frame, Flow.GOTO)
+        return Flow.NEXT
 
     def _one(self, statement: Statement, frame: Frame) -> Flow:
         match statement:
@@ -132,6 +178,13 @@ class Statements:
                 return Flow.CONTINUE
             case Return():
                 return Flow.RETURN
+            case Label():
+                pass
+            case Goto():
+                if statement.backward:
+                    self._watchdog.begin_pass(statement.span)
+                self._goal = statement.label
+                return Flow.GOTO
         return Flow.NEXT
 
     def _if(self, statement: If, frame: Frame) -> Flow:
@@ -164,7 +217,7 @@ class Statements:
                 return Flow.NEXT
             self._watchdog.begin_pass(statement.span)
             flow = self.run(statement.body, frame)
-            if flow in (Flow.EXIT, Flow.RETURN):
+            if flow in _LEAVING:
                 return Flow.NEXT if flow is Flow.EXIT else flow
             counter = variable.read()
             assert isinstance(counter, int)
@@ -176,7 +229,7 @@ class Statements:
         while self._expressions.scalar(statement.condition, frame):
             self._watchdog.begin_pass(statement.span)
             flow = self.run(statement.body, frame)
-            if flow in (Flow.EXIT, Flow.RETURN):
+            if flow in _LEAVING:
                 return Flow.NEXT if flow is Flow.EXIT else flow
         return Flow.NEXT
 
@@ -184,7 +237,7 @@ class Statements:
         while True:
             self._watchdog.begin_pass(statement.span)
             flow = self.run(statement.body, frame)
-            if flow in (Flow.EXIT, Flow.RETURN):
+            if flow in _LEAVING:
                 return Flow.NEXT if flow is Flow.EXIT else flow
             if self._expressions.scalar(statement.condition, frame):
                 return Flow.NEXT

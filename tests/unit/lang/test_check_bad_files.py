@@ -10,10 +10,15 @@ from fbgen.diagnostics import Severity
 from fbgen.resources import shipped
 
 _BAD = Path(__file__).parent.parent / "bad"
-_DIALECTS = {"scl": "tia", "st": "iec"}
-_BLOCK = re.compile(r"```(scl|st)\n(.*?)```", re.DOTALL)
+_DIALECTS = {"scl": "tia", "st": "iec", "step7": "step7", "twincat": "twincat"}
+_BLOCK = re.compile(r"```(scl|st|step7|twincat)\n(.*?)```", re.DOTALL)
 _PAGES = sorted(path.stem for path in shipped("diagnostics").glob("FB4*.md"))
 _WITHOUT_WHOLE_TEXT = ("FB4000", "FB4053")
+
+
+def _dialect_of(path: Path) -> str:
+    """`name.scl` is `tia`, `name.st` is `iec`, `name.step7.scl` says it itself."""
+    return _DIALECTS[(path.suffixes[-2:-1] or path.suffixes)[0][1:]]
 
 
 @pytest.mark.parametrize(
@@ -66,6 +71,11 @@ _WITHOUT_WHOLE_TEXT = ("FB4000", "FB4053")
         ("FB4059_constant_without_value.st", 2, 14),
         ("FB4060_unknown_task.st", 8, 5),
         ("FB4061_task_property.st", 7, 15),
+        ("FB4080_label_twice.scl", 6, 1),
+        ("FB4081_unknown_label.scl", 6, 18),
+        ("FB4082_into_loop.scl", 4, 18),
+        ("FB4083_label_not_declared.step7.scl", 6, 1),
+        ("FB4084_enable_inside.scl", 10, 20),
         ("FB4070_address.st", 2, 5),
         ("FB4101_unused.st", 4, 3),
         ("FB4102_result_not_set.st", 1, 10),
@@ -105,7 +115,7 @@ _WITHOUT_WHOLE_TEXT = ("FB4000", "FB4053")
 )
 def test_broken_file_is_reported_at_its_place(name: str, line: int, column: int) -> None:
     path = _BAD / name
-    dialect = _DIALECTS[path.suffix[1:]]
+    dialect = _dialect_of(path)
     found = findings_of(path.read_text(encoding="utf-8"), dialect, name)
     worst = [one for one in found if one.severity is Severity.ERROR] or found
     worst = worst or hints_of(path.read_text(encoding="utf-8"), dialect, name)

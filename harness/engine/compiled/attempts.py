@@ -1,0 +1,101 @@
+"""Calculations that say whether they work instead of stopping the program."""
+
+from collections.abc import Callable
+from math import isfinite
+from typing import Any
+
+from fbgen.lang.checked import Attempt, Binary, Convert, StandardCall, Unary
+from fbgen.lang.types import Elementary, Family, Scalar, Type
+from harness.engine.compiled.calls import cell
+from harness.engine.compiled.cells import Cell
+from harness.engine.compiled.code import Code
+from harness.engine.compiled.evaluation import Write, expression, value
+from harness.engine.compiled.library import stops
+from harness.engine.compiled.procedure import Procedure
+from harness.engine.compiled.ranges import limits
+
+_WHOLE = (Family.SIGNED, Family.UNSIGNED, Family.DURATION)
+_BAD = (
+    *(ZeroDivisionError, stops.ZeroDivisor, stops.NoFit, stops.NoNumber, stops.NoDecimal),
+    stops.NoInput,
+)
+
+
+def attempts(cpu: Any) -> dict[str, Callable[..., Any]]:
+    """What generated code calls; `cpu` counts how deep blocks are nested."""
+
+    def attempt(flag: Cell, action: Callable[[], Scalar], nothing: Scalar) -> Scalar:
+        depth = cpu.depth
+        try:
+            result = action()
+        except _BAD:
+            cpu.depth = depth
+            flag.value = False
+            return nothing
+        if isinstance(result, float) and not isfinite(result):
+            flag.value = False
+        return result
+
+    def attempt_whole(flag: Cell, action: Callable[[], int], low: int, high: int) -> int:
+        result = attempt(flag, action, 0)
+        assert isinstance(result, int)
+        if low <= result <= high:
+            return result
+        flag.value = False
+        return (result - low) % (high - low + 1) + low
+
+    return {"_attempt": attempt, "_attempt_whole": attempt_whole}
+
+
+def _attempt(procedure: Procedure, node: Attempt) -> Code:
+    operand = node.operand
+    flag = cell(procedure, node.flag)
+    low, high = limits(node.type)
+    if _can_overflow(operand):
+        code = _exact(procedure, operand)
+        text = f"_attempt_whole({flag.text}, lambda: {code.text}, {low}, {high})"
+    else:
+        code = value(procedure, operand)
+        text = f"_attempt({flag.text}, lambda: {code.text}, {_nothing(node.type)})"
+    return Code(text, low=low, high=high, depth=code.depth + 2, safe=False, pure=False)
+
+
+def _can_overflow(operand: Unary | Binary | Convert | StandardCall) -> bool:
+    """True for whole numbers only, on both sides of what is calculated."""
+    match operand:
+        case Binary():
+            kinds = (operand.type, operand.left.type, operand.right.type)
+        case Unary() | Convert():
+            kinds = (operand.type, operand.operand.type, operand.type)
+        case StandardCall():
+            return False
+    return all(isinstance(kind, Elementary) and kind.family in _WHOLE for kind in kinds)
+
+
+def _exact(procedure: Procedure, operand: Unary | Binary | Convert | StandardCall) -> Code:
+    """The result before it is wrapped around."""
+    if isinstance(operand, Convert):
+        return value(procedure, operand.operand)
+    if isinstance(operand, Unary) and operand.operator == "-":
+        code = value(procedure, operand.operand)
+        return code._replace(text=f"-({code.text})", depth=code.depth + 1)
+    if isinstance(operand, Binary) and operand.operator in ("+", "-", "*"):
+        left, right = value(procedure, operand.left), value(procedure, operand.right)
+        text = f"({left.text}) {operand.operator} ({right.text})"
+        return left._replace(text=text, depth=max(left.depth, right.depth) + 1)
+    # A quotient is not wrapped around yet, anything else fits.
+    return expression(procedure, operand)
+
+
+def _nothing(kind: Type) -> str:
+    if not isinstance(kind, Elementary):
+        return "''"
+    if kind.family is Family.BOOL:
+        return "False"
+    if kind.family is Family.REAL:
+        return "0.0"
+    return r"'\0'" if kind.family is Family.CHAR else "0"
+
+
+EXPRESSIONS: dict[type, Write] = {Attempt: _attempt}
+"""Which function of this module writes which node."""

@@ -1,0 +1,60 @@
+"""Several assignments in one statement, set and reset, AND_THEN and OR_ELSE.
+
+TIA Portal help, "Value assignments": `a := b := c` is `b := c; a := b`. CODESYS online help,
+"Assignment operator S=" and "AND_THEN".
+"""
+
+from collections.abc import Callable
+
+import pytest
+
+from harness import LoadedProgram, load_program
+
+Load = Callable[[str], LoadedProgram]
+
+
+def test_a_chain_assigns_from_right_to_left_and_evaluates_its_value_once(load: Load) -> None:
+    block = load("chains.scl").instance("Chains")
+    block()
+    assert (block.calls, block.a, block.b) == (1, 1, 5)
+    assert (block.total, block.long, block.real) == (5 - 3, 1, 1.0)
+
+
+def test_indices_further_left_see_what_was_assigned_further_right(load: Load) -> None:
+    block = load("chains.scl").instance("Chains")
+    block()
+    assert (block.c, list(block.list)) == (2, [0, 2, 0])
+
+
+def _twincat(engine_name: str, request: pytest.FixtureRequest) -> LoadedProgram:
+    path = request.path.parent / "set_reset.st"
+    return load_program([path], dialect="twincat", engine=engine_name)
+
+
+def test_set_and_reset_write_only_where_their_value_is_true(
+    engine_name: str, request: pytest.FixtureRequest
+) -> None:
+    block = _twincat(engine_name, request).instance("SetReset")
+    block(condition=False)
+    assert (block.set, block.reset, block.both, block.calls) == (False, True, False, 1)
+    block(condition=True)
+    assert (block.set, block.reset, block.both, block.calls) == (True, False, True, 2)
+    block(condition=False)
+    assert (block.set, block.reset, block.both, block.calls) == (True, False, False, 3)
+
+
+@pytest.mark.parametrize(
+    ("left", "values", "calls"), [(True, (True, True), (1, 0)), (False, (False, False), (0, 1))]
+)
+def test_the_right_side_is_evaluated_only_where_the_left_one_does_not_decide(
+    engine_name: str,
+    request: pytest.FixtureRequest,
+    left: bool,
+    values: tuple[bool, bool],
+    calls: tuple[int, int],
+) -> None:
+    block = _twincat(engine_name, request).instance("ShortCircuit")
+    block(left=left)
+    assert (block.conjunction, block.disjunction) == values
+    assert (block.conjunctionCalls, block.disjunctionCalls) == calls
+    assert (block.strict, block.strictCalls, block.guarded) == (left, 1, 0)
