@@ -78,23 +78,27 @@ class Monitors:
         """The operating status, FD01."""
         bits, operation, trip = self._bits, self._operation, self._trips.code
         wish = operation.wish
-        coasting = wish.coast
-        word = 0
+        word = bits.standby if not trip else bits.failure | bits.tripped
+        if wish.coast:
+            word |= bits.coast_stopped
+        elif not trip:
+            word |= bits.standby_st_on
+        if trip and trip == self._emergency:
+            word |= bits.emergency_stopped
+        if self.alarm:
+            word |= bits.alarm
+        if operation.running:
+            word |= bits.running
+        if operation.reverse:
+            word |= bits.reverse
+        if operation.mode is Mode.DC_BRAKE:
+            word |= bits.dc_braking
+        elif wish.jog and operation.mode is Mode.RUN:
+            word |= bits.jog
         for mask, is_set in (
-            (bits.failure, bool(trip)),
-            (bits.tripped, bool(trip)),
-            (bits.alarm, bool(self.alarm)),
             (bits.pattern_2, wish.pattern_2),
             (bits.pi_control_off, wish.pi_control_off),
             (bits.motor_2, wish.motor_2),
-            (bits.dc_braking, operation.mode is Mode.DC_BRAKE),
-            (bits.jog, wish.jog and operation.mode is Mode.RUN),
-            (bits.reverse, operation.reverse),
-            (bits.running, operation.running),
-            (bits.coast_stopped, coasting),
-            (bits.emergency_stopped, trip == self._emergency),
-            (bits.standby_st_on, not trip and not coasting),
-            (bits.standby, not trip),
         ):
             if is_set:
                 word |= mask
