@@ -56,6 +56,10 @@ class Variable:
     GLOBAL covers the data blocks of S7 and VAR_GLOBAL: a data block is one global variable whose
     type is its structure, or the function block of which it is the instance. `remanent` is RETAIN.
     TEMP and RESULT start anew with each call, the others keep their value.
+
+    `overlay`: the variable lies in the memory of that one (AT), from its first byte on, and has no
+    value of its own; the other one is never an overlay itself. An overlay of a parameter is no
+    parameter: its kind is STATIC or TEMP.
     """
 
     span: Span
@@ -65,6 +69,7 @@ class Variable:
     initial: Initial | None = None
     remanent: bool = False
     address: Address | None = None
+    overlay: "Variable | None" = None
 
 
 @node
@@ -150,7 +155,25 @@ class AddressRef:
     type: Elementary
 
 
-Place: TypeAlias = VariableRef | FieldRef | IndexRef | SliceRef | AddressRef
+@node
+class MemoryRef:
+    """An absolute address that is worked out when the program runs.
+
+    `area` is a code as PEEK takes it: 16#81 inputs, 16#82 outputs, 16#83 bit memory, 16#84 the data
+    block with the number `db`, 1 the hardware's inputs, 2 its outputs. `bit` only for BOOL. All are
+    whole numbers of any type, evaluated in the order area, db, byte, bit. The type is elementary,
+    or that of a whole area which an instruction gets (`P#DB1.DBX0.0 BYTE 10`).
+    """
+
+    span: Span
+    area: "Expression"
+    db: "Expression | None"
+    byte: "Expression"
+    bit: "Expression | None"
+    type: Type
+
+
+Place: TypeAlias = VariableRef | FieldRef | IndexRef | SliceRef | AddressRef | MemoryRef
 
 
 # --- expressions ------------------------------------------------------------------------------
@@ -455,6 +478,12 @@ class Program:
 
     The mappings are keyed by the casefolded name. `bodies` has the statements of every block.
     `dialect` chooses between the rules of S7 and IEC where they differ.
+
+    `byte_memory` are the variables that something reaches besides their name: overlays and what
+    they lie over, data blocks that absolute addresses or PEEK can reach, and all variables of
+    function blocks whose instance such a data block is or holds. They lie in bytes, as
+    `fbgen.lang.layout` says; for all others nobody can tell. `data_blocks` has the data blocks
+    that have a number.
     """
 
     dialect: str
@@ -464,6 +493,8 @@ class Program:
     globals: Mapping[str, Variable]
     standard_blocks: Mapping[str, StandardBlock]
     tasks: tuple[Task, ...] = field(default=())
+    byte_memory: frozenset[Variable] = field(default=frozenset())
+    data_blocks: Mapping[int, Variable] = field(default_factory=dict)
 
     def block_of(self, type_name: str) -> AnyBlock:
         """The function block of that name, the user's before the standard one."""

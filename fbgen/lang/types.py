@@ -158,10 +158,14 @@ class Field:
 
 @dataclass(frozen=True, eq=False)
 class StructType:
-    """A structure or UDT. Two structures are the same type only if they are the same object."""
+    """A structure or UDT. Two structures are the same type only if they are the same object.
+
+    The parts of a union (`is_union`) all begin at the same byte.
+    """
 
     name: str
     fields: tuple[Field, ...]
+    is_union: bool = False
 
     def field(self, name: str) -> Field | None:
         """The part with this name, whatever its case."""
@@ -197,6 +201,7 @@ class AnyType:
 
 VARIANT = AnyType("VARIANT")
 ANY = AnyType("ANY")
+POINTER = AnyType("POINTER")
 
 Type: TypeAlias = Elementary | StringType | ArrayType | StructType | BlockType | AnyType
 

@@ -104,12 +104,22 @@ def address_out_of_range(span: Span | None, address: str, size: int) -> Diagnost
 
 
 def no_data_block(span: Span | None, number: int) -> DiagnosticError:
-    """FB6011: `DBn` is addressed and there is no data block of that name."""
+    """FB6011: a data block is addressed by a number that none has, or none with addresses."""
     return error(
         "FB6011",
-        f"there is no data block DB{number}",
+        f"there is no data block DB{number} with standard access",
         span,
-        f'add DATA_BLOCK "DB{number}" to the files',
+        f"name it DB{number}, or give its number: load_program(..., db_numbers={{name: {number}}})",
+    )
+
+
+def unknown_area(span: Span, code: int) -> DiagnosticError:
+    """FB6015: PEEK, POKE or a pointer with a code that means no area of memory."""
+    return error(
+        "FB6015",
+        f"there is no memory area 16#{code:02X}",
+        span,
+        "16#81 inputs, 16#82 outputs, 16#83 bit memory, 16#84 data block, 1 and 2 hardware",
     )
 
 
@@ -120,16 +130,6 @@ def reference_not_set(span: Span | None, name: str) -> DiagnosticError:
         f"the in-out '{name}' is used and nothing is connected to it",
         span,
         "give the in-out a variable in the call",
-    )
-
-
-def no_layout(span: Span | None, kind: Type) -> DiagnosticError:
-    """FB6013: a variable is used as an area of bytes whose type has no layout in memory."""
-    return error(
-        "FB6013",
-        f"a variable of type {kind} cannot be used as an area of bytes",
-        span,
-        "use an array, a structure or an elementary variable",
     )
 
 

@@ -1,19 +1,19 @@
-"""How a variable lies in memory on S7: values to bytes and back.
+"""Values to bytes and back, as `fbgen.lang.layout` says where they lie.
 
-Numbers are big endian. BOOLs are packed from bit 0 upwards; one byte wide types take the next
-byte; everything wider, arrays and structures start at an even byte, arrays and structures end at
-one too. STRING[n] is n + 2 bytes: room, length, characters; WSTRING[n] the same in words. Each row
-of an array of several dimensions starts at an even byte. DATE_AND_TIME is BCD with milliseconds
-and weekday (Sunday = 1).
-Sources: STEP 7 System Software reference, "Format of the data type ..."; TIA Portal help, "Basics
-of data types"; rows of arrays are inferred from "Format of ARRAY".
+Numbers are big endian on S7, little endian on the controllers of the other dialects. STRING[n] is
+room, length, characters on S7, characters with a zero behind them elsewhere. DATE_AND_TIME is BCD
+with milliseconds and weekday (Sunday = 1) on S7; elsewhere it counts seconds since 1970-01-01, like
+DATE, in 32 bits.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from struct import pack, unpack
 
+from fbgen.lang.layout import Sizes
 from fbgen.lang.types import (
+    DATE,
     DATE_AND_TIME,
     ArrayType,
     Elementary,
@@ -23,149 +23,141 @@ from fbgen.lang.types import (
     StructType,
     Type,
 )
-from harness.engine.faults import no_layout
 from harness.engine.interface import Value
 
 _EPOCH = datetime(1970, 1, 1, tzinfo=UTC)
+_DAYS_TO_1990 = 7305
+_S_PER_DAY = 86_400
+_NS_PER_S = 1_000_000_000
 _LATIN = "latin-1"
-_WIDE = "utf-16-be"
 
 
-def size_bits(kind: Type) -> int:
-    """The size in bits; only BOOL is not whole bytes. Raises FB6013 for types without layout."""
-    if isinstance(kind, Elementary):
-        return kind.bits
-    if isinstance(kind, StringType):
-        return _even((kind.length + 2) * (16 if kind.wide else 8))
-    if isinstance(kind, ArrayType):
-        return _rows_bits(kind, 0)
-    if isinstance(kind, StructType):
-        end = 0
-        for field in kind.fields:
-            end = _aligned(end, field.type) + size_bits(field.type)
-        return _even(end)
-    raise no_layout(None, kind)
+@dataclass(frozen=True, slots=True)
+class Layout(Sizes):
+    """The rules of one kind of controller."""
 
+    # --- values ---------------------------------------------------------------------------------
 
-def size_bytes(kind: Type) -> int:
-    """The size in bytes; a BOOL takes one."""
-    return (size_bits(kind) + 7) // 8
+    def encode(self, kind: Type, value: Value) -> bytes:
+        """The bytes of a value in the shape that `interface.Value` describes."""
+        memory = bytearray(self.size_bytes(kind))
+        self.write(memory, 0, kind, value)
+        return bytes(memory)
 
+    def decode(self, kind: Type, data: bytes) -> Value:
+        """The value in `size_bytes(kind)` bytes; a date that is none gives 1990-01-01."""
+        return self.read(data, 0, kind)
 
-def encode(kind: Type, value: Value) -> bytes:
-    """The bytes of a value in the shape that `interface.Value` describes."""
-    memory = bytearray(size_bytes(kind))
-    _write(memory, 0, kind, value)
-    return bytes(memory)
+    def write(self, memory: bytearray, bit: int, kind: Type, value: Value) -> None:
+        """Put a value where a variable of the type begins; of a structure what is named."""
+        if isinstance(kind, StructType):
+            assert isinstance(value, Mapping)
+            for field, start in self.placed(kind):
+                if field.name in value:
+                    self.write(memory, bit + start, field.type, value[field.name])
+        elif isinstance(kind, ArrayType):
+            assert isinstance(value, Sequence)
+            for start, element in zip(self.element_bits(kind), value, strict=True):
+                self.write(memory, bit + start, kind.element, element)
+        elif isinstance(kind, Elementary) and kind.bits == 1 and self.is_s7:
+            mask = 1 << (bit & 7)
+            memory[bit >> 3] = memory[bit >> 3] & ~mask | (mask if value else 0)
+        else:
+            assert isinstance(value, bool | int | float | str)
+            data = self._scalar_bytes(kind, value)
+            memory[bit >> 3 : (bit >> 3) + len(data)] = data
 
+    def read(self, memory: bytes | bytearray, bit: int, kind: Type) -> Value:
+        """The value of a variable of the type that begins at `bit`."""
+        if isinstance(kind, StructType):
+            return {
+                field.name: self.read(memory, bit + start, field.type)
+                for field, start in self.placed(kind)
+            }
+        if isinstance(kind, ArrayType):
+            return [
+                self.read(memory, bit + start, kind.element) for start in self.element_bits(kind)
+            ]
+        if isinstance(kind, Elementary) and kind.bits == 1:
+            return bool(memory[bit >> 3] >> (bit & 7) & 1)
+        return self._scalar(kind, bytes(memory[bit >> 3 : (bit >> 3) + self.size_bytes(kind)]))
 
-def decode(kind: Type, data: bytes) -> Value:
-    """The value in `size_bytes(kind)` bytes; a date that is none gives 1990-01-01."""
-    return _read(data, 0, kind)
+    @property
+    def _order(self) -> str:
+        return ">" if self.is_s7 else "<"
 
+    @property
+    def _wide(self) -> str:
+        return "utf-16-be" if self.is_s7 else "utf-16-le"
 
-def _aligned(bit: int, kind: Type) -> int:
-    """The first bit from `bit` on where a variable of the type may start."""
-    if isinstance(kind, Elementary) and kind.bits == 1:
-        return bit
-    if isinstance(kind, Elementary) and kind.bits == 8:
-        return (bit + 7) & ~7
-    return _even(bit)
+    def _scalar_bytes(self, kind: Type, value: Scalar) -> bytes:
+        if isinstance(kind, StringType):
+            return self._text_bytes(kind, str(value))
+        assert isinstance(kind, Elementary)
+        if kind.family is Family.REAL:
+            return pack(self._order + ("f" if kind.bits == 32 else "d"), value)
+        if kind.family is Family.CHAR:
+            return str(value).encode(self._wide if kind.bits == 16 else _LATIN, "surrogatepass")
+        number = int(value)
+        if kind == DATE_AND_TIME and self.is_s7:
+            return _date_and_time_bytes(number)
+        if kind == DATE_AND_TIME:
+            number //= _NS_PER_S
+        elif kind == DATE and not self.is_s7:
+            number = (number + _DAYS_TO_1990) * _S_PER_DAY
+        size = self.size_bytes(kind)
+        number &= (1 << 8 * size) - 1
+        return number.to_bytes(size, "big" if self.is_s7 else "little")
 
+    def _text_bytes(self, kind: StringType, text: str) -> bytes:
+        """A text with its head or its end; what lies behind it in memory stays."""
+        data = text.encode(self._wide if kind.wide else _LATIN, "surrogatepass")
+        if not self.is_s7:
+            return data + (b"\0\0" if kind.wide else b"\0")
+        head = (kind.length, len(text))
+        return (pack(">HH", *head) if kind.wide else bytes(head)) + data
 
-def _even(bit: int) -> int:
-    return (bit + 15) & ~15
-
-
-def _rows_bits(kind: ArrayType, dimension: int) -> int:
-    first, last = kind.bounds[dimension]
-    if dimension + 1 < len(kind.bounds):
-        return (last - first + 1) * _rows_bits(kind, dimension + 1)
-    return _even((last - first + 1) * _stride(kind.element))
-
-
-def _stride(element: Type) -> int:
-    return size_bits(element)
-
-
-def _element_bits(kind: ArrayType, start: int) -> list[int]:
-    """The first bit of each element, in flat order."""
-    row = kind.bounds[-1][1] - kind.bounds[-1][0] + 1
-    row_bits = _rows_bits(kind, len(kind.bounds) - 1)
-    stride = _stride(kind.element)
-    return [start + (i // row) * row_bits + (i % row) * stride for i in range(kind.count)]
-
-
-def _write(memory: bytearray, bit: int, kind: Type, value: Value) -> None:
-    if isinstance(kind, StructType):
-        assert isinstance(value, Mapping)
-        position = bit
-        for field in kind.fields:
-            position = _aligned(position, field.type)
-            _write(memory, position, field.type, value[field.name])
-            position += size_bits(field.type)
-    elif isinstance(kind, ArrayType):
-        assert isinstance(value, Sequence)
-        for position, element in zip(_element_bits(kind, bit), value, strict=True):
-            _write(memory, position, kind.element, element)
-    elif isinstance(kind, Elementary) and kind.bits == 1:
-        mask = 1 << (bit & 7)
-        memory[bit >> 3] = memory[bit >> 3] & ~mask | (mask if value else 0)
-    else:
-        assert isinstance(value, bool | int | float | str)
-        data = _scalar_bytes(kind, value)
-        memory[bit >> 3 : (bit >> 3) + len(data)] = data
-
-
-def _read(data: bytes, bit: int, kind: Type) -> Value:
-    if isinstance(kind, StructType):
-        parts: dict[str, Value] = {}
-        position = bit
-        for field in kind.fields:
-            position = _aligned(position, field.type)
-            parts[field.name] = _read(data, position, field.type)
-            position += size_bits(field.type)
-        return parts
-    if isinstance(kind, ArrayType):
-        return [_read(data, position, kind.element) for position in _element_bits(kind, bit)]
-    if isinstance(kind, Elementary) and kind.bits == 1:
-        return bool(data[bit >> 3] >> (bit & 7) & 1)
-    return _scalar(kind, data[bit >> 3 : (bit >> 3) + size_bytes(kind)])
-
-
-def _scalar_bytes(kind: Type, value: Scalar) -> bytes:
-    size = size_bytes(kind)
-    if isinstance(kind, StringType):
-        text = str(value)
-        if kind.wide:
-            head = pack(">HH", kind.length, len(text))
-            return (head + text.encode(_WIDE, "surrogatepass")).ljust(size, b"\0")
-        return (bytes((kind.length, len(text))) + text.encode(_LATIN)).ljust(size, b"\0")
-    assert isinstance(kind, Elementary)
-    if kind.family is Family.REAL:
-        return pack(">f" if kind.bits == 32 else ">d", value)
-    if kind.family is Family.CHAR:
-        return str(value).encode(_WIDE if kind.bits == 16 else _LATIN, "surrogatepass")
-    if kind == DATE_AND_TIME:
-        return _date_and_time_bytes(int(value))
-    return (int(value) & ((1 << kind.bits) - 1)).to_bytes(size, "big")
-
-
-def _scalar(kind: Type, data: bytes) -> Scalar:
-    if isinstance(kind, StringType):
+    def _text(self, kind: StringType, data: bytes) -> str:
+        wide = self._wide
+        if not self.is_s7:
+            text = data.decode(wide if kind.wide else _LATIN, "surrogatepass")
+            return text[: kind.length].partition("\0")[0]
         if kind.wide:
             length = min(unpack(">H", data[2:4])[0], kind.length)
-            return data[4 : 4 + 2 * length].decode(_WIDE, "surrogatepass")
+            return data[4 : 4 + 2 * length].decode(wide, "surrogatepass")
         return data[2 : 2 + min(data[1], kind.length)].decode(_LATIN)
-    assert isinstance(kind, Elementary)
-    if kind.family is Family.REAL:
-        number: float = unpack(">f" if kind.bits == 32 else ">d", data)[0]
+
+    def _scalar(self, kind: Type, data: bytes) -> Scalar:
+        if isinstance(kind, StringType):
+            return self._text(kind, data)
+        assert isinstance(kind, Elementary)
+        if kind.family is Family.REAL:
+            real: float = unpack(self._order + ("f" if kind.bits == 32 else "d"), data)[0]
+            return real
+        if kind.family is Family.CHAR:
+            return data.decode(self._wide if kind.bits == 16 else _LATIN, "surrogatepass")
+        if kind == DATE_AND_TIME and self.is_s7:
+            return _date_and_time(data)
+        number = int.from_bytes(data, "big" if self.is_s7 else "little", signed=kind.is_signed)
+        if kind == DATE_AND_TIME:
+            return number * _NS_PER_S
+        if kind == DATE and not self.is_s7:
+            return max(number // _S_PER_DAY - _DAYS_TO_1990, 0)
         return number
-    if kind.family is Family.CHAR:
-        return data.decode(_WIDE if kind.bits == 16 else _LATIN, "surrogatepass")
-    if kind == DATE_AND_TIME:
-        return _date_and_time(data)
-    return int.from_bytes(data, "big", signed=kind.is_signed)
+
+
+S7 = Layout(is_s7=True)
+PC = Layout(is_s7=False)
+
+size_bits = S7.size_bits
+size_bytes = S7.size_bytes
+encode = S7.encode
+decode = S7.decode
+
+
+def layout_of(dialect: str) -> Layout:
+    """How variables lie in memory on the controllers of a dialect."""
+    return S7 if dialect in ("tia", "step7") else PC
 
 
 def _date_and_time_bytes(nanoseconds: int) -> bytes:

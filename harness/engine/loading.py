@@ -9,10 +9,11 @@
 Errors in the text are raised together as `DiagnosticError`.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from datetime import timedelta
 from importlib import import_module
 from pathlib import Path
+from types import MappingProxyType
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.lang import ast
@@ -39,20 +40,26 @@ def load_program(
     dialect: str = "tia",
     engine: str = "compiled",
     limits: Limits | None = None,
+    db_numbers: Mapping[str, int] = MappingProxyType({}),
 ) -> "LoadedProgram":
     """Read, check and load PLC text on a controller without hardware.
 
-    `sources` are files by their paths, or texts as `Source`. Raises one `DiagnosticError` with
-    everything that is wrong in them.
+    `sources` are files by their paths, or texts as `Source`. `db_numbers` has the numbers of data
+    blocks by their names, for absolute addresses; `DB100` has its number in its name. Raises one
+    `DiagnosticError` with everything that is wrong in them.
     """
     factory = engine_named(engine)
-    program = read_program(sources, dialect)
+    program = read_program(sources, dialect, db_numbers)
     kernel = Kernel()
     loaded = factory(program, StandaloneEnvironment(kernel), limits or Limits())
     return LoadedProgram(loaded, Clock(kernel))
 
 
-def read_program(sources: Iterable[str | Path | Source], dialect: str = "tia") -> Program:
+def read_program(
+    sources: Iterable[str | Path | Source],
+    dialect: str = "tia",
+    db_numbers: Mapping[str, int] = MappingProxyType({}),
+) -> Program:
     """The checked program that the files or texts make up; raises all errors together."""
     files: list[ast.File] = []
     found: list[Diagnostic] = []
@@ -66,7 +73,7 @@ def read_program(sources: Iterable[str | Path | Source], dialect: str = "tia") -
             found.extend(failure.diagnostics)
     if found:
         raise DiagnosticError(found)
-    return check(files, dialect)
+    return check(files, dialect, db_numbers=db_numbers)
 
 
 def engine_named(name: str) -> EngineFactory:

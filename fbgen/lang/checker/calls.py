@@ -29,6 +29,7 @@ from fbgen.lang.checker.conversions import keeps_representation
 from fbgen.lang.checker.enabling import ENABLED, attempted
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, default_value, erroneous
+from fbgen.lang.checker.memory_access import check_peek, memory_access_named
 from fbgen.lang.checker.places import is_place, names_block
 from fbgen.lang.checker.standard_blocks import TIMER_METHODS, standard_block
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
@@ -67,6 +68,9 @@ def check_call(ctx: Context, node: ast.Call, expected: Type | None) -> Expressio
     block = _user_block(ctx, node.callee, name)
     if block is not None:
         return _value_of_block(ctx, node, block)
+    access = memory_access_named(name)
+    if access is not None:
+        return check_peek(ctx, node, access)
     instruction = instruction_named(name)
     if instruction is not None:
         return system_call(ctx, node, instruction)[0]
@@ -92,7 +96,11 @@ def _user_block(ctx: Context, callee: ast.Expression, name: str) -> Block | None
 
 def is_built_in(name: str) -> bool:
     """True for the names of the controller's own functions and instructions."""
-    return is_standard_function(name) or instruction_named(name) is not None
+    return (
+        is_standard_function(name)
+        or instruction_named(name) is not None
+        or memory_access_named(name) is not None
+    )
 
 
 def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:

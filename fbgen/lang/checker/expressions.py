@@ -4,7 +4,7 @@ from typing import Any
 
 from fbgen.lang import ast
 from fbgen.lang.checked import Expression
-from fbgen.lang.checker import calls, constants, operators, places
+from fbgen.lang.checker import calls, constants, memory_access, operators, places
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression, enter
 from fbgen.lang.checker.literals import erroneous
@@ -47,6 +47,7 @@ enter(
         ast.Index: places.check_index,
         ast.Slice: places.check_slice,
         ast.DirectAddress: places.check_address,
+        ast.IndexedAddress: memory_access.check_indexed_address,
         ast.Call: calls.check_call,
         ast.Unary: operators.check_unary,
         ast.Binary: operators.check_binary,

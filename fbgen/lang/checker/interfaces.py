@@ -13,6 +13,7 @@ from fbgen.lang.checker.coercion import spelled
 from fbgen.lang.checker.constants import constant_of
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.overlays import Home, check_overlay, overlay_kind
 from fbgen.lang.checker.places import address_of
 from fbgen.lang.checker.symbols import NamedConstant, PendingSymbol
 from fbgen.lang.types import (
@@ -54,9 +55,16 @@ class Interfaces:
                     self._constants(ctx, declaration, block)
 
     def declare(
-        self, ctx: Context, sections: Sequence[ast.VarSection], block: BlockKind | None
+        self,
+        ctx: Context,
+        sections: Sequence[ast.VarSection],
+        block: BlockKind | None,
+        header: tuple[ast.HeaderItem, ...] = (),
     ) -> list[Variable]:
-        """All variables of the sections, in their order, then the constants that are variables."""
+        """All variables of the sections, in their order, then the constants that are variables.
+
+        `header` is that of the block; it says whether variables can be overlaid.
+        """
         variables: list[Variable] = []
         for section in sections:
             if _is_constant(section):
@@ -64,6 +72,8 @@ class Interfaces:
             for declaration in section.declarations:
                 if section.keyword == "VAR_EXTERNAL":
                     self._externals(ctx, declaration)
+                elif isinstance(declaration.at, ast.Name):
+                    variables += self._overlays(ctx, declaration, Home(block, header))
                 else:
                     variables += self._variables(ctx, section, declaration, block)
         for key, entry in list(ctx.scope.entries.items()):
@@ -158,6 +168,28 @@ class Interfaces:
             variables.append(variable)
         return variables
 
+    def _overlays(
+        self,
+        ctx: Context,
+        declaration: ast.Declaration,
+        home: Home,
+    ) -> list[Variable]:
+        kind = self._library.types.resolve(ctx, declaration.type).type
+        root = check_overlay(ctx, declaration, kind, home)
+        variables = []
+        for declared in declaration.names:
+            if not self._is_new(ctx, declared):
+                continue
+            where = VariableKind.TEMP
+            if root is not None:
+                where = overlay_kind(root, home.block not in _WITHOUT_MEMORY)
+            variable = Variable(declared.span, declared.name, where, kind, overlay=root)
+            ctx.scope.entries[declared.name.casefold()] = variable
+            variables.append(variable)
+            if root is not None:
+                self._library.memory.overlay(variable, root)
+        return variables
+
     def _kind(self, ctx: Context, section: ast.VarSection, block: BlockKind | None) -> VariableKind:
         if block is None:
             return VariableKind.GLOBAL
@@ -178,15 +210,7 @@ class Interfaces:
         return VariableKind.TEMP if block in _WITHOUT_MEMORY else VariableKind.STATIC
 
     def _address(self, ctx: Context, declaration: ast.Declaration, kind: Type) -> Address | None:
-        if declaration.at is None:
-            return None
-        if isinstance(declaration.at, ast.Name):
-            ctx.findings.error(
-                "FB4054",
-                "overlays by AT are not supported",
-                declaration.at.span,
-                "use slices or conversion functions",
-            )
+        if not isinstance(declaration.at, ast.DirectAddress):
             return None
         address = address_of(ctx, declaration.at)
         if address is None or kind == ERRONEOUS:

@@ -5,6 +5,7 @@ order of files and units does not matter; what needs itself is reported as recur
 """
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
@@ -16,6 +17,7 @@ from fbgen.lang.checker.findings import Findings
 from fbgen.lang.checker.initials import Initials
 from fbgen.lang.checker.interfaces import Interfaces
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.memory_use import MemoryUse, is_optimized
 from fbgen.lang.checker.rules import Rules
 from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS, standard_block
 from fbgen.lang.checker.symbols import Scope
@@ -30,8 +32,11 @@ _PARTS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.STATIC)
 class Library:
     """The declarations of a program."""
 
-    def __init__(self, rules: Rules, findings: Findings) -> None:
+    def __init__(
+        self, rules: Rules, findings: Findings, numbers: Mapping[str, int] = MappingProxyType({})
+    ) -> None:
         self.rules = rules
+        self.memory = MemoryUse(numbers)
         self.findings = findings
         self.globals = Scope()
         self.types = TypeResolver(self)
@@ -112,11 +117,18 @@ class Library:
             if entry is not None:
                 self.duplicate(node.name.name, node.name.span, entry.span)
                 continue
-            self.globals.entries[key] = self._data_block(ctx, node)
+            variable = self._data_block(ctx, node)
+            self.globals.entries[key] = variable
+            self.memory.declare(variable, self._is_optimized(node))
         for key, (name, span) in self._units.items():
             entry = self.globals.entries.get(key)
             if entry is not None and key not in self._data_blocks:
                 self.duplicate(name, span, entry.span)
+
+    def _is_optimized(self, node: ast.DataBlock) -> bool:
+        """An instance has the access that its function block has."""
+        block = None if node.type is None else self._syntax.get(node.type.name.casefold())
+        return is_optimized(node.header if block is None else block.header)
 
     def _data_block(self, ctx: Context, node: ast.DataBlock) -> Variable:
         initial: Initial | None = None
@@ -257,7 +269,7 @@ class Library:
         if result is not None:
             ctx.scope.entries[result.name.casefold()] = result
         self._interfaces.declare_constants(ctx, node.sections, kind)
-        variables = self._interfaces.declare(ctx, node.sections, kind)
+        variables = self._interfaces.declare(ctx, node.sections, kind, node.header)
         variables += self._enable_variables(ctx, node)
         if result is not None:
             variables.append(result)

@@ -35,6 +35,7 @@ from fbgen.lang.types import (
     Type,
 )
 from fbgen.nearest import nearest
+from fbgen.source import Span
 
 _SIZES = {"X": BOOL, "B": BYTE, "W": WORD, "D": DWORD, "L": LWORD}
 _PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)
@@ -42,7 +43,7 @@ _PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)
 
 def is_place(expression: Expression) -> bool:
     """True for what can stand on the left of an assignment."""
-    return isinstance(expression, VariableRef | FieldRef | IndexRef | SliceRef | AddressRef)
+    return isinstance(expression, Place)
 
 
 def root_variable(place: Expression) -> Variable | None:
@@ -184,7 +185,7 @@ def _instance_variable(ctx: Context, node: ast.Member, kind: BlockType) -> Varia
 
 
 def _place(expression: Expression) -> Place:
-    assert isinstance(expression, VariableRef | FieldRef | IndexRef | SliceRef | AddressRef)
+    assert isinstance(expression, Place)
     return expression
 
 
@@ -270,13 +271,15 @@ def check_slice(ctx: Context, node: ast.Slice, _expected: Type | None = None) ->
 
 def address_of(ctx: Context, node: ast.DirectAddress) -> Address | None:
     """The absolute address that is written; reports addresses that cannot be reached."""
-    if node.area == "DB" or node.size not in _SIZES:
+    if node.size not in _SIZES:
         ctx.findings.error(
             "FB4054",
-            "absolute access to data blocks is not supported",
+            "timers and counters by their numbers are not supported",
             node.span,
-            'name the data block and its member: "DB".member',
+            "use timers and counters of IEC",
         )
+        return None
+    if node.area == "DB" and not _may_be_addressed(ctx, node):
         return None
     if node.size == "X" and not 0 <= node.bit <= 7:
         ctx.findings.error(
@@ -284,6 +287,26 @@ def address_of(ctx: Context, node: ast.DirectAddress) -> Address | None:
         )
         return None
     return Address(node.area, _SIZES[node.size].bits, node.byte, node.bit, node.db, node.peripheral)
+
+
+def report_optimized(ctx: Context, span: Span, block: Variable) -> None:
+    """FB4073: an absolute address in a data block that has none."""
+    ctx.findings.error(
+        "FB4073",
+        f"'{block.name}' has optimized access, so nothing in it has an address",
+        span,
+        f"name the member, \"{block.name}\".member, or write S7_Optimized_Access := 'FALSE'",
+    )
+
+
+def _may_be_addressed(ctx: Context, node: ast.DirectAddress) -> bool:
+    memory = ctx.library.memory
+    memory.address(node.db)
+    block = memory.block_with(node.db)
+    if block is None or block not in memory.optimized:
+        return True
+    report_optimized(ctx, node.span, block)
+    return False
 
 
 def check_address(

@@ -2,8 +2,9 @@
 
 import gc
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from types import MappingProxyType
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang import ast
@@ -25,17 +26,22 @@ _FRAMES = 12_000
 
 
 def check(
-    files: Sequence[ast.File], dialect: str = "tia", *, rules: Rules | None = None
+    files: Sequence[ast.File],
+    dialect: str = "tia",
+    *,
+    rules: Rules | None = None,
+    db_numbers: Mapping[str, int] = MappingProxyType({}),
 ) -> Program:
     """The program that the files make up together, in any order.
 
     Raises one DiagnosticError with all errors over all files. `rules` replaces the dialect's own
-    rules, for a project with other compiler settings.
+    rules, for a project with other compiler settings. `db_numbers` has the numbers of data blocks
+    by their names, for absolute addresses; `DB100` has its number in its name.
     """
     rules = rules or rules_for(dialect)
     findings = Findings()
     with _room_for_nesting(), _without_collector():
-        program, _ = _check(files, rules, findings)
+        program, _ = _check(files, rules, findings, db_numbers)
     if findings.has_errors:
         found = findings.in_order(tuple(file.source.name for file in files))
         raise DiagnosticError(one for one in found if one.severity is Severity.ERROR)
@@ -43,7 +49,11 @@ def check(
 
 
 def check_reporting(
-    files: Sequence[ast.File], dialect: str = "tia", *, rules: Rules | None = None
+    files: Sequence[ast.File],
+    dialect: str = "tia",
+    *,
+    rules: Rules | None = None,
+    db_numbers: Mapping[str, int] = MappingProxyType({}),
 ) -> tuple[Program | None, list[Diagnostic]]:
     """The program, None if there are errors, and all errors and warnings by file and place.
 
@@ -52,7 +62,7 @@ def check_reporting(
     rules = rules or rules_for(dialect)
     findings = Findings()
     with _room_for_nesting(), _without_collector():
-        program, library = _check(files, rules, findings)
+        program, library = _check(files, rules, findings, db_numbers)
         analyse(program, library, findings)
     found = findings.in_order(tuple(file.source.name for file in files))
     return (None if findings.has_errors else program), list(found)
@@ -80,8 +90,10 @@ def _without_collector() -> Iterator[None]:
             gc.enable()
 
 
-def _check(files: Sequence[ast.File], rules: Rules, findings: Findings) -> tuple[Program, Library]:
-    library = Library(rules, findings)
+def _check(
+    files: Sequence[ast.File], rules: Rules, findings: Findings, db_numbers: Mapping[str, int]
+) -> tuple[Program, Library]:
+    library = Library(rules, findings, db_numbers)
     library.collect(files)
     library.declare_constants()
     library.types.all_user_types()
@@ -108,5 +120,7 @@ def _check(files: Sequence[ast.File], rules: Rules, findings: Findings) -> tuple
         },
         standard_blocks=STANDARD_BLOCKS,
         tasks=tasks,
+        byte_memory=library.memory.byte_memory(library),
+        data_blocks=library.memory.numbers,
     )
     return program, library

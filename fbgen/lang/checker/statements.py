@@ -24,6 +24,7 @@ from fbgen.lang.checker.enabling import enabled, speaks_of_enable
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.jumps import check_goto, check_label
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.memory_access import check_poke, memory_access_named
 from fbgen.lang.checker.places import names_block
 from fbgen.lang.checker.standard_calls import check_standard_call
 from fbgen.lang.checker.system_instructions import instruction_named
@@ -67,21 +68,32 @@ def _plain_call(ctx: Context, node: ast.CallStatement, call: ast.Call) -> Sequen
             return ()
         function = function_call(ctx, call, block)
         return () if function is None else (checked.Evaluate(node.span, function),)
+    access = memory_access_named(name)
+    if access is not None and access.writes:
+        poke = check_poke(ctx, call, access)
+        return () if poke is None else (poke,)
+    if access is not None:
+        _unused(ctx, node.span, access.name)
+        return ()
     instruction = instruction_named(name)
     if instruction is not None:
         result, place = system_call(ctx, call, instruction)
         return _system_statement(ctx, node.span, result, place)
     if is_built_in(name):
         if check_standard_call(ctx, call, name, None).type != ERRONEOUS:
-            ctx.findings.error(
-                "FB4049",
-                f"the result of {name.upper()} is not used",
-                node.span,
-                f"assign it: x := {name}(...);",
-            )
+            _unused(ctx, node.span, name)
         return ()
     unknown_callee(ctx, call, name)
     return ()
+
+
+def _unused(ctx: Context, span: Span, name: str) -> None:
+    ctx.findings.error(
+        "FB4049",
+        f"the result of {name.upper()} is not used",
+        span,
+        f"assign it: x := {name}(...);",
+    )
 
 
 def _system_statement(

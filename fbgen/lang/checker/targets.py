@@ -7,6 +7,7 @@ from fbgen.lang.checked import (
     Expression,
     FieldRef,
     IndexRef,
+    MemoryRef,
     Place,
     SliceRef,
     Variable,
@@ -29,7 +30,7 @@ def check_target(ctx: Context, node: ast.Expression, where: str) -> Place | None
             "FB4020", f"{where} writes a constant", node.span, "declare it in VAR to change it"
         )
         return None
-    if not isinstance(place, VariableRef | FieldRef | IndexRef | SliceRef | AddressRef):
+    if not isinstance(place, Place):
         ctx.findings.error(
             "FB4022",
             f"{where} writes a value that is no variable",
@@ -49,6 +50,8 @@ def _may_be_written(ctx: Context, place: Place, where: str) -> bool:
         base = inner
     if isinstance(base, AddressRef):
         return _address_may_be_written(ctx, base, where)
+    if isinstance(base, MemoryRef):
+        return True
     assert isinstance(base, VariableRef)
     return _variable_may_be_written(ctx, base, where)
 

@@ -3,14 +3,9 @@
 from typing import TypeGuard
 
 from fbgen.lang.checked import (
-    AddressRef,
     Expression,
-    FieldRef,
-    IndexRef,
     Place,
-    SliceRef,
     SystemCall,
-    VariableRef,
 )
 from fbgen.lang.checker.system_instructions import instruction_named
 from fbgen.lang.types import AnyType
@@ -31,4 +26,4 @@ def areas(node: SystemCall) -> dict[str, Place]:
 
 def is_place(node: Expression) -> TypeGuard[Place]:
     """True for an expression that can be written."""
-    return isinstance(node, VariableRef | FieldRef | IndexRef | SliceRef | AddressRef)
+    return isinstance(node, Place)

@@ -20,6 +20,7 @@ from fbgen.lang.checked import (
     If,
     IndexRef,
     InstanceCall,
+    MemoryRef,
     Place,
     Repeat,
     SliceRef,
@@ -49,6 +50,9 @@ _CHILDREN: dict[type, Callable[[Any], Iterable[Node]]] = {
     FieldRef: lambda node: (node.base,),
     SliceRef: lambda node: (node.base,),
     IndexRef: lambda node: (node.base, *node.indices),
+    MemoryRef: lambda node: [
+        one for one in (node.area, node.db, node.byte, node.bit) if one is not None
+    ],
     StandardCall: lambda node: node.arguments,
     FunctionCall: _arguments,
     SystemCall: lambda node: [expression for _, expression in node.arguments],
@@ -86,7 +90,7 @@ def every_node(roots: Iterable[Node]) -> Iterator[Node]:
 def root_of(place: Place) -> Variable | None:
     """The variable that a place is a part of; None for an absolute address."""
     while not isinstance(place, VariableRef):
-        if isinstance(place, AddressRef):
+        if isinstance(place, AddressRef | MemoryRef):
             return None
         place = place.base
     return place.variable

@@ -5,7 +5,19 @@ Defaults: zero, FALSE, the empty text. On S7 a CHAR starts as a blank and dates 
 (IEC 61131-3 table 10) and dates at the beginning of their count.
 """
 
-from fbgen.lang.checked import Address, AnyBlock, Block, Program, StandardBlock, Variable
+from dataclasses import dataclass
+
+from fbgen.lang.ast import BlockKind
+from fbgen.lang.checked import (
+    Address,
+    AnyBlock,
+    Block,
+    Program,
+    StandardBlock,
+    Variable,
+    VariableKind,
+)
+from fbgen.lang.layout import no_layout
 from fbgen.lang.types import (
     DATE_AND_TIME,
     ArrayInitial,
@@ -20,8 +32,10 @@ from fbgen.lang.types import (
     StructType,
     Type,
 )
-from harness.engine.faults import no_layout
+from harness.engine.block_memory import BlockLayout
+from harness.engine.layout import layout_of
 from harness.engine.reference.memory import Memory, MemoryCell
+from harness.engine.reference.placed import ByteCell
 from harness.engine.reference.standard_blocks import new_behaviour
 from harness.engine.reference.storage import (
     LIVING_KINDS,
@@ -30,59 +44,150 @@ from harness.engine.reference.storage import (
     InstanceStorage,
     Storage,
     Structure,
+    Union,
 )
 
+_WITH_MEMORY = (BlockKind.FUNCTION_BLOCK, BlockKind.PROGRAM, BlockKind.ORGANIZATION_BLOCK)
+_FRAME_KINDS = (VariableKind.TEMP, VariableKind.RESULT)
+_PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT)
 _S7_DIALECTS = ("tia", "step7")
 _S7_FIRST_DATE_AND_TIME = 631_152_000_000_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class _Spot:
+    """Where in a memory something is to lie; `is_view`: it is there already, under another name."""
+
+    memory: bytearray
+    bit: int
+    is_view: bool = False
+
+    def behind(self, bits: int) -> "_Spot":
+        """So many bits further on."""
+        return _Spot(self.memory, self.bit + bits, self.is_view)
 
 
 class Allocator:
     """Storages for the variables of one program on one controller."""
 
-    __slots__ = ("_memory", "_program")
+    __slots__ = ("_layout", "_memory", "_program")
 
     def __init__(self, program: Program, memory: Memory) -> None:
         self._program = program
         self._memory = memory
+        self._layout = BlockLayout(layout_of(program.dialect).is_s7, program)
 
     def variable(self, variable: Variable) -> Storage:
         """The storage of a variable with its initial value; a located one gets it by `reset`."""
         if variable.address is not None:
             return self._located(variable, variable.address)
-        storage = self.of_type(variable.type)
+        return self._variable(variable, None)
+
+    def memory_of(self, block: Variable) -> bytearray:
+        """New memory for a data block that lies in bytes."""
+        return bytearray(self._layout.size_bytes(block.type))
+
+    def data_block(self, block: Variable, memory: bytearray) -> Storage:
+        """A data block in its memory, with its initial values."""
+        return self._variable(block, _Spot(memory, 0))
+
+    def view(self, kind: Type, memory: bytearray, bit: int) -> Storage:
+        """What lies at a place of a memory already, as a variable of a type."""
+        return self.of_type(kind, _Spot(memory, bit, is_view=True))
+
+    def frame(self, block: Block) -> dict[Variable, Storage]:
+        """The variables of one call that lie in bytes."""
+        kinds = _FRAME_KINDS if block.kind in _WITH_MEMORY else (*_FRAME_KINDS, *_PARAMETERS)
+        placement = self._layout.frame(block, kinds)
+        memory = bytearray(placement.size)
+        return {
+            variable: self._variable(variable, _Spot(memory, bit))
+            for variable, bit in placement.bits.items()
+        }
+
+    def _variable(self, variable: Variable, spot: _Spot | None) -> Storage:
+        if spot is not None and variable.overlay is not None:
+            spot = _Spot(spot.memory, spot.bit, is_view=True)
+        storage = self.of_type(variable.type, spot)
         if variable.initial is not None:
             apply_initial(storage, variable.initial)
         return storage
 
-    def of_type(self, kind: Type) -> Storage:
+    def of_type(self, kind: Type, spot: _Spot | None = None) -> Storage:
         """The storage of a type with the defaults of its parts."""
         if isinstance(kind, Elementary | StringType):
-            return Cell(kind, self._default(kind))
+            return self._scalar(kind, spot)
         if isinstance(kind, ArrayType):
-            return Array(kind, [self.of_type(kind.element) for _ in range(kind.count)])
+            return Array(kind, self._elements(kind, spot))
         if isinstance(kind, StructType):
-            parts: dict[str, Storage] = {}
-            for field in kind.fields:
-                part = self.of_type(field.type)
-                if field.initial is not None:
-                    apply_initial(part, field.initial)
-                parts[field.name.casefold()] = part
-            return Structure(kind, parts)
+            if kind.is_union:
+                return self._union(kind, spot)
+            return Structure(kind, self._parts(kind, spot))
         if isinstance(kind, BlockType):
-            return self.instance(self._block(kind.name), kind)
+            return self.instance(self._block(kind.name), kind, spot)
         raise no_layout(None, kind)
 
-    def instance(self, block: AnyBlock, kind: Type) -> InstanceStorage:
+    def _scalar(self, kind: Elementary | StringType, spot: _Spot | None) -> Storage:
+        if spot is None:
+            return Cell(kind, self._default(kind))
+        cell = ByteCell(kind, self._layout, spot.memory, spot.bit)
+        if not spot.is_view:
+            cell.write(self._default(kind))
+        return cell
+
+    def _elements(self, kind: ArrayType, spot: _Spot | None) -> list[Storage]:
+        if spot is None:
+            return [self.of_type(kind.element) for _ in range(kind.count)]
+        bits = self._layout.element_bits(kind)
+        return [self.of_type(kind.element, spot.behind(bit)) for bit in bits]
+
+    def _parts(self, kind: StructType, spot: _Spot | None) -> dict[str, Storage]:
+        bits = {} if spot is None else self._layout.field_bits(kind)
+        parts: dict[str, Storage] = {}
+        for field in kind.fields:
+            key = field.name.casefold()
+            part = self.of_type(field.type, None if spot is None else spot.behind(bits[key]))
+            if field.initial is not None and not (spot is not None and spot.is_view):
+                apply_initial(part, field.initial)
+            parts[key] = part
+        return parts
+
+    def _union(self, kind: StructType, spot: _Spot | None) -> Union:
+        """All its parts in the same bytes, with the value of the last one that has one."""
+        size = self._layout.size_bytes(kind)
+        if spot is None:
+            spot = _Spot(bytearray(size), 0)
+        views = self._parts(kind, _Spot(spot.memory, spot.bit, is_view=True))
+        if not spot.is_view:
+            for field in kind.fields:
+                if field.initial is not None:
+                    apply_initial(views[field.name.casefold()], field.initial)
+        return Union(kind, views, spot.memory, spot.bit >> 3, size)
+
+    def instance(self, block: AnyBlock, kind: Type, spot: _Spot | None = None) -> InstanceStorage:
         """A fresh instance; the in-outs are not connected."""
-        parts = {
+        if isinstance(block, StandardBlock):
+            parts = self._own_parts(block)
+            state = new_behaviour(block.name, self._program.dialect)
+            return InstanceStorage(kind, block, parts, state)
+        placement = self._layout.instance(block)
+        memory = None
+        if spot is None and placement.size:
+            memory = bytearray(placement.size)
+            spot = _Spot(memory, 0)
+        parts = self._own_parts(block)
+        for variable, bit in placement.bits.items():
+            if variable.kind in LIVING_KINDS and spot is not None:
+                parts[variable.name.casefold()] = self._variable(variable, spot.behind(bit))
+        return InstanceStorage(kind, block, parts, None, memory)
+
+    def _own_parts(self, block: AnyBlock) -> dict[str, Storage]:
+        """The living variables of a block, those that lie in bytes still to be replaced."""
+        return {
             variable.name.casefold(): self.variable(variable)
             for variable in block.variables
             if variable.kind in LIVING_KINDS
         }
-        if isinstance(block, StandardBlock):
-            state = new_behaviour(block.name, self._program.dialect)
-            return InstanceStorage(kind, block, parts, state)
-        return InstanceStorage(kind, block, parts, None)
 
     def _block(self, name: str) -> AnyBlock:
         """An IEC_TIMER is called as any of the timers, so it has the variables of the largest."""

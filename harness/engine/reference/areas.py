@@ -1,8 +1,8 @@
 """A variable as an area of bytes, for system instructions (ANY, VARIANT)."""
 
+from fbgen.lang.layout import no_layout
 from fbgen.lang.types import Type
 from fbgen.source import Span
-from harness.engine.faults import no_layout
 from harness.engine.interface import Value
 from harness.engine.layout import decode, encode, size_bytes
 from harness.engine.reference.storage import InstanceStorage, Storage

@@ -15,10 +15,12 @@ from fbgen.lang.types import AnyType
 from fbgen.source import Span
 from harness.engine.faults import nesting_too_deep
 from harness.engine.interface import Limits, Value
+from harness.engine.reference.addresses import Addresses
 from harness.engine.reference.allocation import Allocator
 from harness.engine.reference.expressions import Expressions
+from harness.engine.reference.frames import Frame
 from harness.engine.reference.memory import Memory
-from harness.engine.reference.places import Frame, Places
+from harness.engine.reference.places import Places
 from harness.engine.reference.standard_blocks import run_standard_block
 from harness.engine.reference.statements import Statements, Watchdog
 from harness.engine.reference.storage import LIVING_KINDS, InstanceStorage, Storage
@@ -45,7 +47,8 @@ class Calls:
         self._limits = limits
         self._allocator = allocator
         self._watchdog = Watchdog(limits.loop_passes)
-        self._places = Places(memory, program_globals, self._index)
+        addresses = Addresses(memory, self._index, allocator.view)
+        self._places = Places(memory, addresses, program_globals, self._index)
         self._expressions = Expressions(
             program.dialect, memory.environment, self._places, self._call_function
         )
@@ -60,6 +63,12 @@ class Calls:
         self._watchdog.restart()
         self._depth = 0
 
+    def frame(self, block: Block) -> Frame:
+        """A frame for a call, with the variables that lie in bytes."""
+        frame = Frame()
+        frame.storages.update(self._allocator.frame(block))
+        return frame
+
     def run_function(self, block: Block, arguments: Frame, span: Span | None) -> None:
         """A FUNCTION; its other variables start anew in the frame of its arguments."""
         for variable in block.variables:
@@ -71,9 +80,11 @@ class Calls:
         """A block with variables that live on; its inputs and in-outs have been set."""
         block = instance.block
         assert isinstance(block, Block)
-        frame = Frame()
+        frame = self.frame(block)
         for variable in block.variables:
             key = variable.name.casefold()
+            if variable in frame.storages:
+                continue
             if variable.kind in LIVING_KINDS:
                 frame.storages[variable] = instance.parts[key]
             elif variable.kind is not VariableKind.IN_OUT:
@@ -96,9 +107,13 @@ class Calls:
             self._depth -= 1
 
     def _call_function(self, call: FunctionCall, frame: Frame) -> Value | None:
-        inner = Frame()
+        inner = self.frame(call.function)
         for variable, expression in call.inputs:
-            inner.storages[variable] = self._argument(variable, expression, frame)
+            argument = self._argument(variable, expression, frame)
+            if variable in inner.storages:
+                inner.storages[variable].write(argument.read())
+            else:
+                inner.storages[variable] = argument
         for variable, place in call.in_outs:
             inner.storages[variable] = self._places.find(place, frame)
         self.run_function(call.function, inner, call.span)

@@ -16,7 +16,6 @@ from harness.engine.reference.allocation import Allocator
 from harness.engine.reference.calls import Calls
 from harness.engine.reference.lookup import find_part
 from harness.engine.reference.memory import Memory
-from harness.engine.reference.places import Frame
 from harness.engine.reference.storage import InstanceStorage, Storage
 from harness.engine.values import accept
 
@@ -28,18 +27,22 @@ class ReferenceEngine:
     """One program, loaded on a controller. Implements `interface.Engine`."""
 
     __slots__ = (
-        *("_allocator", "_by_key", "_calls", "_environment", "_globals", "_program", "_runnable"),
+        *("_allocator", "_blocks", "_by_key", "_calls", "_environment", "_globals", "_program"),
+        "_runnable",
     )
 
     def __init__(self, program: Program, environment: Environment, limits: Limits) -> None:
         self._program = program
         self._environment = environment
+        self._blocks: dict[Variable, bytearray] = {}
         memory = Memory(environment, self._data_block)
         self._allocator = Allocator(program, memory)
         self._globals: dict[Variable, Storage] = {}
         self._by_key: dict[str, Storage] = {}
         for key, variable in program.globals.items():
-            self._globals[variable] = self._by_key[key] = self._allocator.variable(variable)
+            if variable in program.byte_memory:
+                self._blocks[variable] = self._allocator.memory_of(variable)
+            self._globals[variable] = self._by_key[key] = self._fresh(variable, self._blocks)
         self._runnable = self._own_instances()
         self._calls = Calls(program, memory, limits, self._allocator, self._globals)
         self.reset(warm=False)
@@ -84,11 +87,11 @@ class ReferenceEngine:
         if block.kind is not BlockKind.FUNCTION:
             use = f"use instance('{block.name}') or run_block('{block.name}')"
             raise wrong_kind_of_block(block.name, block.kind.value, use)
-        frame = Frame()
+        frame = self._calls.frame(block)
         given = check_arguments(self._program, block, arguments)
         for variable in block.variables:
             if variable.kind in (VariableKind.INPUT, VariableKind.IN_OUT):
-                storage = self._allocator.variable(variable)
+                storage = frame.storages.get(variable) or self._allocator.variable(variable)
                 if variable in given:
                     storage.write(given[variable])
                 frame.storages[variable] = storage
@@ -129,20 +132,23 @@ class ReferenceEngine:
     def snapshot(self) -> State:
         """Global variables and the variables of PROGRAMs."""
         storages = (*self._globals.values(), *self._runnable.values())
-        return tuple(storage.snapshot() for storage in storages)
+        blocks = tuple(bytes(memory) for memory in self._blocks.values())
+        return blocks, tuple(storage.snapshot() for storage in storages)
 
     def restore(self, state: State) -> None:
         """Go back to a snapshot of the same program."""
         assert isinstance(state, tuple)
         storages = (*self._globals.values(), *self._runnable.values())
-        for storage, saved in zip(storages, state, strict=True):
+        for storage, saved in zip(storages, state[1], strict=True):
             storage.restore(saved)
+        for memory, data in zip(self._blocks.values(), state[0], strict=True):
+            memory[:] = data
 
     def reset(self, warm: bool) -> None:
         """Initial values everywhere in the program; after a warm start remanent variables stay."""
         for variable, storage in self._globals.items():
             if not (warm and variable.remanent):
-                storage.reset(self._allocator.variable(variable), warm)
+                storage.reset(self._fresh(variable, {}), warm)
         fresh = self._own_instances()
         for key, instance in self._runnable.items():
             instance.reset(fresh[key], warm)
@@ -186,8 +192,18 @@ class ReferenceEngine:
             raise unknown_name("global variable", str(first), names)
         return find_part(storage, rest, path)
 
-    def _data_block(self, number: int) -> Storage | None:
-        return self._by_key.get(f"db{number}")
+    def _fresh(self, variable: Variable, blocks: Mapping[Variable, bytearray]) -> Storage:
+        """A global variable with its initial values; a data block in its memory, if it has one."""
+        if variable not in self._program.byte_memory:
+            return self._allocator.variable(variable)
+        memory = blocks.get(variable)
+        if memory is None:
+            memory = self._allocator.memory_of(variable)
+        return self._allocator.data_block(variable, memory)
+
+    def _data_block(self, number: int) -> bytearray | None:
+        variable = self._program.data_blocks.get(number)
+        return None if variable is None else self._blocks.get(variable)
 
 
 class ReferenceInstance:

@@ -5,21 +5,16 @@ from dataclasses import replace
 
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import (
-    AddressRef,
     Attempt,
     Binary,
     Constant,
     Convert,
     Expression,
-    FieldRef,
     FunctionCall,
-    IndexRef,
     Place,
-    SliceRef,
     StandardCall,
     SystemCall,
     Unary,
-    VariableRef,
 )
 from fbgen.lang.checker.system_instructions import INSTRUCTIONS
 from fbgen.lang.types import AnyType, Scalar, StringType
@@ -30,8 +25,9 @@ from harness.engine.reference.arithmetic import binary, unary
 from harness.engine.reference.attempts import is_bad_calculation, is_right, nothing
 from harness.engine.reference.conversion import convert
 from harness.engine.reference.date_functions import DATE_FUNCTIONS
+from harness.engine.reference.frames import Frame
 from harness.engine.reference.functions import NUMERIC_FUNCTIONS, Signature
-from harness.engine.reference.places import Frame, Places
+from harness.engine.reference.places import Places
 from harness.engine.reference.text_functions import TEXT_FUNCTIONS
 
 _FUNCTIONS = {**NUMERIC_FUNCTIONS, **TEXT_FUNCTIONS, **DATE_FUNCTIONS}
@@ -56,7 +52,7 @@ class Expressions:
 
     def value(self, expression: Expression, frame: Frame) -> Value:
         """The value of any expression; of a structure or an array a copy."""
-        if isinstance(expression, VariableRef | FieldRef | IndexRef | SliceRef | AddressRef):
+        if isinstance(expression, Place):
             return self._places.find(expression, frame).read()
         if isinstance(expression, FunctionCall):
             value = self._call_function(expression, frame)
@@ -180,5 +176,5 @@ class Expressions:
 
 
 def _as_place(expression: Expression) -> Place:
-    assert isinstance(expression, VariableRef | FieldRef | IndexRef | SliceRef | AddressRef)
+    assert isinstance(expression, Place)
     return expression

@@ -14,7 +14,6 @@ from fbgen.source import Span
 from harness.engine.environment import Environment
 from harness.engine.faults import address_out_of_range, no_data_block
 from harness.engine.interface import State, Value
-from harness.engine.layout import decode, encode
 from harness.engine.reference.storage import Storage
 
 _SIZES = {1: "X", 8: "B", 16: "W", 32: "D", 64: "L"}
@@ -35,7 +34,7 @@ class Memory:
     """What absolute addresses reach: the controller, and the program's data blocks by number."""
 
     environment: Environment
-    data_block: Callable[[int], Storage | None]
+    data_block: Callable[[int], bytearray | None]
 
 
 class MemoryCell(Storage):
@@ -99,7 +98,7 @@ class MemoryCell(Storage):
         images = {"I": environment.inputs, "Q": environment.outputs, "M": environment.markers}
         return images[self._address.area]
 
-    def _block(self) -> Storage:
+    def _block(self) -> bytearray:
         block = self._memory.data_block(self._address.db)
         if block is None:
             raise no_data_block(self._span, self._address.db)
@@ -114,8 +113,7 @@ class MemoryCell(Storage):
     def _read_bytes(self, count: int) -> bytes:
         address = self._address
         if address.area == "DB":
-            block = self._block()
-            return self._checked(encode(block.kind, block.read()), count)
+            return self._checked(self._block(), count)
         if address.peripheral:
             data = b""
             while len(data) < count:
@@ -128,11 +126,9 @@ class MemoryCell(Storage):
     def _write_bytes(self, data: bytes) -> None:
         address = self._address
         if address.area == "DB":
-            block = self._block()
-            memory = bytearray(encode(block.kind, block.read()))
+            memory = self._block()
             self._checked(memory, len(data))
             memory[address.byte : address.byte + len(data)] = data
-            block.write(decode(block.kind, bytes(memory)))
         elif address.peripheral:
             for start in range(0, len(data), 4):
                 part = data[start : start + 4]
@@ -145,7 +141,7 @@ class MemoryCell(Storage):
 
     def _checked(self, memory: bytes | bytearray, count: int) -> bytes:
         start = self._address.byte
-        if start + count > len(memory):
+        if start < 0 or start + count > len(memory):
             raise address_out_of_range(self._span, spelling(self._address), len(memory))
         return bytes(memory[start : start + count])
 

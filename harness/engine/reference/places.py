@@ -7,16 +7,20 @@ from fbgen.lang.checked import (
     Expression,
     FieldRef,
     IndexRef,
+    MemoryRef,
     Place,
     SliceRef,
     Variable,
     VariableKind,
     VariableRef,
 )
+from fbgen.lang.layout import no_layout
 from fbgen.lang.types import Elementary, Family
 from fbgen.source import Span
-from harness.engine.faults import index_out_of_range, no_layout, reference_not_set
+from harness.engine.faults import index_out_of_range, reference_not_set
 from harness.engine.interface import State, Value
+from harness.engine.reference.addresses import Addresses
+from harness.engine.reference.frames import Frame
 from harness.engine.reference.memory import Memory, MemoryCell
 from harness.engine.reference.storage import Array, InstanceStorage, Storage, Structure
 
@@ -64,34 +68,20 @@ class SliceStorage(Storage):
         return whole
 
 
-class Frame:
-    """The variables of one call of a block: their storages, by declaration."""
-
-    __slots__ = ("storages",)
-
-    def __init__(self) -> None:
-        self.storages: dict[Variable, Storage] = {}
-
-    def find(self, variable: Variable, span: Span) -> Storage:
-        """The storage of a variable of the block. Raises FB6012."""
-        storage = self.storages.get(variable)
-        if storage is None:
-            raise reference_not_set(span, variable.name)
-        return storage
-
-
 class Places:
     """Finds the storage that a place means at this moment."""
 
-    __slots__ = ("_globals", "_index", "_memory")
+    __slots__ = ("_addresses", "_globals", "_index", "_memory")
 
     def __init__(
         self,
         memory: Memory,
+        addresses: Addresses,
         program_globals: Mapping[Variable, Storage],
         index: Callable[[Expression, Frame], int],
     ) -> None:
         self._memory = memory
+        self._addresses = addresses
         self._globals = program_globals
         self._index = index
 
@@ -110,6 +100,8 @@ class Places:
                 return SliceStorage(self.find(place.base, frame), place.type, place.index)
             case AddressRef():
                 return MemoryCell(place.type, place.address, self._memory, place.span)
+            case MemoryRef():
+                return self._addresses.find(place, frame)
 
     def _part(self, base: Storage, place: FieldRef) -> Storage:
         key = place.name.casefold()

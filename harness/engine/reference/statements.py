@@ -30,7 +30,8 @@ from harness.engine.faults import endless_loop, step_is_zero
 from harness.engine.interface import Value
 from harness.engine.reference.arithmetic import wrap
 from harness.engine.reference.expressions import Expressions
-from harness.engine.reference.places import Frame, Places
+from harness.engine.reference.frames import Frame
+from harness.engine.reference.places import Places
 
 
 class Flow(Enum):

@@ -125,6 +125,55 @@ class Structure(Storage):
             part.reset(fresh.parts[key], warm)
 
 
+class UnionValue(dict[str, Value]):
+    """The parts of a union with the bytes that they were read from, so that none are lost."""
+
+    def __init__(self, parts: Mapping[str, Value], data: bytes) -> None:
+        super().__init__(parts)
+        self.data = data
+
+
+class Union(Structure):
+    """A structure whose parts share `size` bytes of a memory from byte `start` on."""
+
+    __slots__ = ("_memory", "_size", "_start")
+
+    def __init__(
+        self, kind: StructType, parts: dict[str, Storage], memory: bytearray, start: int, size: int
+    ) -> None:
+        super().__init__(kind, parts)
+        self._memory = memory
+        self._start = start
+        self._size = size
+
+    def read(self) -> dict[str, Value]:
+        """All parts by their declared names."""
+        return UnionValue(super().read(), self._data())
+
+    def write(self, value: Value) -> None:
+        """Another union byte by byte; else the parts that are named, one behind the other."""
+        if isinstance(value, UnionValue):
+            self._memory[self._start : self._start + self._size] = value.data
+        else:
+            super().write(value)
+
+    def snapshot(self) -> State:
+        """The bytes."""
+        return self._data()
+
+    def restore(self, state: State) -> None:
+        """The bytes."""
+        assert isinstance(state, bytes)
+        self._memory[self._start : self._start + self._size] = state
+
+    def reset(self, fresh: Storage, warm: bool) -> None:
+        """The bytes."""
+        self.restore(fresh.snapshot())
+
+    def _data(self) -> bytes:
+        return bytes(self._memory[self._start : self._start + self._size])
+
+
 class Array(Storage):
     """The elements of an array, the last index fastest."""
 
@@ -171,10 +220,11 @@ class InstanceStorage(Storage):
 
     `connections` has the storages that are connected to the in-outs during a call, and copies of
     them behind it; they are not part of the state. `standard` is the memory of a standard block
-    that is not visible as a variable.
+    that is not visible as a variable, `memory` has the variables that lie in bytes, unless the
+    instance lies in a data block itself.
     """
 
-    __slots__ = ("_kind", "_variables", "block", "connections", "parts", "standard")
+    __slots__ = ("_kind", "_memory", "_variables", "block", "connections", "parts", "standard")
 
     def __init__(
         self,
@@ -182,8 +232,10 @@ class InstanceStorage(Storage):
         block: AnyBlock,
         parts: dict[str, Storage],
         standard: "Behaviour | None",
+        memory: bytearray | None = None,
     ) -> None:
         self._kind = kind
+        self._memory = memory
         self.block = block
         self.parts = parts
         self.connections: dict[str, Storage] = {}
@@ -226,12 +278,15 @@ class InstanceStorage(Storage):
     def snapshot(self) -> State:
         """The variables that live on and the memory of a standard block."""
         saved = tuple(part.snapshot() for part in self.parts.values())
-        return saved, None if self.standard is None else self.standard.snapshot()
+        data = None if self._memory is None else bytes(self._memory)
+        return saved, None if self.standard is None else self.standard.snapshot(), data
 
     def restore(self, state: State) -> None:
         """The variables that live on and the memory of a standard block."""
         assert isinstance(state, tuple)
-        saved, standard = state
+        saved, standard, data = state
+        if self._memory is not None:
+            self._memory[:] = data
         for part, part_saved in zip(self.parts.values(), saved, strict=True):
             part.restore(part_saved)
         if self.standard is not None:
@@ -241,7 +296,8 @@ class InstanceStorage(Storage):
         """Variable by variable; a warm start leaves the remanent ones."""
         assert isinstance(fresh, InstanceStorage)
         for key, part in self.parts.items():
-            if not (warm and self._variables[key].remanent):
+            variable = self._variables[key]
+            if variable.overlay is None and not (warm and variable.remanent):
                 part.reset(fresh.parts[key], warm)
         if self.standard is not None and fresh.standard is not None:
             self.standard.restore(fresh.standard.snapshot())
