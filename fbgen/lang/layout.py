@@ -23,6 +23,7 @@ from fbgen.lang.types import (
     DATE_AND_TIME,
     AnyType,
     ArrayType,
+    BlockType,
     Elementary,
     Field,
     StringType,
@@ -139,6 +140,24 @@ PC_SIZES = Sizes(is_s7=False)
 def sizes_of(dialect: str) -> Sizes:
     """How variables lie in memory on the controllers of a dialect."""
     return S7_SIZES if dialect in ("tia", "step7") else PC_SIZES
+
+
+def holds_values(kind: Type) -> bool:
+    """True for types without references, which have no address here."""
+    if isinstance(kind, ArrayType):
+        return holds_values(kind.element)
+    if isinstance(kind, StructType):
+        return all(holds_values(field.type) for field in kind.fields)
+    return isinstance(kind, Elementary | StringType | BlockType)
+
+
+def holds_blocks(kind: Type) -> bool:
+    """True for instances, and for types with instances inside."""
+    if isinstance(kind, ArrayType):
+        return holds_blocks(kind.element)
+    if isinstance(kind, StructType):
+        return any(holds_blocks(field.type) for field in kind.fields)
+    return isinstance(kind, BlockType)
 
 
 def _up(bit: int, step: int) -> int:

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 from fbgen.lang import ast
 from fbgen.lang.checked import Block, Variable, VariableKind
-from fbgen.lang.types import ArrayType, BlockType, Elementary, StringType, StructType, Type
+from fbgen.lang.layout import holds_values
+from fbgen.lang.types import ArrayType, BlockType, StructType, Type
 
 if TYPE_CHECKING:
     from fbgen.lang.checker.library import Library
@@ -96,24 +97,6 @@ class MemoryUse:
         for block in whole:
             found |= {v for v in block.variables if _lives(v) and holds_values(v.type)}
         return frozenset(found)
-
-
-def holds_values(kind: Type) -> bool:
-    """True for types without references, which have no address here."""
-    if isinstance(kind, ArrayType):
-        return holds_values(kind.element)
-    if isinstance(kind, StructType):
-        return all(holds_values(field.type) for field in kind.fields)
-    return isinstance(kind, Elementary | StringType | BlockType)
-
-
-def holds_blocks(kind: Type) -> bool:
-    """True for instances, and for types with instances inside."""
-    if isinstance(kind, ArrayType):
-        return holds_blocks(kind.element)
-    if isinstance(kind, StructType):
-        return any(holds_blocks(field.type) for field in kind.fields)
-    return isinstance(kind, BlockType)
 
 
 def _lives(variable: Variable) -> bool:

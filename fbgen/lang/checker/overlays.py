@@ -11,8 +11,8 @@ from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Variable, VariableKind
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import ERRONEOUS
-from fbgen.lang.checker.memory_use import holds_blocks, holds_values, is_optimized
-from fbgen.lang.layout import sizes_of
+from fbgen.lang.checker.memory_use import is_optimized
+from fbgen.lang.layout import holds_blocks, holds_values, sizes_of
 from fbgen.lang.types import Type
 from fbgen.nearest import nearest
 

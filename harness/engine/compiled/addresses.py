@@ -4,9 +4,10 @@ Bytes are big endian. Whether an address lies inside its area is known when the 
 one outside stops the program only when it gets there.
 """
 
-from fbgen.lang.checked import Address, AddressRef, VariableRef
+from fbgen.lang.checked import Address, AddressRef, Constant, MemoryRef, VariableRef
 from fbgen.lang.types import (
     BOOL,
+    DINT,
     DWORD,
     LWORD,
     REAL,
@@ -18,6 +19,7 @@ from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits, masked, wrapped
 
 _AREAS = {"I": "_environment.inputs", "Q": "_environment.outputs", "M": "_environment.markers"}
+_CODES = {"I": 0x81, "Q": 0x82, "M": 0x83, "DB": 0x84}
 _SIZES = {1: "X", 8: "B", 16: "W", 32: "D", 64: "L"}
 
 
@@ -34,8 +36,42 @@ def _bytes(address: Address) -> int:
     return max(1, address.bits // 8)
 
 
-def _inside(procedure: Procedure, address: Address) -> bool:
-    return address.byte + _bytes(address) <= procedure.context.image_sizes[address.area]
+def as_memory_ref(node: AddressRef | VariableRef, address: Address) -> MemoryRef:
+    """The same place, as one that is worked out at run time."""
+
+    def number(value: int) -> Constant:
+        return Constant(node.span, value, DINT)
+
+    code = _CODES[address.area]
+    if address.peripheral:
+        code = 1 if address.area == "I" else 2
+    bit = number(address.bit) if address.bits == 1 else None
+    db, byte = number(address.db), number(address.byte)
+    return MemoryRef(node.span, number(code), db, byte, bit, node.type)
+
+
+def _size(procedure: Procedure, address: Address) -> int | None:
+    """The bytes of the area; None for a data block that has none."""
+    data = procedure.context.bytes
+    return data.block_size(address.db) if address.area == "DB" else data.image_sizes[address.area]
+
+
+def _area(procedure: Procedure, address: Address) -> str:
+    """The Python text for the bytes of the area, which is there."""
+    if address.area != "DB":
+        return _AREAS[address.area]
+    model = procedure.context.model
+    return f"{model.global_name(model.program.data_blocks[address.db])}._memory"
+
+
+def _outside(procedure: Procedure, node: AddressRef | VariableRef, address: Address) -> str:
+    """The Python text that stops at an address which is nowhere; "" for one that is somewhere."""
+    size = _size(procedure, address)
+    if size is not None and address.byte + _bytes(address) <= size:
+        return ""
+    text = f"_no_block({address.db})" if size is None else f"_outside({size})"
+    procedure.site(text, node)
+    return text
 
 
 def read_address(
@@ -45,17 +81,12 @@ def read_address(
     count = _bytes(address)
     bits = 8 * count
     safe = not address.peripheral
-    if address.area == "DB":
-        table = procedure.context.table("address", node)
-        code = Code(f"_read_block({table})", depth=2, safe=False)
-        procedure.site(code.text, node)
-    elif address.peripheral:
+    if address.peripheral:
         code = Code(f"_environment.read_peripheral({address.byte}, {count})", depth=2, safe=False)
-    elif not _inside(procedure, address):
-        code = Code(f"_outside({spelled(address)!r})", depth=2, safe=False)
-        procedure.site(code.text, node)
+    elif outside := _outside(procedure, node, address):
+        code = Code(outside, depth=2, safe=False)
     else:
-        code = _image(address, count)
+        code = _image(_area(procedure, address), address.byte, count)
     pure = not address.peripheral
     code = code._replace(low=0, high=(1 << bits) - 1, safe=code.safe and safe, pure=pure)
     if address.bits == 1:
@@ -65,8 +96,7 @@ def read_address(
     return _typed(procedure, code, kind)
 
 
-def _image(address: Address, count: int) -> Code:
-    area, byte = _AREAS[address.area], address.byte
+def _image(area: str, byte: int, count: int) -> Code:
     if count == 1:
         return Code(f"{area}[{byte}]", depth=2)
     if count == 2:
@@ -99,24 +129,18 @@ def write_address(
     count = _bytes(address)
     if address.bits > 1:
         code = _as_bits(code, kind)
-    if address.area == "DB":
-        table = procedure.context.table("address", node)
-        text = f"_write_block({table}, {code.text})"
-        procedure.site(text, node)
-        procedure.line(text)
-    elif not address.peripheral and not _inside(procedure, address):
-        text = f"_outside({spelled(address)!r})"
-        procedure.site(text, node)
-        procedure.line(text)
+    outside = "" if address.peripheral else _outside(procedure, node, address)
+    if outside:
+        procedure.line(outside)
     elif address.peripheral:
         _write_peripheral(procedure, address, code)
     elif address.bits == 1:
-        area, byte = _AREAS[address.area], address.byte
+        area, byte = _area(procedure, address), address.byte
         procedure.line(_bit(f"{area}[{byte}]", address.bit, code))
     elif count == 1:
-        procedure.line(f"{_AREAS[address.area]}[{address.byte}] = {code.text}")
+        procedure.line(f"{_area(procedure, address)}[{address.byte}] = {code.text}")
     else:
-        area, byte = _AREAS[address.area], address.byte
+        area, byte = _area(procedure, address), address.byte
         number = code.at(Level.ATOM) if not code.text.isdigit() else f"({code.text})"
         procedure.line(f'{area}[{byte}:{byte + count}] = {number}.to_bytes({count}, "big")')
 

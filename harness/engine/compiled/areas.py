@@ -1,10 +1,9 @@
 """Variables as areas of bytes: for instructions, for `DB1.DBW2`, and located variables."""
 
-from typing import Any
-
-from fbgen.lang.checked import Address, AddressRef, VariableRef
+from fbgen.lang.checked import Address
 from fbgen.lang.types import Scalar, Type
 from harness.engine.compiled.addresses import spelled
+from harness.engine.compiled.library.placed import ByteArray, ByteStructure
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.environment import Environment
 from harness.engine.faults import address_out_of_range
@@ -32,10 +31,17 @@ class VariableArea:
 
     def read(self) -> bytes:
         """All bytes of the variable."""
-        return encode(self.type, self._memory.export(self.type, self._location.read()))
+        data = self._location.read()
+        if isinstance(data, ByteArray | ByteStructure):
+            return data.read()
+        return encode(self.type, self._memory.export(self.type, data))
 
     def write(self, data: bytes) -> None:
         """Set the variable from its first bytes; the rest stays."""
+        target = self._location.read()
+        if isinstance(target, ByteArray | ByteStructure):
+            target.write(data[: target.size])
+            return
         content = data + self.read()[len(data) :] if len(data) < self.length else data
         value = decode(self.type, content[: self.length])
         self._memory.load("area", self._location, value)
@@ -71,35 +77,3 @@ def _image(environment: Environment, address: Address) -> bytearray:
     if address.byte + max(1, address.bits // 8) > len(image):
         raise address_out_of_range(None, spelled(address), len(image))
     return image
-
-
-class BlockBytes:
-    """The bytes of one data block, for absolute access to it."""
-
-    __slots__ = ("_area",)
-
-    def __init__(self, memory: Memory, kind: Type, data: Any) -> None:
-        location = Location(kind, lambda: data, lambda _: None)
-        self._area = VariableArea(memory, location)
-
-    def read(self, node: AddressRef | VariableRef, address: Address) -> int:
-        """The byte, word or double word at the address."""
-        count = self._count(node, address)
-        return int.from_bytes(self._area.read()[address.byte : address.byte + count], "big")
-
-    def write(self, node: AddressRef | VariableRef, address: Address, value: int | bool) -> None:
-        """Set the bit, byte, word or double word at the address."""
-        count = self._count(node, address)
-        data = bytearray(self._area.read())
-        if address.bits == 1:
-            mask = 1 << address.bit
-            data[address.byte] = data[address.byte] & ~mask | (mask if value else 0)
-        else:
-            data[address.byte : address.byte + count] = int(value).to_bytes(count, "big")
-        self._area.write(bytes(data))
-
-    def _count(self, node: AddressRef | VariableRef, address: Address) -> int:
-        count = max(1, address.bits // 8)
-        if address.byte + count > self._area.length:
-            raise address_out_of_range(node.span, spelled(address), self._area.length)
-        return count

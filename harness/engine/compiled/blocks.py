@@ -4,7 +4,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from fbgen.lang.checked import Block, Statement, Variable, VariableKind
-from fbgen.lang.types import ArrayType, StructType
+from fbgen.lang.layout import holds_blocks
+from fbgen.lang.types import ArrayType, StructInitial, StructType
 from harness.engine.compiled import attempts, calls, operators, places, standard_functions
 from harness.engine.compiled.code import Listing
 from harness.engine.compiled.evaluation import enter
@@ -12,6 +13,7 @@ from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.model import Model, Part, Record, has_memory, is_scalar
 from harness.engine.compiled.outside_calls import input_types
+from harness.engine.compiled.placement import Bytes
 from harness.engine.compiled.procedure import (
     BlockContext,
     FrameNeededError,
@@ -37,14 +39,14 @@ def write_block(
     block: Block,
     model: Model,
     facts: Facts,
-    image_sizes: Mapping[str, int],
+    data: Bytes,
     *,
     probe: Probe | None = None,
 ) -> Written:
     """A block as Python source; raises FB6050 if it is nested too deep."""
     body = model.program.bodies[block]
     for framed in (False, True):
-        context = BlockContext(block, model, facts, image_sizes, probe=probe, framed=framed)
+        context = BlockContext(block, model, facts, data, probe=probe, framed=framed)
         try:
             listing = _class(context, body) if has_memory(block) else _function(context, body)
         except FrameNeededError:
@@ -55,6 +57,9 @@ def write_block(
         return Written(listing, context.tables)
     raise AssertionError("a block with a frame needs no other one")
 
+
+_MEMORY = "_memory"
+"""The local with the bytes of a call."""
 
 # --- functions ----------------------------------------------------------------------------------
 
@@ -77,7 +82,17 @@ def _head(procedure: Procedure, parameters: Sequence[Variable]) -> None:
         context.tables[f"_{context.python_name}_frame"] = type(
             f"{context.python_name}_frame", (), {"__slots__": tuple(names)}
         )
+    placement = context.bytes.frame(context.block)
+    if placement.size:
+        first = context.table("first", context.bytes.first_bytes(placement))
+        procedure.line(f"{_MEMORY} = bytearray({first})")
     for variable in parameters:
+        bit = placement.bits.get(variable)
+        if bit is not None:
+            name, target = context.names.of(variable.name), procedure.storage(variable)
+            make = context.table("at", context.bytes.maker(variable.type))
+            procedure.line(f"{target} = _placed_parameter({make}({_MEMORY}, {bit}), {name})")
+            continue
         name, target = context.names.of(variable.name), procedure.storage(variable)
         if procedure.has_cell(variable) and variable.kind is not VariableKind.IN_OUT:
             procedure.line(f"{target} = _ValueCell({name})")
@@ -85,6 +100,10 @@ def _head(procedure: Procedure, parameters: Sequence[Variable]) -> None:
             procedure.line(f"{target} = {name}")
     for variable in _own(context):
         target = procedure.storage(variable)
+        if variable in placement.bits:
+            make = context.table("at", context.bytes.maker(variable.type))
+            procedure.line(f"{target} = {make}({_MEMORY}, {placement.bits[variable]})")
+            continue
         for text in initializer.statements(target, variable.type, variable.initial):
             if procedure.has_cell(variable):
                 text = f"{target} = _ValueCell({text.removeprefix(f'{target} = ')})"
@@ -122,8 +141,15 @@ def _function(context: BlockContext, body: Sequence[Statement]) -> Listing:
 
 
 def _slots(record: Record) -> str:
-    slots = [repr(part.slot) for part in record.parts]
+    slots = [repr(part.slot) for part in record.parts if not _is_property(part)]
+    if record.size:
+        slots += ["'_memory'", "'_at'"]
     return f"({', '.join(slots)}{',' if len(slots) == 1 else ''})"
+
+
+def _is_property(part: Part) -> bool:
+    """True for single values that lie in bytes."""
+    return part.bit is not None and is_scalar(part.type)
 
 
 def _class(context: BlockContext, body: Sequence[Statement]) -> Listing:
@@ -134,7 +160,10 @@ def _class(context: BlockContext, body: Sequence[Statement]) -> Listing:
     procedure.line(f"class {record.class_name}:")
     listing.indent = 4
     procedure.line(f"__slots__ = {_slots(record)}")
-    _write_init(procedure.listing, record.parts, context.initializer)
+    if record.size:
+        _write_placed_init(context, record, listing)
+    else:
+        _write_init(procedure.listing, record.parts, context.initializer)
     listing.add("")
     procedure.line("def _uncounted(self):" if counted else "def _run(self):")
     listing.indent = 8
@@ -161,6 +190,36 @@ def _write_init(listing: Listing, parts: Sequence[Part], initializer: Initialize
     lines = [line for part in parts for line in initializer.part(f"self.{part.slot}", part)]
     for line in lines or ["pass"]:
         listing.add(f"    {line}")
+
+
+def _write_placed_init(context: BlockContext, record: Record, listing: Listing) -> None:
+    """The start of an instance with bytes, in a memory of its own or inside of another one's."""
+    placement = context.bytes.layout.instance(context.block)
+    first = context.table("first", context.bytes.first_bytes(placement))
+    for part in record.parts:
+        if _is_property(part):
+            way = context.table("bytes", context.bytes.codec(part.type))
+            listing.add(f"{part.slot} = _attribute({way}, {part.bit})")
+    listing.add("")
+    listing.add("def __init__(self, memory=None, at=0):")
+    listing.indent += 4
+    listing.add(f"self._memory = bytearray({first}) if memory is None else memory")
+    listing.add("self._at = at")
+    listing.add("if memory is not None:")
+    listing.add(f"    memory[at >> 3:(at >> 3) + {placement.size}] = {first}")
+    for part in record.parts:
+        if _is_property(part):
+            continue
+        if part.bit is None:
+            lines = context.initializer.part(f"self.{part.slot}", part)
+        else:
+            make = context.table("at", context.bytes.maker(part.type))
+            lines = [f"self.{part.slot} = {make}(self._memory, at + {part.bit})"]
+            if isinstance(part.initial, StructInitial) and holds_blocks(part.type):
+                lines += context.initializer.changes(f"self.{part.slot}", part.type, part.initial)
+        for line in lines:
+            listing.add(line)
+    listing.indent -= 4
 
 
 def write_structures(model: Model) -> Listing:

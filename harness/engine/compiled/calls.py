@@ -10,6 +10,7 @@ from fbgen.lang.checked import (
     FieldRef,
     FunctionCall,
     IndexRef,
+    MemoryRef,
     Place,
     SliceRef,
     SystemCall,
@@ -18,11 +19,12 @@ from fbgen.lang.checked import (
     VariableRef,
 )
 from fbgen.lang.types import ArrayType, Type
+from harness.engine.compiled.addresses import as_memory_ref
 from harness.engine.compiled.code import Code, deepest
 from harness.engine.compiled.evaluation import Write, value
 from harness.engine.compiled.instructions import areas
 from harness.engine.compiled.model import is_scalar
-from harness.engine.compiled.places import assign, element_position, pinned, place
+from harness.engine.compiled.places import assign, element_position, memory_cell, pinned, place
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits
 from harness.engine.compiled.signatures import Signature, comes_back, signature
@@ -53,7 +55,9 @@ def _is_outside_python(node: Place) -> bool:
     """True for places that no cell can refer to: slices and addresses."""
     if isinstance(node, VariableRef):
         return node.variable.address is not None
-    return isinstance(node, SliceRef | AddressRef)
+    if isinstance(node, AddressRef):
+        return node.address.area != "DB"
+    return isinstance(node, SliceRef)
 
 
 def cell(procedure: Procedure, node: Place) -> Code:
@@ -68,6 +72,10 @@ def cell(procedure: Procedure, node: Place) -> Code:
         if name == "value":
             return Code(base)
         return Code(f"_AttributeCell({base}, {name!r})", depth=3)
+    if isinstance(node, AddressRef):
+        node = as_memory_ref(node, node.address)
+    if isinstance(node, MemoryRef):
+        return memory_cell(procedure, node)
     assert isinstance(node, IndexRef)
     base_code = place(procedure, node.base)
     kind = node.base.type

@@ -8,7 +8,7 @@ from typing import Any, NoReturn
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, Program, Variable, VariableKind
-from fbgen.lang.types import BlockType
+from fbgen.lang.types import BlockType, StructType
 from harness.engine.compiled.areas import read_located, write_located
 from harness.engine.compiled.attempts import attempts
 from harness.engine.compiled.blocks import write_block, write_structures
@@ -24,6 +24,7 @@ from harness.engine.compiled.model import GLOBALS, Model, Record, is_scalar, run
 from harness.engine.compiled.namespace import LIBRARY, Cpu, counting, hardware
 from harness.engine.compiled.outside_calls import write_keyword_call
 from harness.engine.compiled.passes import may_exceed
+from harness.engine.compiled.placement import Bytes
 from harness.engine.compiled.procedure import Probe
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.stopping import Stopper
@@ -57,6 +58,7 @@ class CompiledEngine:
 
     __slots__ = (
         *(
+            "_bytes",
             "_cpu",
             "_environment",
             "_facts",
@@ -105,8 +107,9 @@ class CompiledEngine:
             "_stopped_by": self._stopped,
             **(probe.names if probe is not None else {}),
         }
+        self._bytes = Bytes(self._model, self._namespace, image_sizes)
         self._memory = Memory(self._model, self._facts, self._namespace)
-        self._namespace |= hardware(self._model, self._memory, environment, image_sizes)
+        self._namespace |= hardware(self._memory, self._bytes, environment)
         self._listings: dict[str, Listing] = {}
         self._stopper = Stopper(self._listings, limits)
         self._located = {
@@ -114,7 +117,7 @@ class CompiledEngine:
             for variable in program.globals.values()
             if variable.address is not None
         }
-        self._load(image_sizes, probe)
+        self._load(probe)
         self._globals = self._make_globals()
         self._programs: dict[str, tuple[Record, Any]] = {
             key: (self._model.block_record(block), self._namespace[self._model.name_of(block)]())
@@ -130,12 +133,12 @@ class CompiledEngine:
 
     # --- loading ------------------------------------------------------------------------------
 
-    def _load(self, image_sizes: Mapping[str, int], probe: Probe | None) -> None:
+    def _load(self, probe: Probe | None) -> None:
         problems: list[DiagnosticError] = []
         with _deep():
             for block in self._program.bodies:
                 try:
-                    written = write_block(block, self._model, self._facts, image_sizes, probe=probe)
+                    written = write_block(block, self._model, self._facts, self._bytes, probe=probe)
                 except DiagnosticError as problem:
                     problems.append(problem)
                     continue
@@ -154,12 +157,17 @@ class CompiledEngine:
         initializer = Initializer(self._model)
         listing = Listing()
         for part in record.parts:
-            for line in initializer.part(f"{GLOBALS}.{part.slot}", part):
+            lines = initializer.part(f"{GLOBALS}.{part.slot}", part)
+            if part.bit is not None and isinstance(part.type, StructType):
+                lines = [f"{GLOBALS}.{part.slot} = {self._bytes.block_name(part)}"]
+            for line in lines:
                 listing.add(line)
             if not is_scalar(part.type):
                 listing.add(f"{part.slot} = {GLOBALS}.{part.slot}")
         # The structures come last, because writing blocks and globals discovers them.
         self._run_listing("<structures>", write_structures(self._model))
+        self._namespace |= self._bytes.unions()
+        self._namespace |= self._bytes.blocks()
         slots = tuple(part.slot for part in record.parts)
         self._namespace[GLOBALS] = type("Globals", (), {"__slots__": slots})()
         self._run_listing("<globals>", listing)

@@ -10,14 +10,19 @@ from dataclasses import dataclass, field
 
 from fbgen.lang.checked import (
     Attempt,
+    AddressRef,
     Block,
+    FieldRef,
     For,
     FunctionCall,
     Goto,
+    IndexRef,
     InstanceCall,
+    MemoryRef,
     Place,
     Program,
     Repeat,
+    SliceRef,
     Statement,
     SystemCall,
     Variable,
@@ -55,11 +60,12 @@ class _Site:
 class Facts:
     """The facts of one program."""
 
-    __slots__ = ("_found", "_program", "_too_deep", "cells", "counts_loops")
+    __slots__ = ("_found", "_in_bytes", "_program", "_too_deep", "cells", "counts_loops")
 
     def __init__(self, program: Program, call_depth: int) -> None:
         self._program = program
         self._found = {block: _Found() for block in program.bodies}
+        self._in_bytes = program.byte_memory
         self.cells: set[Variable] = set()
         self.counts_loops = True
         sites: list[_Site] = []
@@ -96,7 +102,7 @@ class Facts:
 
     def keeps(self, variable: Variable, body: Iterable[Statement]) -> bool:
         """True if nothing in `body` can change the variable, a single value of the own block."""
-        if variable in self.cells or variable.address is not None:
+        if variable in self.cells or variable in self._in_bytes or variable.address is not None:
             return False
         foreign = False
         for node in every_node(body):
@@ -113,7 +119,7 @@ class Facts:
         """Those single values of the own block that only `body` itself writes while it runs."""
         if any(self._refers(variable) for variable in block.variables):
             return set()
-        private = variables - self.cells
+        private = variables - self.cells - self._in_bytes
         for node in every_node(body):
             callee = _callee(node)
             if callee is not None and any(_has_blocks(v.type) for v in self._found[callee].globals):
@@ -202,6 +208,12 @@ class Facts:
         }
         self.cells -= memory
         self.cells = {cell for cell in self.cells if cell.kind is not VariableKind.GLOBAL}
+        self.cells |= {
+            variable
+            for block in self._found
+            for variable in block.variables
+            if variable in self._in_bytes and variable not in memory and is_scalar(variable.type)
+        }
         self.cells |= {site.parameter for site in sites if self._may_alias(site)}
         changed = True
         while changed:
@@ -219,9 +231,9 @@ class Facts:
     def _may_alias(self, site: _Site) -> bool:
         root = root_of(site.place)
         if root is None:
-            return False
+            return _is_in_bytes(site.place)
         assert site.callee is not None
-        if root in site.other_roots:
+        if root in site.other_roots or root in self._in_bytes:
             return True
         touched = self._found[site.callee].globals
         if root.kind is VariableKind.GLOBAL:
@@ -231,6 +243,15 @@ class Facts:
         if root.kind in (VariableKind.TEMP, VariableKind.RESULT) or not has_memory(site.caller):
             return False
         return any(_has_blocks(variable.type) for variable in touched)
+
+
+def _is_in_bytes(place: Place) -> bool:
+    """True for absolute addresses that a variable may lie at as well."""
+    while isinstance(place, FieldRef | IndexRef | SliceRef):
+        place = place.base
+    return isinstance(place, MemoryRef) or (
+        isinstance(place, AddressRef) and place.address.area == "DB"
+    )
 
 
 def _has_blocks(kind: Type) -> bool:

@@ -80,7 +80,7 @@ class Initializer:
         if initial is None:
             return [f"{target} = {self.fresh(kind)}"]
         if isinstance(initial, StructInitial):
-            return [f"{target} = {self.fresh(kind)}", *self._changes(target, kind, initial)]
+            return [f"{target} = {self.fresh(kind)}", *self.changes(target, kind, initial)]
         if isinstance(initial, ArrayInitial):
             return self._array(target, kind, initial)
         return [f"{target} = {scalar_text(initial, kind)}"]
@@ -93,7 +93,7 @@ class Initializer:
                 if item is not None:
                     element = f"{target}[{position}]"
                     if isinstance(item, StructInitial):
-                        lines += self._changes(element, kind.element, item)
+                        lines += self.changes(element, kind.element, item)
                     else:
                         lines += self.statements(element, kind.element, item)
             return lines
@@ -108,7 +108,8 @@ class Initializer:
             return [f"{target} = [{texts[0]}] * {len(texts)}"]
         return [f"{target} = [{', '.join(texts)}]"]
 
-    def _changes(self, target: str, kind: Type, initial: StructInitial) -> list[str]:
+    def changes(self, target: str, kind: Type, initial: StructInitial) -> list[str]:
+        """Statements that give the named parts of a new value their initial values."""
         assert isinstance(kind, StructType | BlockType)
         record = self._model.record_of(kind)
         lines: list[str] = []
@@ -117,7 +118,7 @@ class Initializer:
             assert part is not None
             place = f"{target}.{part.slot}"
             if isinstance(value, StructInitial):
-                lines += self._changes(place, part.type, value)
+                lines += self.changes(place, part.type, value)
             else:
                 lines += self.statements(place, part.type, value)
         return lines

@@ -8,9 +8,11 @@ from operator import attrgetter
 from typing import Any
 
 from fbgen.lang.checked import VariableKind
+from fbgen.lang.layout import holds_blocks
 from fbgen.lang.types import ArrayType, BlockType, Scalar, StructType, Type
 from harness.engine.compiled.cells import Cell
 from harness.engine.compiled.facts import Facts
+from harness.engine.compiled.library.placed import ByteStructure
 from harness.engine.compiled.model import Model, Part, Record, is_scalar
 from harness.engine.faults import (
     index_out_of_range,
@@ -182,7 +184,7 @@ class Memory:
 
     def snapshot(self, record: Record, owner: object) -> tuple[object, ...]:
         """All that a record remembers, without what its in-outs refer to."""
-        kept = [part for part in record.parts if part.kind is not VariableKind.IN_OUT]
+        kept = _kept(record)
         getter = self._getters.get(record)
         if getter is None:
             slots = [part.slot for part in kept if is_scalar(part.type)] + list(record.hidden)
@@ -196,9 +198,13 @@ class Memory:
             for part in kept
             if not is_scalar(part.type)
         )
+        if record.size:
+            return (getter(owner), *composite, _bytes_of(record, owner))
         return (getter(owner), *composite)
 
     def _snapshot(self, kind: Type, data: Any) -> object:
+        if isinstance(data, ByteStructure):
+            return data.read()
         if isinstance(kind, ArrayType):
             if is_scalar(kind.element):
                 return tuple(data)
@@ -208,20 +214,38 @@ class Memory:
 
     def restore(self, record: Record, owner: object, state: Any, *, remanent_too: bool) -> None:
         """Go back to a snapshot; remanent variables stay unless `remanent_too`."""
-        kept = [part for part in record.parts if part.kind is not VariableKind.IN_OUT]
+        kept = _kept(record)
         slots = [part.slot for part in kept if is_scalar(part.type)] + list(record.hidden)
         values = state[0] if len(slots) != 1 else (state[0],)
         stays = {part.slot for part in kept if part.remanent and not remanent_too}
         for slot, value in zip(slots, values, strict=True):
             if slot not in stays:
                 setattr(owner, slot, value)
+        if record.size:
+            self._restore_bytes(record, owner, state[-1], remanent_too)
+            state = state[:-1]
         composite = [part for part in kept if not is_scalar(part.type)]
         for part, content in zip(composite, state[1:], strict=True):
             if part.slot not in stays:
                 data = getattr(owner, part.slot)
                 self._restore(part.type, data, content, remanent_too)
 
+    def _restore_bytes(self, record: Record, owner: Any, data: bytes, remanent_too: bool) -> None:
+        """The bytes of an instance; remanent variables among them stay unless `remanent_too`."""
+        stays = [
+            (part, self.export(part.type, getattr(owner, part.slot)))
+            for part in record.parts
+            if part.bit is not None and part.remanent and not remanent_too
+        ]
+        start = owner._at >> 3
+        owner._memory[start : start + len(data)] = data
+        for part, value in stays:
+            self.load(part.name, self.location(owner, part), value)
+
     def _restore(self, kind: Type, data: Any, state: Any, remanent_too: bool) -> None:
+        if isinstance(data, ByteStructure):
+            data.write(state)
+            return
         if isinstance(kind, ArrayType):
             if is_scalar(kind.element):
                 data[:] = state
@@ -232,3 +256,18 @@ class Memory:
         assert isinstance(kind, StructType | BlockType)
         record = self._model.record_of(kind)
         self.restore(record, data, state, remanent_too=remanent_too)
+
+
+def _kept(record: Record) -> list[Part]:
+    """The parts that a snapshot has one by one: not what others connect, and not the bytes."""
+    return [
+        part
+        for part in record.parts
+        if part.kind is not VariableKind.IN_OUT
+        and (part.bit is None or part.kind is VariableKind.GLOBAL or holds_blocks(part.type))
+    ]
+
+
+def _bytes_of(record: Record, owner: Any) -> bytes:
+    start = owner._at >> 3
+    return bytes(owner._memory[start : start + record.size])

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, Program, StandardBlock, Variable, VariableKind
 from fbgen.lang.types import (
+    ArrayType,
     BlockType,
     Elementary,
     Initial,
@@ -18,8 +19,10 @@ from fbgen.lang.types import (
     StructType,
     Type,
 )
+from harness.engine.block_memory import BlockLayout
 from harness.engine.compiled.library.timers import METHODS
 from harness.engine.compiled.names import Names
+from harness.engine.layout import layout_of
 
 GLOBALS = "_globals"
 """The object with the global variables that are single values."""
@@ -45,7 +48,10 @@ def may_be_unconnected(variable: Variable, block: Block) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """One attribute of a record: a field of a structure or a variable of a block."""
+    """One attribute of a record: a field of a structure or a variable of a block.
+
+    `bit` is where it lies in the bytes of its instance, or of its own if it is global.
+    """
 
     name: str
     slot: str
@@ -53,6 +59,7 @@ class Part:
     initial: Initial | None
     remanent: bool = False
     variable: Variable | None = None
+    bit: int | None = None
 
     @property
     def kind(self) -> VariableKind | None:
@@ -62,13 +69,17 @@ class Part:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Record:
-    """A class with slots. `hidden` are slots of the library that have no PLC name."""
+    """A class with slots. `hidden` are slots of the library that have no PLC name.
+
+    `size` is how many bytes its objects have besides, in the memory `_memory` from bit `_at` on.
+    """
 
     class_name: str
     parts: tuple[Part, ...]
     by_key: Mapping[str, Part]
     block: AnyBlock | None = None
     hidden: tuple[str, ...] = ()
+    size: int = 0
 
     def part(self, name: str) -> Part | None:
         """The part with a PLC name, whatever its case."""
@@ -76,19 +87,28 @@ class Record:
 
 
 def _record(
-    class_name: str, parts: list[Part], block: AnyBlock | None = None, hidden: tuple[str, ...] = ()
+    class_name: str,
+    parts: list[Part],
+    block: AnyBlock | None = None,
+    hidden: tuple[str, ...] = (),
+    size: int = 0,
 ) -> Record:
     by_key = {part.name.casefold(): part for part in parts}
-    return Record(class_name, tuple(parts), by_key, block, hidden)
+    return Record(class_name, tuple(parts), by_key, block, hidden, size)
 
 
 class Model:
     """Names and records of one program."""
 
-    __slots__ = ("_records", "_structures", "global_record", "names", "program", "structures")
+    __slots__ = (
+        *("_records", "_structures", "global_record", "layout", "names", "program", "structures"),
+        "unions",
+    )
 
     def __init__(self, program: Program, library: Mapping[str, type]) -> None:
         self.program = program
+        self.layout = BlockLayout(layout_of(program.dialect).is_s7, program)
+        self.unions: dict[Record, StructType] = {}
         self.names = Names.of_a_module()
         self.structures: list[Record] = []
         self._structures: dict[StructType, Record] = {}
@@ -116,8 +136,20 @@ class Model:
             ]
             record = _record(self.names.give(kind.name or "Structure"), parts)
             self._structures[kind] = record
-            self.structures.append(record)
+            if kind.is_union:
+                self.unions[record] = kind
+            else:
+                self.structures.append(record)
+            for field in kind.fields:
+                self._discover(field.type)
         return record
+
+    def _discover(self, kind: Type) -> None:
+        """Make the records of the structures inside of another one."""
+        while isinstance(kind, ArrayType):
+            kind = kind.element
+        if isinstance(kind, StructType):
+            self.record_of(kind)
 
     def block_record(self, block: AnyBlock) -> Record:
         """The record of a block that keeps its variables."""
@@ -139,6 +171,7 @@ class Model:
 
     def _block_record(self, block: Block) -> Record:
         names = Names()
+        placement = self.layout.instance(block)
         parts = [
             Part(
                 variable.name,
@@ -147,12 +180,13 @@ class Model:
                 variable.initial,
                 variable.remanent,
                 variable,
+                None if variable.kind is VariableKind.IN_OUT else placement.bits.get(variable),
             )
             for variable in block.variables
             if variable.kind not in (VariableKind.TEMP, VariableKind.RESULT)
             and variable.address is None
         ]
-        return _record(self.names.of(block.name), parts, block)
+        return _record(self.names.of(block.name), parts, block, (), placement.size)
 
     def _global_record(self) -> Record:
         slots = Names(self.names)
@@ -172,6 +206,7 @@ class Model:
                     variable.initial,
                     variable.remanent,
                     variable,
+                    0 if variable in self.program.byte_memory else None,
                 )
             )
         return _record(GLOBALS, parts)

@@ -6,14 +6,16 @@ from math import inf, nan
 from typing import Any
 
 from fbgen.diagnostics import DiagnosticError
-from fbgen.lang.checked import Address, AddressRef, Place, SystemCall, VariableRef
+from fbgen.lang.checked import Place, SystemCall
 from fbgen.lang.types import Scalar
-from harness.engine.compiled.areas import BlockBytes, VariableArea
+from harness.engine.compiled.areas import VariableArea
 from harness.engine.compiled.cells import AttributeCell, Cell, ElementCell, ValueCell
 from harness.engine.compiled.instructions import areas
 from harness.engine.compiled.library import dates, decimals, reals, stops, texts, wholes
 from harness.engine.compiled.memory import Location, Memory
-from harness.engine.compiled.model import Model, is_scalar
+from harness.engine.compiled.memory_access import access
+from harness.engine.compiled.model import is_scalar
+from harness.engine.compiled.placement import FUNCTIONS, Bytes
 from harness.engine.environment import Environment
 from harness.engine.interface import Limits
 from harness.engine.layout import size_bits
@@ -43,6 +45,14 @@ def _text_to_real(text: str, bits: int) -> float:
     if nearest - nearest != 0:
         raise stops.NoNumber(text)
     return nearest
+
+
+def _no_block(number: int) -> int:
+    raise stops.NoBlock(number)
+
+
+def _outside(size: int) -> int:
+    raise stops.NoAddress(size)
 
 
 LIBRARY: dict[str, Any] = {
@@ -102,6 +112,9 @@ LIBRARY: dict[str, Any] = {
     "_text_of_real": texts.of_real,
     "_text_to_whole": texts.to_whole,
     "_text_to_real": _text_to_real,
+    **FUNCTIONS,
+    "_no_block": _no_block,
+    "_outside": _outside,
     **{f"_{name.lower()}": function for name, function in reals.FUNCTIONS.items()},
     **{f"_{name.lower()}": function for name, function in dates.FUNCTIONS.items()},
 }
@@ -123,7 +136,7 @@ def counting(cpu: Cpu, limits: Limits) -> dict[str, Callable[..., None]]:
 
 
 def hardware(
-    model: Model, memory: Memory, environment: Environment, image_sizes: dict[str, int]
+    memory: Memory, data: Bytes, environment: Environment
 ) -> dict[str, Callable[..., Any]]:
     """The functions that reach the controller and absolute addresses."""
 
@@ -142,35 +155,7 @@ def hardware(
                 by_name[name] = VariableArea(memory, _fixed(place.type, argument))
         return environment.instruction(node.name, by_name, node.span)
 
-    def block_bytes(address: Address) -> BlockBytes:
-        part = model.global_record.part(f"DB{address.db}")
-        if part is None:
-            raise stops.NoBlock(address.db)
-        return BlockBytes(memory, part.type, memory.namespace[part.slot])
-
-    def read_block(node: AddressRef | VariableRef) -> int:
-        address = _address(node)
-        return block_bytes(address).read(node, address)
-
-    def write_block(node: AddressRef | VariableRef, value: int | bool) -> None:
-        address = _address(node)
-        block_bytes(address).write(node, address, value)
-
-    def outside(address: str) -> int:
-        raise stops.NoAddress(image_sizes[address[1]])
-
-    return {
-        "_instruction": instruction,
-        "_read_block": read_block,
-        "_write_block": write_block,
-        "_outside": outside,
-    }
-
-
-def _address(node: AddressRef | VariableRef) -> Address:
-    address = node.address if isinstance(node, AddressRef) else node.variable.address
-    assert address is not None
-    return address
+    return {"_instruction": instruction, **access(data, environment)}
 
 
 def _check_layout(place: Place) -> None:

@@ -10,6 +10,7 @@ from fbgen.lang.checked import (
     Expression,
     FieldRef,
     IndexRef,
+    MemoryRef,
     Place,
     SliceRef,
     Variable,
@@ -21,6 +22,7 @@ from harness.engine.compiled.addresses import read_address, write_address
 from harness.engine.compiled.code import Code, Level
 from harness.engine.compiled.conversions import cut
 from harness.engine.compiled.evaluation import Write, named, stored, value
+from harness.engine.compiled.memory_access import spot
 from harness.engine.compiled.model import is_scalar, may_be_unconnected
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits, wrapped
@@ -164,6 +166,32 @@ def _address(procedure: Procedure, node: AddressRef) -> Code:
     return read_address(procedure, node, node.address, node.type)
 
 
+def memory_cell(procedure: Procedure, node: MemoryRef) -> Code:
+    """The place at an address that is worked out at run time, as a cell."""
+    data = procedure.context.bytes
+    texts = [procedure.context.table("spot", spot(node, data)), *_whereabouts(procedure, node)]
+    return Code(f"_memory_at({', '.join(texts)})", depth=5, safe=False)
+
+
+def _whereabouts(procedure: Procedure, node: MemoryRef) -> list[str]:
+    parts = [node.area, node.db, node.byte, *([] if node.bit is None else [node.bit])]
+    return ["0" if one is None else value(procedure, one).text for one in parts]
+
+
+def _memory(procedure: Procedure, node: MemoryRef) -> Code:
+    cell = memory_cell(procedure, node)
+    if not is_scalar(node.type):
+        return cell
+    low, high = limits(node.type)
+    return cell._replace(text=f"{cell.text}.value", low=low, high=high)
+
+
+def _assign_memory(procedure: Procedure, node: MemoryRef, code: Code) -> None:
+    data = procedure.context.bytes
+    texts = [procedure.context.table("spot", spot(node, data)), *_whereabouts(procedure, node)]
+    procedure.line(f"_write_memory({stored(code).text}, {', '.join(texts)})")
+
+
 def place(procedure: Procedure, node: Place) -> Code:
     """The Python text that a place is read by, and, but for slices and addresses, written."""
     return value(procedure, node)
@@ -173,6 +201,8 @@ def assign(procedure: Procedure, target: Place, code: Code, source: Type) -> Non
     """Write statements that give a place a value; `source` is the type of the value."""
     if isinstance(target, SliceRef):
         _assign_slice(procedure, target, code)
+    elif isinstance(target, MemoryRef):
+        _assign_memory(procedure, target, code)
     elif isinstance(target, AddressRef):
         write_address(procedure, target, target.address, target.type, code)
     elif isinstance(target, VariableRef) and target.variable.address is not None:
@@ -265,7 +295,24 @@ def pinned(procedure: Procedure, node: Place) -> Place:
         base = pinned(procedure, node.base)
         indices = tuple(_pinned_index(procedure, node, i) for i in range(len(node.indices)))
         return IndexRef(node.span, base, indices, node.type)
+    if isinstance(node, MemoryRef):
+        area, byte = _pinned_number(procedure, node.area), _pinned_number(procedure, node.byte)
+        db = None if node.db is None else _pinned_number(procedure, node.db)
+        bit = None if node.bit is None else _pinned_number(procedure, node.bit)
+        return MemoryRef(node.span, area, db, byte, bit, node.type)
     return node
+
+
+def _pinned_number(procedure: Procedure, node: Expression) -> Expression:
+    """A number, calculated now."""
+    if isinstance(node, Constant):
+        return node
+    code = value(procedure, node)
+    name = procedure.temporary()
+    procedure.line(f"{name} = {code.text}")
+    pin = Variable(node.span, name, VariableKind.TEMP, node.type)
+    procedure.aliases = {**procedure.aliases, pin: name}
+    return VariableRef(node.span, pin, node.type)
 
 
 def _pinned_index(procedure: Procedure, node: IndexRef, number: int) -> Expression:
@@ -294,5 +341,6 @@ EXPRESSIONS: dict[type, Write] = {
     IndexRef: _element,
     SliceRef: _slice,
     AddressRef: _address,
+    MemoryRef: _memory,
 }
 """Which function of this module writes which node."""

@@ -22,6 +22,7 @@ from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.intervals import Intervals
 from harness.engine.compiled.model import GLOBALS, Model, has_memory, is_scalar
 from harness.engine.compiled.names import Names
+from harness.engine.compiled.placement import Bytes
 
 DEEPEST_EXPRESSION = 60
 DEEPEST_INDENT = 60
@@ -52,11 +53,11 @@ class BlockContext:
     """What all functions of one block share while they are written.
 
     `tables` are objects at module level, by their names; `parts` the functions that were split off,
-    finished. `image_sizes` has the bytes of the areas I, Q and M.
+    finished. `bytes` knows what lies in bytes, and how large the areas I, Q and M are.
     """
 
     __slots__ = (
-        *("block", "facts", "framed", "image_sizes", "initializer", "model", "names", "parts"),
+        *("block", "bytes", "facts", "framed", "initializer", "model", "names", "parts"),
         *("probe", "python_name", "storage", "tables", "_count"),
     )
 
@@ -65,7 +66,7 @@ class BlockContext:
         block: Block,
         model: Model,
         facts: Facts,
-        image_sizes: Mapping[str, int],
+        data: Bytes,
         *,
         probe: Probe | None,
         framed: bool,
@@ -73,7 +74,7 @@ class BlockContext:
         self.block = block
         self.model = model
         self.facts = facts
-        self.image_sizes = image_sizes
+        self.bytes = data
         self.probe = probe
         self.framed = framed
         self.initializer = Initializer(model)
