@@ -114,9 +114,9 @@ def no_data_block(span: Span | None, number: int) -> DiagnosticError:
 
 
 def unknown_area(span: Span, code: int) -> DiagnosticError:
-    """FB6015: PEEK, POKE or a pointer with a code that means no area of memory."""
+    """FB6040: PEEK, POKE or a pointer with a code that means no area of memory."""
     return error(
-        "FB6015",
+        "FB6040",
         f"there is no memory area 16#{code:02X}",
         span,
         "16#81 inputs, 16#82 outputs, 16#83 bit memory, 16#84 data block, 1 and 2 hardware",

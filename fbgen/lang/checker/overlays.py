@@ -94,7 +94,7 @@ def _problem(
                 f"a variable of type {one.name} does not lie in memory as bytes",
                 "overlay elementary variables, arrays and structures",
             )
-    room, size = sizes.used_bits(root.type), sizes.used_bits(kind)
+    room, size = sizes.size_bits(root.type), sizes.used_bits(kind)
     if size > room:
         return (
             f"the overlay takes {_length(size)}, '{root.name}' only {_length(room)}",

@@ -36,7 +36,7 @@ class Addresses:
         self._view = view
 
     def find(self, place: MemoryRef, frame: Frame) -> Storage:
-        """The storage at the address. Raises FB6010, FB6011 and FB6015."""
+        """The storage at the address. Raises FB6010, FB6011 and FB6040."""
         code = self._index(place.area, frame)
         number = 0 if place.db is None else self._index(place.db, frame)
         byte = self._index(place.byte, frame)

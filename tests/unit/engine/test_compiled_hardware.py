@@ -192,6 +192,8 @@ END_FUNCTION
             program.structures,
             program.globals,
             program.standard_blocks,
+            byte_memory=frozenset(program.globals.values()),
+            data_blocks={7: program.globals["db7"]},
         )
         engine_for_it = engine_named(engine)(changed, StandaloneEnvironment(), Limits())
         assert isinstance(engine_for_it, CompiledEngine | ReferenceEngine)

@@ -197,6 +197,8 @@ def with_assignment(target: Address) -> Callable[[], Engine]:
             structures=program.structures,
             globals=program.globals,
             standard_blocks=program.standard_blocks,
+            byte_memory=frozenset((program.globals["db7"],)),
+            data_blocks={7: program.globals["db7"]},
         )
         return ReferenceEngine(changed, StandaloneEnvironment(), Limits())
 
