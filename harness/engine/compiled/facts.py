@@ -9,8 +9,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from fbgen.lang.checked import (
-    Attempt,
     AddressRef,
+    Attempt,
     Block,
     FieldRef,
     For,

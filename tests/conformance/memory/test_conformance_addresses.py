@@ -84,7 +84,7 @@ def test_an_address_that_is_not_there_stops_the_program(
 
 
 def test_a_bit_that_no_byte_has_stops_the_program(program: LoadedProgram) -> None:
-    with pytest.raises(DiagnosticError, match="FB6010.*%DB100.DBX0.8"):
+    with pytest.raises(DiagnosticError, match=r"FB6010.*%DB100\.DBX0\.8"):
         program.call("Poked", area=BLOCK, db=100, offset=0, bit=8)
 
 
