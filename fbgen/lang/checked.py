@@ -57,9 +57,8 @@ class Variable:
     type is its structure, or the function block of which it is the instance. `remanent` is RETAIN.
     TEMP and RESULT start anew with each call, the others keep their value.
 
-    `overlay`: the variable lies in the memory of that one (AT), from its first byte on, and has no
-    value of its own; the other one is never an overlay itself. An overlay of a parameter is no
-    parameter: its kind is STATIC or TEMP.
+    `overlay`: the variable lies in the memory of that one (AT), which is no overlay itself; an
+    overlay of a parameter is STATIC or TEMP.
     """
 
     span: Span
@@ -479,11 +478,9 @@ class Program:
     The mappings are keyed by the casefolded name. `bodies` has the statements of every block.
     `dialect` chooses between the rules of S7 and IEC where they differ.
 
-    `byte_memory` are the variables that something reaches besides their name: overlays and what
-    they lie over, data blocks that absolute addresses or PEEK can reach, and all variables of
-    function blocks whose instance such a data block is or holds. They lie in bytes, as
-    `fbgen.lang.layout` says; for all others nobody can tell. `data_blocks` has the data blocks
-    that have a number.
+    `byte_memory` has what is reached besides its name and lies in bytes as `fbgen.lang.layout`
+    says: overlays and what is under them, addressed data blocks, the variables of their function
+    blocks. `data_blocks` are those with a number.
     """
 
     dialect: str
