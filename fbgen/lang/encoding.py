@@ -4,6 +4,7 @@ Source: TIA Portal help, "Rules for external source files": ANSI, UTF-8 and UTF-
 """
 
 import codecs
+from dataclasses import dataclass
 from pathlib import Path
 
 from fbgen.diagnostics import error
@@ -16,31 +17,52 @@ _BOMS = (
 )
 
 
+@dataclass(frozen=True, slots=True)
+class Encoding:
+    """How a file was written: its codec and its byte order mark."""
+
+    codec: str
+    bom: bytes
+
+    def encode(self, text: str) -> bytes:
+        """The text as it is written in this encoding."""
+        return self.bom + text.encode(self.codec)
+
+
 def read_source(path: Path) -> Source:
     """The text of a file, named by its path.
 
     Raises `DiagnosticError`: FB3014 if it cannot be opened, FB3013 if it is no text.
     """
+    return Source(str(path), decode(read_bytes(path), str(path)))
+
+
+def read_bytes(path: Path) -> bytes:
+    """What is in a file. Raises `DiagnosticError` (FB3014) if it cannot be opened."""
     try:
-        data = path.read_bytes()
+        return path.read_bytes()
     except OSError as problem:
         reason = (problem.strerror or str(problem)).lower()
         raise error(
             "FB3014", f"cannot read {path}: {reason}", help="check the name and your rights to it"
         ) from None
-    return Source(str(path), decode(data, str(path)))
 
 
 def decode(data: bytes, name: str) -> str:
     """The text of these bytes, without BOM. Raises `DiagnosticError` (FB3013)."""
+    return encoding_of(data, name)[1]
+
+
+def encoding_of(data: bytes, name: str) -> tuple[Encoding, str]:
+    """The encoding of these bytes, and their text without BOM. Raises as `decode` does."""
     try:
-        for bom, encoding in _BOMS:
+        for bom, codec in _BOMS:
             if data.startswith(bom):
-                return data[len(bom) :].decode(encoding)
+                return Encoding(codec, bom), data[len(bom) :].decode(codec)
         try:
-            return data.decode("utf-8")
+            return Encoding("utf-8", b""), data.decode("utf-8")
         except UnicodeDecodeError:
-            return data.decode("cp1252")
+            return Encoding("cp1252", b""), data.decode("cp1252")
     except UnicodeDecodeError as problem:
         raise error(
             "FB3013",

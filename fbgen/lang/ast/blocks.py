@@ -227,10 +227,14 @@ class Configuration:
 
 @node
 class Globals:
-    """A VAR_GLOBAL section outside of a configuration."""
+    """A VAR_GLOBAL section outside of a configuration.
+
+    `name` is that of the list it stands in (TwinCAT), "" in plain texts: `list.x` means its x too.
+    """
 
     span: Span
     section: VarSection
+    name: str = ""
 
 
 @node

@@ -151,6 +151,9 @@ class MemberParser(ConfigurationParser, ABC):
         if keyword not in ("GET", "SET"):
             raise self.failed("GET, SET or END_PROPERTY", "write GET ... END_GET")
         self.at += 1
+        if not modifiers and self.texts[self.at].upper() in _MODIFIERS:
+            modifiers = (self.texts[self.at].upper(),)
+            self.at += 1
         following = self.kinds[self.at]
         sections: tuple[VarSection, ...] = ()
         body: tuple[Statement, ...] = ()

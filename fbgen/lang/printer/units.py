@@ -71,7 +71,7 @@ class UnitPrinter(MemberPrinter):
             above, sections = _first_comments_apart(sections)
         self.lines.trivia((*block.leading, *block.header_comments, *above))
         self.lines.add(self.head_of_block(block), first_of(block.span))
-        self._header_items(block.header)
+        self.header_items(block.header)
         self.sections(sections)
         self.lines.level += 1
         for labels in block.labels:
@@ -85,7 +85,8 @@ class UnitPrinter(MemberPrinter):
         self.statements(block.body, without_last_blanks(block.closing))
         self.lines.add(f"END_{block.kind.value}", last_of(block.span))
 
-    def _header_items(self, header: tuple[HeaderItem, ...]) -> None:
+    def header_items(self, header: tuple[HeaderItem, ...]) -> None:
+        """Lines of the header in the order of exports."""
         order = {keyword: number for number, keyword in enumerate(_HEADER_ORDER)}
         for item in sorted(header, key=lambda item: order.get(item.keyword, len(order))):
             if item.keyword == "{}":
@@ -103,7 +104,7 @@ class UnitPrinter(MemberPrinter):
     def _data_block(self, block: DataBlock) -> None:
         self.lines.trivia((*block.leading, *block.header_comments))
         self.lines.add(f"DATA_BLOCK {self.name(block.name)}", first_of(block.span))
-        self._header_items(block.header)
+        self.header_items(block.header)
         if block.type:
             self.lines.add(self.type_text(block.type), block.type.span)
         if block.struct:
@@ -128,7 +129,7 @@ class UnitPrinter(MemberPrinter):
         value = f" := {self.expression(initial)};" if initial is not None else ";"
         if isinstance(declaration.type, StructSpec) and self.dialect.has(Feature.HEADERS):
             self.lines.add(f"TYPE {name}", first_of(declaration.span))
-            self._header_items(declaration.header)
+            self.header_items(declaration.header)
             self.lines.level += 1
             self.typed("", declaration.type, value, declaration.type.span, None)
         else:

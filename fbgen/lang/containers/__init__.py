@@ -1,0 +1,23 @@
+"""How code is wrapped in files: plain text, TwinCAT's XML, PLCopen's XML.
+
+    document = read_document(Path("Pump.TcPOU"))
+    document.file, document.findings, document.dialect
+    document.rewritten(document.file)                   # formatted: only the code changes
+    for new in new_files([file], "plcopen", "plant"):   # converted
+        new.name, new.data
+
+Places in trees and findings are those in the file on disk.
+"""
+
+from fbgen.lang.containers.document import SUFFIXES, Document, read_document, read_text
+from fbgen.lang.containers.new_files import CONTAINERS, NewFile, new_files
+
+__all__ = [
+    "CONTAINERS",
+    "Document",
+    "NewFile",
+    "SUFFIXES",
+    "new_files",
+    "read_document",
+    "read_text",
+]

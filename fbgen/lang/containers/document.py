@@ -1,0 +1,123 @@
+"""One file on disk: what tree is in it, and how it looks with another one.
+
+document = read_document(Path("Pump.TcPOU"))
+document.file, document.findings
+document.rewritten(document.file)      # the bytes of the formatted file
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.lang.ast import File
+from fbgen.lang.containers import plcopen, twincat
+from fbgen.lang.containers.places import rewritten
+from fbgen.lang.containers.xml_tree import read_xml
+from fbgen.lang.encoding import Encoding, encoding_of, read_bytes
+from fbgen.lang.parser import parse_recovering
+from fbgen.lang.printer import print_file
+from fbgen.source import Source, Span
+
+TEXT_SUFFIXES = {
+    ".scl": "tia",
+    ".udt": "tia",
+    ".db": "tia",
+    ".st": "iec",
+    ".iecst": "iec",
+}
+XML_SUFFIXES = {
+    ".tcpou": "twincat",
+    ".tcdut": "twincat",
+    ".tcgvl": "twincat",
+    ".tcio": "twincat",
+    ".xml": "iec",
+}
+SUFFIXES = TEXT_SUFFIXES | XML_SUFFIXES
+"""The dialect that a file name stands for where none is given; suffixes in small letters."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Document:
+    """A file that was read. Places in `file` and `findings` are those in the file on disk."""
+
+    path: Path
+    dialect: str
+    file: File
+    findings: tuple[Diagnostic, ...]
+    _written: Callable[[File], str]
+    _encoding: Encoding
+
+    def rewritten(self, file: File) -> bytes:
+        """The bytes of the file with this tree, which has the units and members of `self.file`.
+
+        Encoding and line ends stay. In XML only the code changes.
+        """
+        return self._encoding.encode(self._written(file))
+
+
+def read_document(path: Path, dialect: str | None = None) -> Document:
+    """Read any file by its suffix; a text of unknown suffix needs a dialect.
+
+    Raises `DiagnosticError`: FB3011 unknown dialect, FB3013, FB3014 no text, FB3016 broken XML,
+    FB3018 no code in it.
+    """
+    suffix = path.suffix.lower()
+    chosen = dialect or SUFFIXES.get(suffix, "tia")
+    data = read_bytes(path)
+    encoding, text = encoding_of(data, str(path))
+    return _document(path, Source(str(path), text), chosen, encoding, suffix in XML_SUFFIXES)
+
+
+def read_text(source: Source, dialect: str, is_xml: bool = False) -> Document:
+    """As `read_document`, for a text that is there already."""
+    return _document(Path(source.name), source, dialect, Encoding("utf-8", b""), is_xml)
+
+
+def _document(
+    path: Path, source: Source, dialect: str, encoding: Encoding, is_xml: bool
+) -> Document:
+    if is_xml:
+        return _xml_document(path, source, dialect, encoding)
+    file, findings = parse_recovering(source, dialect)
+    crlf = "\r\n" in source.text
+
+    def written(tree: File) -> str:
+        text = print_file(tree).text
+        return text.replace("\n", "\r\n") if crlf else text
+
+    return Document(path, dialect, file, tuple(findings), written, encoding)
+
+
+def _xml_document(path: Path, source: Source, dialect: str, encoding: Encoding) -> Document:
+    root = read_xml(source)
+    code = None
+    if root.tag == twincat.ROOT:
+        code = twincat.read_object(root, dialect)
+    elif root.tag == plcopen.ROOT:
+        code = plcopen.read_project(root, dialect)
+    if code is None:
+        raise DiagnosticError(
+            [
+                Diagnostic(
+                    "FB3018",
+                    f"<{root.tag}> holds no code that can be read",
+                    Span(source, root.start, root.inner_start),
+                    "TwinCAT's .TcPOU, .TcDUT, .TcGVL and .TcIO are read, and PLCopen TC6 XML",
+                )
+            ]
+        )
+    file, findings = parse_recovering(code.source, dialect)
+    if code.list_name:
+        file = twincat.with_list_name(file, code.list_name)
+    found = sorted((*findings, *code.findings), key=_place)
+    slots = code.slots
+
+    def written(tree: File) -> str:
+        return rewritten(source, slots, tree)
+
+    return Document(path, dialect, file, tuple(found), written, encoding)
+
+
+def _place(finding: Diagnostic) -> tuple[int, int]:
+    return (finding.span.line, finding.span.column) if finding.span else (0, 0)

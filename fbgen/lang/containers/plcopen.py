@@ -1,0 +1,232 @@
+"""PLCopen TC6 XML, version 2.01 and older: a whole project in one file.
+
+Types, interfaces and tasks are elements; they are said as text, and the statements stand between
+them as they are. Where CODESYS adds the declaration of a block as text, that is read. Source:
+PLCopen, "XML Formats for IEC 61131-3", version 2.01, and its schema; exports of CODESYS for
+`interfaceasplaintext`, `method`, `property` and `globalvars`.
+"""
+
+import re
+from collections.abc import Iterator
+
+from fbgen.diagnostics import Diagnostic
+from fbgen.lang.ast import Accessor, Action, Block, File, Method, Property
+from fbgen.lang.containers import code_parts
+from fbgen.lang.containers.embedded import Assembly
+from fbgen.lang.containers.places import CodeOf, Slot
+from fbgen.lang.containers.plcopen_declarations import DeclarationReader
+from fbgen.lang.containers.twincat import CodeInXml, other_language
+from fbgen.lang.containers.xml_tree import Element
+
+ROOT = "project"
+_KINDS = {"program": "PROGRAM", "functionBlock": "FUNCTION_BLOCK", "function": "FUNCTION"}
+_SECONDS = re.compile(r"PT([0-9.]+)S")
+
+
+def read_project(root: Element, dialect: str) -> CodeInXml | None:
+    """The code of a project; None if the file is no project of PLCopen."""
+    types, instances = root.child("types"), root.child("instances")
+    if types is None and instances is None and root.child("addData") is None:
+        return None
+    reader = _Reader(root, dialect)
+    if types is not None:
+        for data_type in _children(types, "dataTypes", "dataType"):
+            reader.data_type(data_type)
+    for variables in _globals(root, instances):
+        reader.global_variables(variables)
+    if types is not None:
+        for pou in _children(types, "pous", "pou"):
+            reader.pou(pou)
+    if instances is not None:
+        for configuration in _children(instances, "configurations", "configuration"):
+            reader.configuration(configuration)
+    return CodeInXml(reader.text.source(), reader.slots, reader.findings)
+
+
+def _children(parent: Element, group: str, tag: str) -> Iterator[Element]:
+    for one in parent.named(group):
+        yield from one.named(tag)
+
+
+def _added(element: Element, *tags: str) -> Iterator[Element]:
+    """What vendors add to an element."""
+    for data in _children(element, "addData", "data"):
+        yield from data.named(*tags)
+
+
+def _globals(root: Element, instances: Element | None) -> Iterator[Element]:
+    yield from _added(root, "globalVars")
+    if instances is not None:
+        for configuration in _children(instances, "configurations", "configuration"):
+            for resource in configuration.named("resource"):
+                yield from _added(resource, "globalVars")
+
+
+class _Reader:
+    def __init__(self, root: Element, dialect: str) -> None:
+        self.text = Assembly(root.source)
+        self.slots: list[Slot] = []
+        self.findings: list[Diagnostic] = []
+        self._dialect = dialect
+        self._declarations = DeclarationReader(self.text)
+        self._blocks = 0
+
+    def data_type(self, item: Element) -> None:
+        self.text.add("TYPE\n")
+        self._declarations.documentation(item)
+        self.text.add_attribute(item, "name")
+        self.text.add(" : ")
+        self._declarations.type_of(item.child("baseType"), item)
+        self._declarations.initial(item)
+        self.text.add(";\nEND_TYPE\n")
+
+    def global_variables(self, item: Element) -> None:
+        self._declarations.section("VAR_GLOBAL", item)
+
+    # --- blocks -------------------------------------------------------------------------------
+
+    def pou(self, item: Element) -> None:
+        number = self._blocks
+        self._blocks += 1
+        word = _KINDS.get(item.get("pouType"), "FUNCTION_BLOCK")
+        self._declarations.documentation(item)
+        self._head(item, word)
+        position = 0
+        for action in _children(item, "actions", "action"):
+            self._action(action, number, position)
+            position += 1
+        for member in _added(item, "Method", "Property"):
+            self._member(member, number, position)
+            position += 1
+        self._bodies(item, item.get("name"), lambda file: self._text(_block(file, number)))
+        self.text.add(f"\nEND_{word}\n")
+
+    def _head(self, item: Element, word: str) -> None:
+        interface = item.child("interface")
+        if interface is not None and (plain := _plain_text(interface)) is not None:
+            self.text.add_content(plain)
+            self.text.add("\n")
+            return
+        self.text.add(f"{word} ")
+        self.text.add_attribute(item, "name")
+        result = interface.child("returnType") if interface is not None else None
+        if result is not None:
+            self.text.add(" : ")
+            self._declarations.type_of(result, item)
+        self.text.add("\n")
+        if interface is not None:
+            self._declarations.sections(interface)
+
+    def _action(self, item: Element, number: int, position: int) -> None:
+        self.text.add("ACTION ")
+        self.text.add_attribute(item, "name")
+        self.text.add(":\n")
+        self._bodies(item, item.get("name"), self._member_text(number, position))
+        self.text.add("\nEND_ACTION\n")
+
+    def _member(self, item: Element, number: int, position: int) -> None:
+        word = item.tag.upper()
+        self._head(item, word)
+        if item.tag == "Method":
+            self._bodies(item, item.get("name"), self._member_text(number, position))
+        else:
+            for count, accessor in enumerate(item.named("GetAccessor", "SetAccessor")):
+                self._accessor(accessor, item.get("name"), number, position, count)
+        self.text.add(f"\nEND_{word}\n")
+
+    def _accessor(self, item: Element, name: str, number: int, position: int, count: int) -> None:
+        word = item.tag.removesuffix("Accessor").upper()
+        self.text.add(f"{word}\n")
+        interface = item.child("interface")
+        if interface is not None:
+            plain = _plain_text(interface)
+            if plain is not None:
+                self.text.add_content(plain)
+                self.text.add("\n")
+            else:
+                self._declarations.sections(interface)
+
+        def code(file: File) -> str:
+            member = _block(file, number).members[position]
+            return self._text(member.accessors[count]) if isinstance(member, Property) else ""
+
+        self._bodies(item, f"{name}.{word}", code)
+        self.text.add(f"\nEND_{word}\n")
+
+    def _member_text(self, number: int, position: int) -> CodeOf:
+        def code(file: File) -> str:
+            member = _block(file, number).members[position]
+            return "" if isinstance(member, Property) else self._text(member)
+
+        return code
+
+    def _text(self, node: Block | Method | Action | Accessor) -> str:
+        return code_parts.body(node, self._dialect)
+
+    def _bodies(self, item: Element, name: str, code: CodeOf) -> None:
+        for body in item.named("body"):
+            for language in body.children:
+                if language.tag == "ST":
+                    inner = next(iter(language.children), language)
+                    self.text.add_content(inner)
+                    self.slots.append(Slot(inner, code))
+                elif language.tag not in ("addData", "documentation"):
+                    self.findings.append(other_language(name, language))
+
+    # --- configurations -----------------------------------------------------------------------
+
+    def configuration(self, item: Element) -> None:
+        self.text.add("CONFIGURATION ")
+        self.text.add_attribute(item, "name")
+        self.text.add("\n")
+        self._declarations.sections(item)
+        for resource in item.named("resource"):
+            self.text.add("RESOURCE ")
+            self.text.add_attribute(resource, "name")
+            self.text.add(" ON PLC\n")
+            self._declarations.sections(resource)
+            for task in resource.named("task"):
+                self._task(task)
+            for task in resource.named("task"):
+                for instance in task.named("pouInstance"):
+                    self._instance(instance, task)
+            for instance in resource.named("pouInstance"):
+                self._instance(instance, None)
+            self.text.add("END_RESOURCE\n")
+        self.text.add("END_CONFIGURATION\n")
+
+    def _task(self, item: Element) -> None:
+        self.text.add("TASK ")
+        self.text.add_attribute(item, "name")
+        self.text.add("(")
+        for attribute, word in (("single", "SINGLE"), ("interval", "INTERVAL")):
+            if item.get(attribute):
+                self.text.add(f"{word} := ")
+                if seconds := _SECONDS.fullmatch(item.get(attribute)):
+                    self.text.add(f"T#{seconds[1]}s")
+                else:
+                    self.text.add_attribute(item, attribute)
+                self.text.add(", ")
+        self.text.add(f"PRIORITY := {item.get('priority') or 0});\n")
+
+    def _instance(self, item: Element, task: Element | None) -> None:
+        self.text.add("PROGRAM ")
+        self.text.add_attribute(item, "name")
+        if task is not None:
+            self.text.add(" WITH ")
+            self.text.add_attribute(task, "name")
+        self.text.add(" : ")
+        self.text.add_attribute(item, "typeName")
+        self.text.add(";\n")
+
+
+def _plain_text(interface: Element) -> Element | None:
+    """The declaration as CODESYS adds it in its own words."""
+    for plain in _added(interface, "InterfaceAsPlainText"):
+        return next(iter(plain.children), plain)
+    return None
+
+
+def _block(file: File, number: int) -> Block:
+    blocks = [unit for unit in file.units if isinstance(unit, Block)]
+    return blocks[number]
