@@ -15,9 +15,6 @@ from fbgen.cli.output import report, result_json, say
 if TYPE_CHECKING:
     from fbgen.diagnostics import Diagnostic
 
-SUFFIXES = {".scl": "tia", ".udt": "tia", ".db": "tia", ".st": "iec"}
-"""The dialect that a file name stands for where --dialect is not given."""
-
 
 class Format(Enum):
     """How findings are printed: for a person on standard error, or as JSON on standard output."""
@@ -41,7 +38,7 @@ def register(program: typer.Typer) -> None:
 def check(
     files: Annotated[
         list[Path],
-        typer.Argument(metavar="FILES", help="Files, or folders with .scl, .udt, .db or .st."),
+        typer.Argument(metavar="FILES", help="Files, or folders with .scl, .udt, .db, .st, .Tc*."),
     ],
     dialect: DialectOption = None,
     syntax_only: Annotated[
@@ -53,8 +50,9 @@ def check(
 ) -> None:
     """Check PLC text: syntax, names, types. All files are one program.
 
-    Without --dialect the file names decide: .scl, .udt and .db are tia, .st is iec. Exit status 1
-    if there is an error; warnings alone are status 0.
+    Without --dialect the file names decide: .scl, .udt and .db are tia, .st and .xml (PLCopen) are
+    iec, .TcPOU and the like are twincat. Exit status 1 if there is an error; warnings alone are
+    status 0.
     """
     from fbgen.diagnostics import Severity
 
@@ -80,12 +78,15 @@ def check(
 
 def _expand(files: Iterable[Path]) -> list[Path]:
     """Every file once, folders replaced by the PLC texts directly in them."""
+    from fbgen.lang.containers import SUFFIXES
+
+    plain = SUFFIXES.keys() - {".xml"}
     found: dict[Path, None] = {}
     for path in files:
         if path.is_dir():
-            texts = sorted(item for item in path.iterdir() if item.suffix.lower() in SUFFIXES)
+            texts = sorted(item for item in path.iterdir() if item.suffix.lower() in plain)
             if not texts:
-                raise typer.BadParameter(f"there is no {', '.join(SUFFIXES)} file in {path}")
+                raise typer.BadParameter(f"there is no file with PLC text in {path}")
             found.update(dict.fromkeys(texts))
         else:
             found[path] = None
@@ -94,6 +95,8 @@ def _expand(files: Iterable[Path]) -> list[Path]:
 
 def dialect_of(paths: Sequence[Path]) -> str:
     """The dialect that the names of these files stand for; wrong usage if they do not tell."""
+    from fbgen.lang.containers import SUFFIXES
+
     dialects = {SUFFIXES.get(path.suffix.lower()) for path in paths}
     if len(dialects) == 1 and (dialect := dialects.pop()) is not None:
         return dialect
@@ -104,25 +107,26 @@ def _findings(paths: Sequence[Path], dialect: str, syntax_only: bool) -> list["D
     """Everything that is wrong, in the order of the files and their lines."""
     from fbgen.diagnostics import DiagnosticError
     from fbgen.lang.checker import check_reporting
-    from fbgen.lang.encoding import read_source
-    from fbgen.lang.parser import parse_recovering
+    from fbgen.lang.containers import read_document
 
     trees = []
     found: list[Diagnostic] = []
     for path in paths:
         try:
-            tree, problems = parse_recovering(read_source(path), dialect)
+            document = read_document(path, dialect)
         except DiagnosticError as unreadable:
             found += unreadable.diagnostics
         else:
-            trees.append(tree)
-            found += problems
+            trees.append(document.file)
+            found += document.findings
     if not found and not syntax_only:
         found += check_reporting(trees, dialect)[1]
     order = {str(path): index for index, path in enumerate(paths)}
     return sorted(
         found,
         key=lambda item: (
-            (order.get(item.span.source.name, 0), item.span.start) if item.span else (-1, 0)
+            (order.get(item.span.source.name, 0), item.span.line, item.span.column)
+            if item.span
+            else (-1, 0, 0)
         ),
     )

@@ -15,11 +15,11 @@ from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
 
-from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang import ast
 from fbgen.lang.checked import Program
 from fbgen.lang.checker import check
-from fbgen.lang.encoding import read_source
+from fbgen.lang.containers import read_document
 from fbgen.lang.parser import parse
 from fbgen.source import Source
 from harness.engine.environment import StandaloneEnvironment
@@ -67,13 +67,21 @@ def read_program(
         sources = (sources,)
     for source in sources:
         try:
-            text = source if isinstance(source, Source) else read_source(Path(source))
-            files.append(parse(text, dialect))
+            files.append(_tree(source, dialect))
         except DiagnosticError as failure:
             found.extend(failure.diagnostics)
     if found:
         raise DiagnosticError(found)
     return check(files, dialect, db_numbers=db_numbers)
+
+
+def _tree(source: str | Path | Source, dialect: str) -> ast.File:
+    if isinstance(source, Source):
+        return parse(source, dialect)
+    document = read_document(Path(source), dialect)
+    if errors := [one for one in document.findings if one.severity is Severity.ERROR]:
+        raise DiagnosticError(errors)
+    return document.file
 
 
 def engine_named(name: str) -> EngineFactory:

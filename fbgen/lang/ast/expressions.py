@@ -90,7 +90,8 @@ class DirectAddress:
     `area` is "I", "Q", "M", "DB", "T" (timer) or "C" (counter); `size` is "X", "B", "W", "D", "L",
     or "" for timers and counters, which have their number in `byte`; `bit` only with "X"; `db` only
     with area "DB"; `peripheral` for `:P` and for the classic PIB/PQB spelling. `%I*`, `%QW*`: an
-    address that is still to be given, with `byte` -1. `german`: written with E, A, Z for I, Q, C.
+    address that is still to be given, with `byte` -1; `size` may be "" then. `german`: written with
+    E, A, Z for I, Q, C.
     """
 
     span: Span

@@ -9,7 +9,7 @@ class Feature(Enum):
 
     LOCAL_MARKS = "'#' in front of local names"
     QUOTED_NAMES = "names in double quotes"
-    LINE_COMMENTS = "'//' comments"
+    LINE_COMMENTS = "'//' comments that are written (all dialects read them)"
     REGIONS = "REGION"
     SLICES = "slices such as .%X0"
     BIT_MEMBERS = "bit access such as w.3"
@@ -20,6 +20,8 @@ class Feature(Enum):
     BASE_BEHIND = "the base type behind an enumeration"
     SUBRANGES = "subranges"
     UNIONS = "UNION"
+    ROUND_LENGTHS = "lengths of strings in parentheses"
+    BARE_ENDS = "END_IF and the like without ';'"
     OBJECTS = "METHOD, PROPERTY, ACTION, INTERFACE and EXTENDS"
     CLASSES = "CLASS"
     NAMESPACES = "namespaces"

@@ -26,6 +26,7 @@ IEC = Dialect(
             Feature.ENUMERATIONS,
             Feature.SUBRANGES,
             Feature.UNIONS,
+            Feature.BARE_ENDS,
             Feature.OBJECTS,
             Feature.CLASSES,
             Feature.NAMESPACES,
@@ -38,7 +39,6 @@ IEC = Dialect(
     advice={
         Feature.LOCAL_MARKS: "write the name without '#'",
         Feature.QUOTED_NAMES: "write the name without quotes",
-        Feature.LINE_COMMENTS: "write (* ... *)",
         Feature.REGIONS: "write the title as a comment: (* ... *)",
         Feature.COMPOUND_ASSIGNMENTS: "write the variable again: x := x + 1;",
         Feature.PLAIN_ADDRESSES: "declare a variable AT the address: x AT %MW4 : WORD;",

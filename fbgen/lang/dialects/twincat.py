@@ -22,6 +22,8 @@ TWINCAT = Dialect(
             Feature.BASE_BEHIND,
             Feature.SUBRANGES,
             Feature.UNIONS,
+            Feature.ROUND_LENGTHS,
+            Feature.BARE_ENDS,
             Feature.REFERENCES,
             Feature.SHORT_CIRCUIT,
             Feature.CHAINED_ASSIGNMENTS,

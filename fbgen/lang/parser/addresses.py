@@ -48,7 +48,7 @@ def read_address(text: str, place: Span) -> DirectAddress | None:
     area, german = _english(match["area"].removeprefix("P"))
     peripheral = peripheral or match["area"].startswith("P")
     if match["byte"] == "*":
-        size = match["size"] or "X"
+        size = match["size"]
         return None if match["bit"] else DirectAddress(place, area, size, -1, 0, 0, False, german)
     address = _sized(area, match["size"], match["byte"], match["bit"], place)
     return _spelled(address, peripheral, german)

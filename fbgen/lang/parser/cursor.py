@@ -8,7 +8,7 @@ at the same token is dropped, as it follows from the first.
 from itertools import repeat
 from typing import NoReturn
 
-from fbgen.diagnostics import Diagnostic, Note, Severity
+from fbgen.diagnostics import Diagnostic, Note
 from fbgen.lang.ast import HeaderItem, Trivia, TriviaKind, TriviaList
 from fbgen.lang.depth import DEEPEST
 from fbgen.lang.dialects.dialect import Dialect, Feature
@@ -59,7 +59,6 @@ class Cursor:
         self._last_finding_at = -1
         self._missing_features: set[Feature] = set()
         self._missing_types: set[str] = set()
-        self._check_line_comments()
 
     # --- places -------------------------------------------------------------------------------
 
@@ -201,24 +200,6 @@ class Cursor:
                 "split the expression, or move inner statements into a block of their own",
             )
         raise Unexpected
-
-    def _check_line_comments(self) -> None:
-        """Warn once of `//` where only a part of the tools reads it."""
-        if self.dialect.has(Feature.LINE_COMMENTS):
-            return
-        for extra in self._extras:
-            if extra.trivia.kind is TriviaKind.LINE_COMMENT:
-                feature = Feature.LINE_COMMENTS
-                self._findings.append(
-                    Diagnostic(
-                        "FB3009",
-                        f"dialect {self.dialect.name} has no {feature.value}",
-                        extra.trivia.span,
-                        self.dialect.advice[feature],
-                        severity=Severity.WARNING,
-                    )
-                )
-                return
 
     # --- trivia -------------------------------------------------------------------------------
 

@@ -182,7 +182,7 @@ class StatementListParser(DeclarationParser, UnreadParser):
     def end(self, end: str, first: int) -> None:
         """Read END_x and its semicolon."""
         if self.accept(end):
-            if not self.accept(";"):
+            if not self.accept(";") and not self.dialect.has(Feature.BARE_ENDS):
                 self.missing_semicolon(end)
         elif self.kinds[self.at] in ENDS | UNITS | {"end"}:
             self.missing_end(end, first)

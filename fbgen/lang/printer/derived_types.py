@@ -26,7 +26,11 @@ class TypePrinter(StatementPrinter):
             return f'"{spec.name}"' if spec.quoted else spec.name
         if isinstance(spec, StringSpec):
             name = "WSTRING" if spec.wide else "STRING"
-            return name if spec.length is None else f"{name}[{self.expression(spec.length)}]"
+            if spec.length is None:
+                return name
+            length = self.expression(spec.length)
+            round_ones = self.dialect.has(Feature.ROUND_LENGTHS)
+            return f"{name}({length})" if round_ones else f"{name}[{length}]"
         if isinstance(spec, ArraySpec | ReferenceSpec):
             inner, outside = self.innermost(spec)
             return outside + self.type_text(inner)

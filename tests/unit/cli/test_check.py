@@ -68,7 +68,7 @@ def test_a_folder_stands_for_the_plc_texts_in_it(fbgen: Fbgen, folder: Path) -> 
 def test_a_folder_without_plc_text_is_wrong_usage(fbgen: Fbgen, tmp_path: Path) -> None:
     run = fbgen("check", str(tmp_path))
     assert (run.status, run.out) == (2, "")
-    assert "there is no .scl, .udt, .db, .st file" in run.err
+    assert "there is no file with PLC text" in run.err
 
 
 def test_all_files_are_read_before_the_command_gives_up(fbgen: Fbgen, folder: Path) -> None:
