@@ -46,7 +46,7 @@ _FEATURE_KEYWORDS = {
 """Keywords of the dialects that have the feature; elsewhere these words are names."""
 
 _PATTERN = (
-    r"([ \t\r\n]*+\s*+)("
+    r"(\s*+)("
     # raw lines come before names, they may hold anything
     r"{raw}"
     # names, and literals that begin with a type: T#5s, WORD#16#FF, D#2024-02-29, STRING#'x'
@@ -277,13 +277,7 @@ def _without_trivia(tokens: Tokens) -> Tokens:
 
 def _trivia_places(kinds: list[str]) -> list[tuple[int, bool]]:
     """The numbers of all tokens that are trivia, each with True."""
-    places: list[tuple[int, bool]] = []
-    for kind in _TRIVIA.keys() & set(kinds):
-        at = -1
-        for _ in range(kinds.count(kind)):
-            at = kinds.index(kind, at + 1)
-            places.append((at, True))
-    return places
+    return [(at, True) for at, kind in enumerate(kinds) if kind in _TRIVIA]
 
 
 def _blank_line_places(text: str, starts: list[int], ends: list[int]) -> list[tuple[int, bool]]:

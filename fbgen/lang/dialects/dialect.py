@@ -7,6 +7,8 @@ from enum import Enum
 class Feature(Enum):
     """Something that only some dialects have; the value is how a person calls it."""
 
+    __hash__ = object.__hash__  # members are single objects; Enum's own hash runs in Python
+
     LOCAL_MARKS = "'#' in front of local names"
     QUOTED_NAMES = "names in double quotes"
     LINE_COMMENTS = "'//' comments that are written (all dialects read them)"

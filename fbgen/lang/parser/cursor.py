@@ -5,7 +5,6 @@ declarations and units catch it, skip to where something new can begin, and go o
 at the same token is dropped, as it follows from the first.
 """
 
-from itertools import repeat
 from typing import NoReturn
 
 from fbgen.diagnostics import Diagnostic, Note
@@ -45,9 +44,6 @@ class Cursor:
         self.texts = tokens.texts
         self.starts = tokens.starts
         self.ends = tokens.ends
-        self.places: list[Span] = list(
-            map(tuple.__new__, repeat(Span), zip(repeat(source), tokens.starts, tokens.ends))
-        )
         self.at = 0
         self.depth = 0
         self._extras = tokens.extras
@@ -68,7 +64,7 @@ class Cursor:
 
     def token_span(self, index: int) -> Span:
         """The place of one token."""
-        return self.places[index]
+        return _make(Span, (self.source, self.starts[index], self.ends[index]))
 
     def starts_line(self, index: int) -> bool:
         """Whether a token is the first one in its line."""

@@ -386,7 +386,7 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
             if kind == "address":
                 self.declared_addresses.add(self.texts[at].casefold())
             attributes = self.pragma_text() if self.extra_at <= self.at else ""
-            return DeclaredName(self.places[at], self.texts[at], False, attributes)
+            return DeclaredName(self.token_span(at), self.texts[at], False, attributes)
         if kind not in NAMES:
             raise self.failed("the name of a variable")
         name = self.name()

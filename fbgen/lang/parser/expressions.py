@@ -68,13 +68,15 @@ class ExpressionParser(AddressParser):
     def __init__(self, source: Source, dialect: Dialect) -> None:
         super().__init__(source, dialect)
         self._literals: dict[str, LiteralValue] = {}
+        self._local_marks = dialect.has(Feature.LOCAL_MARKS)
         self._power_first = dialect.has(Feature.POWER_FIRST)
         self._bare_arrays = dialect.has(Feature.BARE_ARRAYS)
 
     def expression(self) -> Expression:
         """One expression."""
         left = self.operand()
-        if self.kinds[self.at] in PRECEDENCE:
+        following = self.kinds[self.at]
+        if following != ";" and following in PRECEDENCE:
             return self._climb(left, 0)
         return left
 
@@ -101,19 +103,19 @@ class ExpressionParser(AddressParser):
     def operand(self) -> Expression:
         """A literal, a place, a call, something in parentheses, or one of these with a sign."""
         at = self.at
-        kind = self.kinds[at]
-        place = self.places[at]
-        if kind == "name":
-            name: Expression = Name(place, self.texts[at])
+        kinds, text = self.kinds, self.texts[at]
+        kind = kinds[at]
+        place = _make(Span, (self.source, self.starts[at], self.ends[at]))
+        if kind == "#":
+            name: Expression = Name(place, text[1:], False, True)
+            if not self._local_marks:
+                self.missing_feature(Feature.LOCAL_MARKS, place)
+        elif kind == "name":
+            name = Name(place, text)
         elif kind == "literal":
             self.at = at + 1
-            text = self.texts[at]
             value = self._literals.get(text) or self._new_literal(text, place)
             return Literal(place, value.kind, value.value, text, value.type_name, value.base)
-        elif kind == "#":
-            name = Name(place, self.texts[at][1:], False, True)
-            if Feature.LOCAL_MARKS not in self.dialect.features:
-                self.missing_feature(Feature.LOCAL_MARKS, place)
         elif kind in NAMES:
             name = self.name()
             self.at = at
@@ -126,11 +128,11 @@ class ExpressionParser(AddressParser):
             self.at -= 1
             at = self.at
         elif kind in SOFT_KEYWORDS and self.word(at):
-            name = Name(place, self.texts[at])
+            name = Name(place, text)
         else:
             raise self.failed("an expression", "a value, a variable, a call or '(' can stand here")
-        self.at = at + 1
-        if self.kinds[at + 1] in _POSTFIX:
+        self.at = at = at + 1
+        if kinds[at] in _POSTFIX:
             return self._postfix(name)
         return name
 

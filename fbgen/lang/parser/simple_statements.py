@@ -51,12 +51,12 @@ class SimpleStatementParser(StatementListParser):
         kind = self.kinds[self.at]
         if kind == "name":
             kind = self.set_operator() or kind
-        if kind in ASSIGNMENTS or kind in _SETS:
+        if kind == ":=" or kind in ASSIGNMENTS or kind in _SETS:
             self.at += 1
             if kind != ":=" and kind not in _SETS:
                 self.need(_FEATURES[kind], self.at - 1)
             value = self.expression()
-            if self.kinds[self.at] in _CHAINS:
+            if self.kinds[self.at] != ";" and self.kinds[self.at] in _CHAINS:
                 value = self._chained(value)
             if self.kinds[self.at] == ";":
                 self.at += 1
