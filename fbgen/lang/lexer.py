@@ -50,7 +50,7 @@ _PATTERN = (
     # raw lines come before names, they may hold anything
     r"{raw}"
     # names, and literals that begin with a type: T#5s, WORD#16#FF, D#2024-02-29, STRING#'x'
-    r"(?:[A-Za-z_][A-Za-z0-9_]*+\w*+|[^\W\d]\w*+)(?:#(?:'(?:[^'$\r\n]|\$[^\r\n])*+'"
+    r"(?:[A-Za-z_][A-Za-z0-9_]*+\w*+|[^\W\d]\w*+)(?:#(?:'(?:[^'$\r\n]|\$(?:>\s*+\$<|[^\r\n]))*+'"
     # ... and P#DB1.DBX0.0 BYTE 10, and B#(1, 2)
     r"|(?<=\b[Pp]\#)(?:[Dd][BbIi][0-9]++\.)?[A-Za-z]*+[ \t]*+[0-9]++\.[0-7]"
     r"(?:[ \t]++[A-Za-z_]++[ \t]++[0-9]++)?+"
@@ -67,7 +67,7 @@ _PATTERN = (
     r"|[0-9][0-9_]*+(?:\#\w*+|(?:\.[0-9][0-9_]*+)?(?:[eE][+-]?[0-9]++)?\w*+)"
     # quoted names and strings end in their line
     r"|\"{quoted}*+\"?+"
-    r"|'(?:[^'$\r\n]|\$[^\r\n])*+'?+"
+    r"|'(?:[^'$\r\n]|\$(?:>\s*+\$<|[^\r\n]))*+'?+"
     # absolute addresses and slices; pragmas
     r"|%(?:[A-Za-z]++(?:\*|[0-9]*+(?:\.\w++)*+(?::[Pp]\b)?))?+"
     r"|\{{(?:[^}}']++|'[^'\r\n]*+'|')*+\}}?+"

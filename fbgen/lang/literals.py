@@ -78,6 +78,8 @@ _UNIT_NS = {
 }
 _UNITS = tuple(_UNIT_NS)
 _ESCAPED = {"$": "$", "'": "'", '"': '"', "L": "\n", "N": "\n", "P": "\f", "R": "\r", "T": "\t"}
+_BROKEN = re.compile(r"\$>\s*\$<")
+"""Where a string of STEP 7 ends in one line and goes on in another."""
 _FIRST_DAY = date(1990, 1, 1)
 _MAX_DIGITS = 4000
 _COUNTER_DIGITS = 3
@@ -296,6 +298,9 @@ def _string(text: str, wide: bool) -> str:
     while (dollar := body.find("$", position)) >= 0:
         result.append(body[position:dollar])
         mark = body[dollar + 1 : dollar + 2]
+        if broken := _BROKEN.match(body, dollar):
+            position = broken.end()
+            continue
         code = body[dollar + 1 : dollar + 1 + digits]
         if mark.upper() in _ESCAPED:
             result.append(_ESCAPED[mark.upper()])

@@ -325,7 +325,9 @@ class ExpressionParser(AddressParser):
             if only.kind is ArgumentKind.POSITIONAL and only.value is not None:
                 return Repeated(value.span, value.callee, only.value)
         if isinstance(value, Literal) and self.accept("("):
-            repeated = None if self.kinds[self.at] == ")" else self.initial_value()
+            self.deeper()
+            repeated = None if self.kinds[self.at] == ")" else self._array_item()
+            self.depth -= 1
             self.expect(")")
             return Repeated(self.span(first), value, repeated)
         return value

@@ -204,8 +204,10 @@ class AddressParser(Cursor, ABC):
 
     # --- members and marks --------------------------------------------------------------------
 
-    def member_address(self, base: Expression, text: str) -> DirectAddress | None:
+    def member_address(self, base: Expression, text: str) -> Expression | None:
         """The address that `.DBW4` or `.DBX0.1` behind `DB10` makes; the member has been read."""
+        if isinstance(base, Call):
+            return self._member_of_block(base, text)
         if not isinstance(base, Name) or base.quoted or base.local or text[:1] not in "dD":
             return None
         bit = self._bit_behind(self.at - 1)
@@ -217,6 +219,29 @@ class AddressParser(Cursor, ABC):
         self.need(Feature.PLAIN_ADDRESSES, self.at - 1)
         return address
 
+    def _member_of_block(self, base: Call, text: str) -> Expression | None:
+        """`WORD_TO_BLOCK_DB(w).DW10`."""
+        callee = base.callee
+        if not isinstance(callee, Name) or callee.name.upper() != "WORD_TO_BLOCK_DB":
+            return None
+        bit = self._bit_behind(self.at - 1)
+        found = read_marked_member(f"{text}.{bit}" if bit else text)
+        if found is None:
+            return None
+        token = self.at - 1
+        self.at += 2 if bit else 0
+        return self._marked(base, token, *found)
+
+    def _marked(
+        self, base: Expression, token: int, size: str, numbers: tuple[int, ...]
+    ) -> IndexedAddress:
+        place = self.token_span(token)
+        indices = tuple(
+            Literal(place, LiteralKind.INTEGER, number, str(number)) for number in numbers
+        )
+        whole = Span(self.source, base.span.start, self.ends[self.at - 1])
+        return IndexedAddress(whole, base, "DB", size, indices, marked=True)
+
     def marked_member(self, base: Expression, text: str, at: int) -> Expression | None:
         """A slice `.%X3`, or the address `.%DBW4` in the data block that `base` names."""
         place = Span(self.source, base.span.start, self.ends[at])
@@ -225,12 +250,7 @@ class AddressParser(Cursor, ABC):
             return Slice(place, base, *part)
         if found := read_marked_member(text):
             self.need(Feature.MARKED_ADDRESSES, at)
-            size, numbers = found
-            token = self.token_span(at)
-            indices = tuple(
-                Literal(token, LiteralKind.INTEGER, number, str(number)) for number in numbers
-            )
-            return IndexedAddress(place, base, "DB", size, indices, marked=True)
+            return self._marked(base, at, *found)
         return None
 
     def at_peripheral_mark(self, at: int) -> bool:

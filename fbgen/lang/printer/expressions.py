@@ -145,7 +145,8 @@ class ExpressionPrinter:
         peripheral = ":P" if address.peripheral else ""
         if address.marked:
             numbers = ".".join(self.expression(item) for item in address.indices)
-            return f"{self.expression(base)}.%DB{address.size}{numbers}{peripheral}"
+            sign = "D" if self._plain_addresses else "%DB"
+            return f"{self.expression(base)}.{sign}{address.size}{numbers}{peripheral}"
         is_absolute = isinstance(base, Name) and not base.quoted and is_data_block(base.name)
         block = f"{mark if is_absolute else ''}{self.expression(base)}"
         return f"{block}.D{address.size}{opening}{indices}{closing}{peripheral}"
