@@ -8,6 +8,7 @@ midnight, DATE_AND_TIME and LDT nanoseconds since 1970-01-01.
 Sources: IEC 61131-3 third edition, table 10; TIA Portal help, "Overview of the valid data types".
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 from typing import TypeAlias
@@ -59,6 +60,61 @@ class Elementary:
         return self.name
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Enumeration(Elementary):
+    """Named values of an integer type. Two are the same type only if they are the same object.
+
+    `members` has the names as declared with their values, in their order. `qualified` ones are
+    reached by the type's name only (`Colour.red`), `strict` ones never mix with numbers.
+    """
+
+    members: tuple[tuple[str, int], ...]
+    base: Elementary
+    qualified: bool = False
+    strict: bool = False
+
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
+
+    def value_of(self, name: str) -> int | None:
+        """The value of an enumerator, whatever the case of its name."""
+        key = name.casefold()
+        return next((value for known, value in self.members if known.casefold() == key), None)
+
+    def name_of(self, value: int) -> str | None:
+        """The first enumerator that has a value."""
+        return next((name for name, known in self.members if known == value), None)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Subrange(Elementary):
+    """An integer type whose values go from `lowest` to `highest` only.
+
+    `minimum` and `maximum` remain those of the base: that is how wide a calculation is.
+    """
+
+    base: Elementary
+    lowest: int
+    highest: int
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Subrange) and (self.base, self.lowest, self.highest) == (
+            other.base,
+            other.lowest,
+            other.highest,
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.base, self.lowest, self.highest))
+
+
+def counting_type(kind: Elementary) -> Elementary:
+    """The integer type behind an enumeration or subrange; any other type as it is."""
+    while isinstance(kind, Enumeration | Subrange):
+        kind = kind.base
+    return kind
+
+
 BOOL = Elementary("BOOL", Family.BOOL, 1)
 BYTE = Elementary("BYTE", Family.BITS, 8)
 WORD = Elementary("WORD", Family.BITS, 16)
@@ -100,6 +156,7 @@ ALIASES: dict[str, str] = {
     "TOD": "TIME_OF_DAY",
     "LTOD": "LTIME_OF_DAY",
     "DT": "DATE_AND_TIME",
+    "LDATE_AND_TIME": "LDT",
 }
 
 S7_STRING_LENGTH = 254
@@ -148,6 +205,32 @@ class ArrayType:
 
 
 @dataclass(frozen=True, slots=True)
+class OpenArrayType:
+    """ARRAY[*]: a parameter that takes arrays of any bounds, which come with the argument."""
+
+    dimensions: int
+    element: "Type"
+
+    @property
+    def name(self) -> str:
+        """The type as it is declared."""
+        return f"ARRAY[{', '.join('*' * self.dimensions)}] OF {self.element.name}"
+
+    def takes(self, kind: "Type") -> bool:
+        """True for arrays that can be an argument."""
+        if isinstance(kind, OpenArrayType):
+            return kind == self
+        return (
+            isinstance(kind, ArrayType)
+            and len(kind.bounds) == self.dimensions
+            and kind.element == self.element
+        )
+
+    def __str__(self) -> str:
+        return self.name
+
+
+@dataclass(frozen=True, slots=True)
 class Field:
     """One part of a structure. `initial` is None for the default of the type."""
 
@@ -189,6 +272,46 @@ class BlockType:
         return self.name
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class ReferenceType:
+    """REF_TO, POINTER TO (both are followed by `^`) or REFERENCE TO (followed by itself).
+
+    `target_name` is what the target is called, and makes two reference types the same. What it is
+    comes from `find`, because a structure may refer to its own kind.
+    """
+
+    keyword: str
+    target_name: str
+    find: "Callable[[], Type]"
+
+    @property
+    def target(self) -> "Type":
+        """The type of the variables that can be referred to."""
+        return self.find()
+
+    @property
+    def name(self) -> str:
+        """The type as it is declared."""
+        return f"{self.keyword} {self.target_name}"
+
+    @property
+    def is_implicit(self) -> bool:
+        """True where the name of the reference means what it refers to."""
+        return self.keyword == "REFERENCE TO"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ReferenceType) and (
+            self.keyword,
+            self.target_name.casefold(),
+        ) == (other.keyword, other.target_name.casefold())
+
+    def __hash__(self) -> int:
+        return hash((self.keyword, self.target_name.casefold()))
+
+    def __str__(self) -> str:
+        return self.name
+
+
 @dataclass(frozen=True, eq=False)
 class AnyType:
     """VARIANT or ANY: a parameter of a system instruction that takes a whole area."""
@@ -203,7 +326,16 @@ VARIANT = AnyType("VARIANT")
 ANY = AnyType("ANY")
 POINTER = AnyType("POINTER")
 
-Type: TypeAlias = Elementary | StringType | ArrayType | StructType | BlockType | AnyType
+Type: TypeAlias = (
+    Elementary
+    | StringType
+    | ArrayType
+    | OpenArrayType
+    | StructType
+    | BlockType
+    | ReferenceType
+    | AnyType
+)
 
 Scalar: TypeAlias = bool | int | float | str
 """A value of an elementary type or a string."""
@@ -224,3 +356,21 @@ class StructInitial:
 
 
 Initial: TypeAlias = Scalar | ArrayInitial | StructInitial
+
+DTL = StructType(
+    "DTL",
+    (
+        Field("YEAR", UINT, 1970),
+        Field("MONTH", USINT, 1),
+        Field("DAY", USINT, 1),
+        Field("WEEKDAY", USINT, 5),
+        Field("HOUR", USINT),
+        Field("MINUTE", USINT),
+        Field("SECOND", USINT),
+        Field("NANOSECOND", UDINT),
+    ),
+)
+"""Date and time in parts, of S7-1200 and S7-1500: WEEKDAY counts from 1, Sunday.
+
+It starts as 1970-01-01, a Thursday (TIA Portal help, "DTL"). A `Convert` to and from LDT exists.
+"""

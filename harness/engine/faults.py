@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 
 from fbgen.diagnostics import DiagnosticError, error
-from fbgen.lang.types import Type
+from fbgen.lang.types import Subrange, Type
 from fbgen.source import Span
 
 # --- what the program does --------------------------------------------------------------------
@@ -140,6 +140,36 @@ def not_decimal(span: Span, value: int) -> DiagnosticError:
         f"16#{value:04X} is not binary coded decimal",
         span,
         "each hexadecimal digit must be 0 to 9; the first one is the sign or the time base",
+    )
+
+
+def outside_subrange(span: Span, value: int, kind: Subrange) -> DiagnosticError:
+    """FB6030: a value that the declaration of its target does not allow."""
+    return error(
+        "FB6030",
+        f"{value} is outside of {kind.base.name} ({kind.lowest}..{kind.highest})",
+        span,
+        "limit the value before it is assigned, for example with LIMIT",
+    )
+
+
+def null_reference(span: Span) -> DiagnosticError:
+    """FB6031: a reference is followed that refers to nothing."""
+    return error(
+        "FB6031",
+        "the reference refers to nothing",
+        span,
+        "bind it first, and ask it before it is followed: IF r <> NULL THEN ...",
+    )
+
+
+def no_date(span: Span) -> DiagnosticError:
+    """FB6032: a DTL is used whose parts are no date and time."""
+    return error(
+        "FB6032",
+        "the parts of this DTL are no date and time",
+        span,
+        "set YEAR, MONTH and DAY to a day of the calendar, from 1970 to 2553",
     )
 
 

@@ -1,4 +1,7 @@
-"""Paths to variables as they are given from outside: `"DB".telegram[3].value`, `table[1, 2]`."""
+"""Paths to variables as they are given from outside: `"DB".telegram[3].value`, `table[1, 2]`.
+
+`next^.value` follows a reference.
+"""
 
 import re
 from typing import TypeAlias
@@ -7,6 +10,9 @@ from harness.engine.faults import wrong_path
 
 Step: TypeAlias = str | tuple[int, ...]
 """A name, or the indices of an array element."""
+
+FOLLOW = "^"
+"""The step from a reference to what it refers to."""
 
 _STEP = re.compile(
     r"""\s*(?:
@@ -19,7 +25,7 @@ _STEP = re.compile(
 
 
 def parse_path(path: str) -> tuple[Step, ...]:
-    """The steps of a path; names as written, without quotes and `#`. Raises FB6024."""
+    """The steps of a path; names as written, without quotes and `#`, or `^`. Raises FB6024."""
     steps: list[Step] = []
     position = 0
     while position < len(path):
@@ -27,6 +33,10 @@ def parse_path(path: str) -> tuple[Step, ...]:
             position += 1
             if path[position : position + 1] == "[":
                 raise wrong_path(path, "an index follows its array without a point")
+        elif steps and path[position] == FOLLOW:
+            steps.append(FOLLOW)
+            position += 1
+            continue
         elif steps and path[position] != "[":
             raise wrong_path(path, f"found {path[position]!r} where '.' or '[' belongs")
         match = _STEP.match(path, position)

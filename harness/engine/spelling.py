@@ -15,6 +15,7 @@ from fbgen.lang.types import (
     TIME_OF_DAY,
     ArrayType,
     Elementary,
+    Enumeration,
     Family,
     Scalar,
     StringType,
@@ -81,6 +82,8 @@ def _text(text: str) -> str:
 
 def _number(kind: Elementary, text: str) -> int | float:
     text = text.strip()
+    if isinstance(kind, Enumeration) and text[:1].isidentifier():
+        return int(accept_scalar(text, kind, text))
     sign = -1 if text.startswith("-") else 1
     literal = _literal(text.removeprefix("-") if sign < 0 else text.removeprefix("+"))
     value = literal.value
@@ -152,6 +155,8 @@ def _real(kind: Type, value: float) -> str:
 def _whole(kind: Type, value: int) -> str:
     if not isinstance(kind, Elementary):
         return str(value)
+    if isinstance(kind, Enumeration) and (name := kind.name_of(value)):
+        return name
     if kind.family is Family.BITS:
         return f"16#{value:0{kind.bits // 4}X}"
     if kind.family is Family.DURATION:

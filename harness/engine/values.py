@@ -12,10 +12,14 @@ from fbgen.lang.types import (
     ArrayType,
     BlockType,
     Elementary,
+    Enumeration,
     Family,
+    OpenArrayType,
+    ReferenceType,
     Scalar,
     StringType,
     StructType,
+    Subrange,
     Type,
 )
 from harness.engine.faults import unknown_name, wrong_value
@@ -32,6 +36,9 @@ _FAMILIES_OF_NUMBERS = (
 
 def accept(program: Program, path: str, kind: Type, value: object) -> Value:
     """The value as a variable of the type takes it, names as declared. Raises FB6020, FB6021."""
+    if isinstance(kind, OpenArrayType):
+        kind = array_of(path, kind, value)
+        value = _flat(value, len(kind.bounds))
     if isinstance(kind, ArrayType):
         if isinstance(value, str | bytes) or not isinstance(value, Sequence):
             raise wrong_value(path, value, kind, "it is a flat sequence of its elements")
@@ -58,6 +65,37 @@ def accept(program: Program, path: str, kind: Type, value: object) -> Value:
     return accept_scalar(path, kind, value)
 
 
+def array_of(path: str, kind: OpenArrayType, value: object) -> ArrayType:
+    """The array that a value is for an ARRAY[*]: nested sequences, indices from 0. Raises FB6021.
+
+    Without a value there are no elements.
+    """
+    bounds: list[tuple[int, int]] = []
+    rows: list[object] = [value]
+    for _ in range(kind.dimensions):
+        lengths = set()
+        inner: list[object] = []
+        for row in rows:
+            if isinstance(row, str | bytes) or not isinstance(row, Sequence):
+                reason = f"it is sequences nested {kind.dimensions} deep"
+                raise wrong_value(path, value, kind, reason)
+            lengths.add(len(row))
+            inner += row
+        if len(lengths) > 1:
+            raise wrong_value(path, value, kind, "its rows have different lengths")
+        rows = inner
+        bounds.append((0, lengths.pop() - 1 if lengths else -1))
+    return ArrayType(tuple(bounds), kind.element)
+
+
+def _flat(value: object, dimensions: int) -> object:
+    """The elements of nested sequences."""
+    for _ in range(dimensions - 1):
+        assert isinstance(value, Sequence)
+        value = [element for row in value for element in row]
+    return value
+
+
 def _parts(program: Program, kind: StructType | BlockType) -> dict[str, Type]:
     if isinstance(kind, StructType):
         return {field.name: field.type for field in kind.fields}
@@ -68,6 +106,10 @@ def accept_scalar(path: str, kind: Type, value: object) -> Scalar:
     """The value as a variable of the type holds it; `path` is for the message. Raises FB6021."""
     if isinstance(kind, StringType):
         return _accept_text(path, kind, value, kind.length, kind.wide)
+    if isinstance(kind, ReferenceType):
+        if value is False:
+            return False
+        raise wrong_value(path, value, kind, "only False, which unbinds it, comes from outside")
     if not isinstance(kind, Elementary):
         raise wrong_value(path, value, kind, "it has parts, give a mapping or a sequence")
     if kind.family is Family.BOOL:
@@ -81,14 +123,50 @@ def accept_scalar(path: str, kind: Type, value: object) -> Scalar:
         if len(text) != 1:
             raise wrong_value(path, value, kind, "it is exactly one character")
         return text
+    if isinstance(kind, Enumeration) and isinstance(value, str):
+        return _accept_name(path, kind, value)
     if kind.family in _FAMILIES_OF_NUMBERS:
         if isinstance(value, bool) or not isinstance(value, int):
             raise wrong_value(path, value, kind, "it is a whole number")
-        if not kind.minimum <= value <= kind.maximum:
-            reason = f"it goes from {kind.minimum} to {kind.maximum}"
+        lowest, highest = kind.minimum, kind.maximum
+        if isinstance(kind, Subrange):
+            lowest, highest = kind.lowest, kind.highest
+        if not lowest <= value <= highest:
+            reason = f"it goes from {lowest} to {highest}"
             raise wrong_value(path, value, kind, reason)
         return value
     raise wrong_value(path, value, kind, "it holds nothing")
+
+
+class Enumerator(int):
+    """A value of an enumeration as it reads from outside: a number that knows its `name`.
+
+    The name is "" for a number that no enumerator has.
+    """
+
+    name: str
+
+    def __new__(cls, kind: Enumeration, value: int) -> "Enumerator":
+        self = super().__new__(cls, value)
+        self.name = kind.name_of(value) or ""
+        return self
+
+    def __repr__(self) -> str:
+        """The number, and the name behind it."""
+        return f"{int(self)} ({self.name})" if self.name else str(int(self))
+
+
+def shown(kind: Type | None, value: Scalar) -> Scalar:
+    """A scalar as it reads from outside: enumerators by their names."""
+    return Enumerator(kind, int(value)) if isinstance(kind, Enumeration) else value
+
+
+def _accept_name(path: str, kind: Enumeration, name: str) -> int:
+    value = kind.value_of(name.rpartition("#")[2].rpartition(".")[2])
+    if value is None:
+        known = ", ".join(known for known, _ in kind.members[:12])
+        raise wrong_value(path, name, kind, f"its enumerators are {known}")
+    return value
 
 
 def _accept_real(path: str, kind: Elementary, value: object) -> float:

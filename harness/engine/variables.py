@@ -11,9 +11,18 @@ from typing import Protocol, TypeAlias
 
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Program, Variable, VariableKind
-from fbgen.lang.types import ArrayType, BlockType, Scalar, StructType, Type
+from fbgen.lang.types import (
+    ArrayType,
+    BlockType,
+    OpenArrayType,
+    ReferenceType,
+    Scalar,
+    StructType,
+    Type,
+)
 from harness.engine.interface import Engine, Instance, Value
-from harness.engine.paths import Step, parse_path
+from harness.engine.paths import FOLLOW, Step, parse_path
+from harness.engine.values import shown
 
 
 class UnknownVariableError(DiagnosticError, AttributeError):
@@ -65,11 +74,11 @@ class View:
         for step in parse_path(item) if isinstance(item, str) else (_indices(item),):
             kind = None if kind is None else self._part_kind(kind, step)
         path = self._path_to(item)
-        if isinstance(kind, StructType | ArrayType | BlockType):
+        if isinstance(kind, StructType | ArrayType | OpenArrayType | BlockType):
             return View(self._access, path, kind, self._program)
         value = self._access.get(path)
         assert isinstance(value, bool | int | float | str)
-        return value
+        return bool(value) if isinstance(kind, ReferenceType) else shown(kind, value)
 
     def __setitem__(self, item: "str | int | tuple[int, ...]", value: "Value | View") -> None:
         self._access.set(self._path_to(item), plain(value))
@@ -104,8 +113,10 @@ class View:
 
     def _part_kind(self, kind: Type, step: Step) -> Type | None:
         """The type of a part; None if there is no such part, which reading it will report."""
+        if step == FOLLOW:
+            return kind.target if isinstance(kind, ReferenceType) else None
         if isinstance(step, tuple):
-            return kind.element if isinstance(kind, ArrayType) else None
+            return kind.element if isinstance(kind, ArrayType | OpenArrayType) else None
         if isinstance(kind, StructType):
             field = kind.field(step)
             return None if field is None else field.type

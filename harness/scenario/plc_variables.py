@@ -15,9 +15,11 @@ from fbgen.lang.types import (
     ArrayType,
     BlockType,
     Elementary,
+    Enumeration,
     Family,
     StringType,
     StructType,
+    Subrange,
     Type,
 )
 from harness.engine.interface import Value
@@ -54,6 +56,8 @@ def _read(program: Program, path: str, kind: Type, value: Scalar) -> Value:
 def _as_python(kind: Elementary | StringType, value: Scalar) -> Scalar:
     if isinstance(kind, StringType) or kind.family in (Family.BOOL, Family.CHAR):
         return value
+    if isinstance(kind, Enumeration) and isinstance(value, str):
+        return value
     if wanted := LITERALS.get(kind.name):
         literal = _literal(value)
         if literal is None or literal.kind is not wanted[0] or not isinstance(literal.value, int):
@@ -78,6 +82,8 @@ def _literal(value: Scalar) -> LiteralValue | None:
 def _spelling(kind: Elementary | StringType) -> str:
     if isinstance(kind, StringType):
         return f"write a text of {kind.length} characters at most, in quotes if it looks a number"
+    if isinstance(kind, Enumeration):
+        return f"write one of {', '.join(name for name, _ in kind.members[:12])}"
     if kind.family is Family.BOOL:
         return "write true or false"
     if kind.family is Family.CHAR:
@@ -87,7 +93,10 @@ def _spelling(kind: Elementary | StringType) -> str:
     if wanted := LITERALS.get(kind.name):
         return f"write it as the PLC does, such as {wanted[1]}"
     based = f", also as 16#{kind.maximum:X}" if kind.family is Family.BITS else ""
-    return f"write a whole number from {kind.minimum} to {kind.maximum}{based}"
+    lowest, highest = kind.minimum, kind.maximum
+    if isinstance(kind, Subrange):
+        lowest, highest = kind.lowest, kind.highest
+    return f"write a whole number from {lowest} to {highest}{based}"
 
 
 def _name_a_part(program: Program, path: str, kind: Type) -> str:
@@ -106,6 +115,9 @@ def _name_a_part(program: Program, path: str, kind: Type) -> str:
 
 def _show(kind: Type, found: Found) -> str:
     if isinstance(kind, Elementary) and isinstance(found, int) and not isinstance(found, bool):
+        if isinstance(kind, Enumeration):
+            name = kind.name_of(found)
+            return f"{name} ({found})" if name else str(found)
         if kind.family is Family.BITS:
             return f"16#{found:0{kind.bits // 4}X} ({found})"
         if kind.family is Family.DURATION:

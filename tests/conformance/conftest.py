@@ -12,7 +12,7 @@ import pytest
 from harness import LoadedProgram, load_program
 from harness.engine.loading import ENGINES
 
-_DIALECTS = {".scl": "tia", ".st": "iec"}
+_DIALECTS = {".scl": "tia", ".st": "iec", ".twincat": "twincat"}
 
 
 @pytest.fixture(params=sorted(ENGINES))
@@ -23,7 +23,7 @@ def engine_name(request: pytest.FixtureRequest) -> str:
 
 @pytest.fixture
 def load(request: pytest.FixtureRequest, engine_name: str) -> Callable[[str], LoadedProgram]:
-    """`load("name.scl")` runs the file beside the test; .scl is `tia`, .st is `iec`."""
+    """`load("name.scl")` runs the file beside the test; .scl is `tia`, .st `iec`."""
     folder = Path(request.path).parent
 
     def load_file(name: str) -> LoadedProgram:

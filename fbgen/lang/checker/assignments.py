@@ -15,12 +15,13 @@ from fbgen.lang.checker.enabling import enabled, speaks_of_enable
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.operators import combine
+from fbgen.lang.checker.references import bind_reference
 from fbgen.lang.checker.targets import check_target
-from fbgen.lang.types import BOOL, BlockType
+from fbgen.lang.types import BOOL, BlockType, OpenArrayType
 from fbgen.source import Span
 
 _WHERE = "this assignment"
-_UNKNOWN = ("?=", "REF=")
+_UNKNOWN = ("?=",)
 _BITS = {"S=": True, "R=": False}
 
 
@@ -37,6 +38,8 @@ class _Link:
 
 def check_assignment(ctx: Context, node: ast.Assignment) -> Sequence[Statement]:
     """An assignment with all its targets."""
+    if node.operator == "REF=":
+        return bind_reference(ctx, node)
     rest = node.value
     while isinstance(rest, ast.Chained | ast.Parenthesized):
         rest = rest.inner if isinstance(rest, ast.Parenthesized) else rest.value
@@ -70,12 +73,14 @@ def _written(ctx: Context, links: Sequence[_Link], value: Expression) -> list[St
         if link.operator in _BITS:
             rest = _set_or_reset(ctx, links[: number + 1], value)
             return None if rest is None else [*found, *rest]
-        if isinstance(place.type, BlockType):
+        if isinstance(place.type, BlockType | OpenArrayType):
             ctx.findings.error(
                 "FB4010",
                 f"{spelled(place.type)} cannot be assigned",
                 link.span,
-                "assign the inputs that you want to change: inst.in := ...",
+                "assign the inputs that you want to change: inst.in := ..."
+                if isinstance(place.type, BlockType)
+                else "assign its elements one by one, in a loop",
             )
             return None
         if link.operator in _UNKNOWN:

@@ -41,7 +41,15 @@ from fbgen.lang.checker.system_instructions import (
     instruction_named,
 )
 from fbgen.lang.checker.targets import check_target
-from fbgen.lang.types import VOID, AnyType, BlockType, Elementary, StringType, Type
+from fbgen.lang.types import (
+    VOID,
+    AnyType,
+    BlockType,
+    Elementary,
+    OpenArrayType,
+    StringType,
+    Type,
+)
 from fbgen.nearest import nearest
 
 _PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)
@@ -315,7 +323,8 @@ def _in_out(ctx: Context, node: ast.Expression, variable: Variable, where: str) 
     place = check_target(ctx, node, where)
     if place is None:
         return None
-    if place.type != variable.type:
+    kind = variable.type
+    if place.type != kind and not (isinstance(kind, OpenArrayType) and kind.takes(place.type)):
         ctx.findings.error(
             "FB4010",
             f"{where} works on the variable itself and takes exactly {spelled(variable.type)},"
@@ -362,7 +371,7 @@ def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | None:
         return None
     block = ctx.library.block(method or place.type.name)
     assert block is not None
-    assert isinstance(place, checked.VariableRef | checked.FieldRef | checked.IndexRef)
+    assert isinstance(place, Place)
     if isinstance(block, StandardBlock) and block.name == "IEC_TIMER":
         ctx.findings.error(
             "FB4047",

@@ -1,11 +1,13 @@
 """Giving an expression the type that its place asks for, or saying why that cannot be."""
 
-from fbgen.lang.checked import Constant, Convert, Expression
+from fbgen.lang.checked import Constant, Convert, Expression, ReferenceTo
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import conversion_between, is_implicit
 from fbgen.lang.checker.folding import fold_conversion
 from fbgen.lang.checker.literals import (
     ERRONEOUS,
+    NULL,
+    UNTYPED_INTEGER,
     erroneous,
     fitted,
     is_untyped,
@@ -17,10 +19,15 @@ from fbgen.lang.types import (
     ArrayType,
     BlockType,
     Elementary,
+    Enumeration,
     Family,
+    OpenArrayType,
+    ReferenceType,
     StringType,
     StructType,
+    Subrange,
     Type,
+    counting_type,
 )
 
 
@@ -59,20 +66,87 @@ def coerce(ctx: Context, expression: Expression, target: Type, where: str) -> Ex
         return expression
     if ERRONEOUS in (source, target):
         return erroneous(expression.span)
+    if isinstance(target, ReferenceType):
+        nothing = as_null(expression, target)
+        if nothing is not None:
+            return nothing
     if isinstance(expression, Constant) and (is_untyped(source) or isinstance(source, StringType)):
         return _fit(ctx, expression, target, where)
     if source == target:
         return expression
     if is_implicit(source, target, ctx.rules):
         return converted(expression, target)
+    if isinstance(target, OpenArrayType) and target.takes(source):
+        return expression
+    limited = _limited(ctx, expression, target, where)
+    if limited is not None:
+        return limited
     _refuse(ctx, expression, target, where)
     return erroneous(expression.span)
+
+
+def as_null(expression: Expression, target: ReferenceType) -> Expression | None:
+    """NULL, and 0 for a pointer, as that kind of reference; None for anything else."""
+    is_zero = (
+        isinstance(expression, Constant)
+        and expression.type == UNTYPED_INTEGER
+        and expression.value == 0
+        and target.keyword != "REF_TO"
+    )
+    if is_zero or expression.type == NULL:
+        return ReferenceTo(expression.span, None, target)
+    return None
+
+
+def _limited(ctx: Context, expression: Expression, target: Type, where: str) -> Expression | None:
+    """A number as an enumeration or in a subrange; None if it does not become one by itself."""
+    source = expression.type
+    if not isinstance(target, Enumeration | Subrange) or not isinstance(source, Elementary):
+        return None
+    source = counting_type(source) if isinstance(source, Subrange) else source
+    if source != target.base and not is_implicit(source, target.base, ctx.rules):
+        return None
+    if isinstance(target, Subrange):
+        if isinstance(expression, Constant) and isinstance(expression.value, int):
+            plain = Constant(expression.span, expression.value, UNTYPED_INTEGER)
+            return _fit(ctx, plain, target, where)
+        return Convert(expression.span, expression, target, implicit=True)
+    if not ctx.rules.enumerations_are_numbers or target.strict:
+        return None
+    ctx.findings.warning(
+        "FB4110",
+        f"{where} takes {target.name} and is given a number",
+        expression.span,
+        f"write the name of an enumerator: {target.name}.{target.members[0][0]}",
+    )
+    return converted(expression, target)
+
+
+def without_limits(expression: Expression) -> Expression:
+    """A value of a subrange as one of its base, in which it is calculated with."""
+    kind = expression.type
+    return converted(expression, kind.base) if isinstance(kind, Subrange) else expression
+
+
+def as_counted(ctx: Context, expression: Expression) -> Expression:
+    """A value that may count as a whole number in this dialect as that number."""
+    kind = expression.type
+    if isinstance(kind, Enumeration) and ctx.rules.enumerations_are_numbers and not kind.strict:
+        return converted(expression, kind.base)
+    return without_limits(expression)
 
 
 def _fit(ctx: Context, constant: Constant, target: Type, where: str) -> Expression:
     value = fitted(constant, target)
     if value is not None:
         return Constant(constant.span, value, target)
+    if isinstance(target, Enumeration) and not isinstance(constant.value, str):
+        number = settled(constant)
+        if fitted(constant, target.base) is not None:
+            number = Constant(constant.span, constant.value, target.base)
+        limited = _limited(ctx, number, target, where)
+        if limited is not None:
+            return limited
     if isinstance(constant.value, str):
         _refuse_text(ctx, constant, target, where)
     elif _could_hold(constant, target):
@@ -102,7 +176,7 @@ def _refuse_text(ctx: Context, constant: Constant, target: Type, where: str) -> 
 
 def _could_hold(constant: Constant, target: Type) -> bool:
     """True if another value of the same kind would fit, so that it is a matter of range."""
-    if not isinstance(target, Elementary):
+    if not isinstance(target, Elementary) or isinstance(target, Enumeration):
         return False
     if target.family is Family.REAL:
         return True
@@ -117,6 +191,8 @@ def _could_hold(constant: Constant, target: Type) -> bool:
 def _range_help(target: Type) -> str:
     if not isinstance(target, Elementary) or target.family is Family.REAL:
         return "use a smaller number or a wider type"
+    if isinstance(target, Subrange):
+        return f"the declaration allows {target.lowest} to {target.highest}"
     if target == BOOL:
         return "write TRUE or FALSE"
     if target.family is Family.BITS:
@@ -144,16 +220,25 @@ def _refuse(ctx: Context, expression: Expression, target: Type, where: str) -> N
 
 
 def _mismatch_help(source: Type, target: Type) -> str:
+    if isinstance(target, Enumeration) and target.members:
+        return f"use one of its enumerators, such as {target.name}#{target.members[0][0]}"
     if target == BOOL:
         return "compare it with something: x <> 0"
     if source == BOOL:
         return "use SEL(x, 0, 1) or a BOOL variable"
+    if isinstance(target, ReferenceType):
+        maker = "ADR" if target.keyword == "POINTER TO" else "REF"
+        return f"write {maker}(x) of a variable of type {target.target_name}, or NULL"
+    if isinstance(target, OpenArrayType):
+        return f"give an array of {target.element.name} with {target.dimensions} dimensions"
     if isinstance(target, StructType | ArrayType):
         return "both sides need the same declared type: declare it once with TYPE, and use its name"
     return "use a value of that type"
 
 
 def _constant_help(target: Type) -> str:
+    if isinstance(target, Enumeration):
+        return _mismatch_help(target, target)
     if isinstance(target, Elementary):
         if target.family is Family.DURATION:
             return f"write a duration, such as {'T' if target.bits == 32 else 'LT'}#100ms"

@@ -7,7 +7,7 @@ BCD form with the time base in bits 13 and 12 ("Format of S5TIME").
 import math
 
 from fbgen.lang import ast
-from fbgen.lang.checked import Constant, Expression
+from fbgen.lang.checked import Constant, Convert, Expression
 from fbgen.lang.checker.coercion import coerce
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression
@@ -24,6 +24,7 @@ from fbgen.lang.types import (
     CHAR,
     DATE,
     DATE_AND_TIME,
+    DTL,
     ELEMENTARY,
     LDT,
     LTIME,
@@ -53,6 +54,8 @@ _UNPREFIXED = {
 def check_literal(ctx: Context, node: ast.Literal, _expected: Type | None = None) -> Expression:
     """A literal: typed by its prefix or its form, or else without a type of its own."""
     kind, value = node.kind, node.value
+    if kind is ast.LiteralKind.ENUMERATOR:
+        return ctx.library.types.enumerator(ctx, node)
     if kind in (ast.LiteralKind.STRING, ast.LiteralKind.WSTRING):
         return _text(ctx, node, str(value))
     if kind is ast.LiteralKind.BOOL:
@@ -113,6 +116,8 @@ def _text(ctx: Context, node: ast.Literal, value: str) -> Expression:
 
 def _counted(ctx: Context, node: ast.Literal, value: int) -> Expression:
     """A duration, date or time of day in the unit of its type."""
+    if node.type_name == "DTL":
+        return Convert(node.span, Constant(node.span, value, LDT), DTL)
     target = ELEMENTARY.get(node.type_name) if node.type_name else _UNPREFIXED[node.kind]
     if target is None:
         return _unknown_type(ctx, node)

@@ -13,6 +13,8 @@ What a `Convert` does, for each pair of families (both engines follow this table
   LTIME_OF_DAY nanoseconds, DATE days: numbers likewise.
 * DATE_AND_TIME and LDT to DATE, TIME_OF_DAY, LTIME_OF_DAY: the part. (Both are nanoseconds since
   1970-01-01, DATE is days since 1990-01-01: 7305 days later.)
+* DTL to LDT: the instant, whatever the WEEKDAY; parts that are no date stop the program (FB6032).
+  LDT to DTL: its parts.
 * CHAR and WCHAR to a number: the code; back: the character. CHAR to STRING: that one character.
   STRING to a shorter STRING: cut; WSTRING to STRING: characters above 255 become `?`.
 
@@ -35,6 +37,7 @@ from fbgen.lang.types import (
     DATE,
     DATE_AND_TIME,
     DINT,
+    DTL,
     DWORD,
     ELEMENTARY,
     INT,
@@ -56,9 +59,13 @@ from fbgen.lang.types import (
     WCHAR,
     WORD,
     Elementary,
+    Enumeration,
     Family,
     StringType,
+    StructType,
+    Subrange,
     Type,
+    counting_type,
 )
 
 _WIDENING: dict[Elementary, tuple[Elementary, ...]] = {
@@ -88,6 +95,13 @@ SIGNED_OF = {USINT: SINT, UINT: INT, UDINT: DINT, ULINT: LINT}
 
 @cache
 def _implicit(source: Elementary, target: Elementary, rules: Rules) -> bool:
+    if isinstance(target, Enumeration | Subrange):
+        return False
+    if isinstance(source, Enumeration):
+        mixes = rules.enumerations_are_numbers and not source.strict
+        return mixes and (source.base == target or _implicit(source.base, target, rules))
+    if isinstance(source, Subrange):
+        return source.base == target or _implicit(source.base, target, rules)
     if target in _WIDENING.get(source, ()):
         return True
     if rules.any_integer_to_real and source.is_integer and target == REAL:
@@ -115,6 +129,8 @@ def is_implicit(source: Type, target: Type, rules: Rules) -> bool:
 
 def common_type(left: Type, right: Type, rules: Rules) -> Type | None:
     """The smallest type that both become by themselves; None if there is none."""
+    if left != right:
+        left, right = _limitless(left), _limitless(right)
     if left == right or is_implicit(right, left, rules):
         return left
     if is_implicit(left, right, rules):
@@ -126,6 +142,11 @@ def common_type(left: Type, right: Type, rules: Rules) -> Type | None:
     return None
 
 
+def _limitless(kind: Type) -> Type:
+    """The base of a subrange."""
+    return kind.base if isinstance(kind, Subrange) else kind
+
+
 def wider_types(kind: Elementary, rules: Rules) -> tuple[Elementary, ...]:
     """What `kind` becomes by itself, the smallest first."""
     return tuple(wider for wider in _ASCENDING if wider != kind and _implicit(kind, wider, rules))
@@ -135,6 +156,8 @@ def keeps_representation(source: Type, target: Type) -> bool:
     """True if every value of `source` is the same run-time value in `target`."""
     if source == target:
         return True
+    if isinstance(source, Subrange):
+        return keeps_representation(source.base, target)
     if not isinstance(source, Elementary) or target not in _WIDENING.get(source, ()):
         return False
     return isinstance(target, Elementary) and (
@@ -149,6 +172,11 @@ def is_convertible(source: Type, target: Type) -> bool:
         return True
     if isinstance(target, StringType):
         return source == (WCHAR if target.wide else CHAR)
+    if DTL in (source, target):
+        partner = target if source == DTL else source
+        return partner in (DTL, LDT, DATE_AND_TIME, DATE) or (
+            source == DTL and partner in (TIME_OF_DAY, LTIME_OF_DAY)
+        )
     if not isinstance(source, Elementary) or not isinstance(target, Elementary):
         return False
     if source == target:
@@ -175,12 +203,14 @@ def is_convertible(source: Type, target: Type) -> bool:
     return source.family in counted and target.family in counted
 
 
-def elementary_named(name: str) -> Elementary | StringType | None:
-    """The elementary type or string type with that name in a conversion; None for others."""
+def elementary_named(name: str) -> Elementary | StringType | StructType | None:
+    """The elementary type, string type or DTL of that name in a conversion; None for others."""
     key = name.upper()
     key = ALIASES.get(key, key)
     if key in ("STRING", "WSTRING"):
         return StringType(wide=key == "WSTRING")
+    if key == "DTL":
+        return DTL
     kind = ELEMENTARY.get(key)
     return kind if kind is not None and kind.family is not Family.VOID else None
 
@@ -188,8 +218,15 @@ def elementary_named(name: str) -> Elementary | StringType | None:
 def conversion_between(source: Type, target: Type) -> str:
     """The name of the function that converts, for a help text; empty if there is none."""
     if isinstance(source, Elementary) and isinstance(target, Elementary):
+        if isinstance(target, Enumeration):
+            return ""
+        if isinstance(source, Enumeration):
+            return f"TO_{counting_type(target).name}"
+        source, target = counting_type(source), counting_type(target)
         if is_convertible(source, target):
             return f"{source.name}_TO_{target.name}"
         if source.family is Family.BOOL or target.family is Family.BOOL:
             return ""
+    elif DTL in (source, target) and is_convertible(source, target):
+        return f"{source.name}_TO_{target.name}"
     return ""

@@ -8,10 +8,10 @@ from collections.abc import Callable
 from typing import Any
 
 from fbgen.lang import ast
-from fbgen.lang.checked import Expression
+from fbgen.lang.checked import Dereference, Expression, Place
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.literals import erroneous
-from fbgen.lang.types import Type
+from fbgen.lang.checker.literals import ERRONEOUS, erroneous
+from fbgen.lang.types import ReferenceType, Type
 
 Check = Callable[[Context, Any, Type | None], Expression]
 
@@ -31,6 +31,18 @@ def check_expression(
     `expected` is the type that its place takes, a hint for functions that exist for many types.
     The result may be an untyped constant; `coercion.coerce` gives it its type.
     """
+    found = check_itself(ctx, node, expected)
+    kind = found.type
+    if type(kind) is ReferenceType and kind.is_implicit and isinstance(found, Place):
+        target = kind.target
+        return (
+            Dereference(node.span, found, target) if target != ERRONEOUS else erroneous(node.span)
+        )
+    return found
+
+
+def check_itself(ctx: Context, node: ast.Expression, expected: Type | None = None) -> Expression:
+    """As `check_expression`; a REFERENCE TO is not followed to what it refers to."""
     ctx.depth += 1
     try:
         if ctx.too_deep(node.span):

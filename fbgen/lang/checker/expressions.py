@@ -4,7 +4,14 @@ from typing import Any
 
 from fbgen.lang import ast
 from fbgen.lang.checked import Expression
-from fbgen.lang.checker import calls, constants, memory_access, operators, places
+from fbgen.lang.checker import (
+    calls,
+    constants,
+    memory_access,
+    operators,
+    places,
+    references,
+)
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression, enter
 from fbgen.lang.checker.literals import erroneous
@@ -33,7 +40,6 @@ def _unsupported(ctx: Context, node: Any, _expected: Type | None) -> Expression:
 
 _UNSUPPORTED = {
     ast.Chained: "an assignment in an assignment",
-    ast.Dereference: "what a reference points to",
     ast.IndexedAddress: "an absolute address with an index",
     ast.Peripheral: "peripheral access by a name",
 }
@@ -48,6 +54,7 @@ enter(
         ast.Slice: places.check_slice,
         ast.DirectAddress: places.check_address,
         ast.IndexedAddress: memory_access.check_indexed_address,
+        ast.Dereference: references.check_dereference,
         ast.Call: calls.check_call,
         ast.Unary: operators.check_unary,
         ast.Binary: operators.check_binary,

@@ -9,17 +9,21 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from fbgen.lang import ast
-from fbgen.lang.checked import VariableKind
-from fbgen.lang.checker.coercion import spelled
+from fbgen.lang.checked import Constant, Convert, ReferenceTo, VariableKind
+from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.constants import constant_of, whole_number
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.stamps import stamp_initial
 from fbgen.lang.types import (
+    DTL,
     ArrayInitial,
     ArrayType,
     BlockType,
     Elementary,
     Initial,
+    ReferenceType,
     StringType,
     StructInitial,
     StructType,
@@ -51,16 +55,33 @@ class Initials:
             if isinstance(node, ast.ArrayLiteral):
                 return self._array(ctx, node, kind, base)
             return self._shape(ctx, node.span, kind, base, "[value, value, ...]")
+        if kind == DTL and not isinstance(node, ast.StructLiteral):
+            return self._stamp(ctx, node, base)
         if isinstance(kind, StructType | BlockType):
             if isinstance(node, ast.StructLiteral):
                 return self._structure(ctx, node, kind, base)
             return self._shape(ctx, node.span, kind, base, "(name := value, ...)")
         if isinstance(node, ast.ArrayLiteral | ast.StructLiteral):
             return self._shape(ctx, node.span, kind, base, "one value")
+        if isinstance(kind, ReferenceType):
+            found = coerce(ctx, check_expression(ctx, node, kind), kind, "this initial value")
+            if isinstance(found, ReferenceTo) and found.place is not None:
+                return self._shape(ctx, node.span, kind, base, "NULL, and bind it in the block")
+            return base
         if not isinstance(kind, Elementary | StringType):
             return base
         value = constant_of(ctx, node, kind, "this initial value")
         return base if value is None else value
+
+    def _stamp(self, ctx: Context, node: ast.Expression, base: Initial | None) -> Initial | None:
+        """A DTL is written as one literal, too."""
+        where = "this initial value"
+        found = coerce(ctx, check_expression(ctx, node, DTL), DTL, where)
+        if isinstance(found, Convert) and isinstance(found.operand, Constant):
+            return stamp_initial(int(found.operand.value))
+        if found.type != ERRONEOUS:
+            return self._shape(ctx, node.span, DTL, base, "DTL#2024-02-29-23:59:59")
+        return base
 
     def _shape(
         self, ctx: Context, span: Span, kind: Type, base: Initial | None, form: str

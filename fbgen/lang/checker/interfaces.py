@@ -142,7 +142,12 @@ class Interfaces:
         block: BlockKind | None,
     ) -> list[Variable]:
         kind = self._kind(ctx, section, block)
-        resolved = self._library.types.resolve(ctx, declaration.type)
+        bound = kind is VariableKind.IN_OUT or (
+            kind is VariableKind.INPUT and block is BlockKind.FUNCTION
+        )
+        types = self._library.types
+        resolve = types.parameter if bound else types.resolve
+        resolved = resolve(ctx, declaration.type)
         initial = resolved.initial
         if declaration.initial is not None and resolved.type != ERRONEOUS:
             initial = self._library.initial(

@@ -24,9 +24,12 @@ from fbgen.lang.types import (
     WCHAR,
     WORD,
     Elementary,
+    Enumeration,
     Family,
+    ReferenceType,
     Scalar,
     StringType,
+    Subrange,
     Type,
 )
 from fbgen.source import Span
@@ -37,6 +40,9 @@ UNTYPED_MASK = Elementary("complement of an integer constant", Family.SIGNED, 65
 UNTYPED_REAL = Elementary("real constant", Family.REAL, 65)
 ERRONEOUS = Elementary("unknown type", Family.VOID, -1)
 """The type of what was already reported: nothing more is said about it."""
+
+NULL = ReferenceType("NULL", "", lambda: ERRONEOUS)
+"""The type of the constant NULL, which becomes any reference."""
 
 _UNTYPED = (UNTYPED_INTEGER, UNTYPED_MASK, UNTYPED_REAL)
 _LARGEST = (1 << 64) - 1
@@ -99,6 +105,10 @@ def in_real(value: float, target: Elementary) -> float | None:
 
 
 def _fitted_integer(value: int, target: Elementary, mask: bool) -> Scalar | None:
+    if isinstance(target, Enumeration):
+        return None
+    if isinstance(target, Subrange):
+        return value if target.lowest <= value <= target.highest else None
     family = target.family
     if family is Family.BOOL:
         return bool(value) if value in (0, 1) else None

@@ -9,7 +9,13 @@ import math
 from fbgen.lang import ast
 from fbgen.lang.checked import Binary, Constant, Convert, Expression, StandardCall, Unary
 from fbgen.lang.checker import folding
-from fbgen.lang.checker.coercion import as_typed, converted, spelled
+from fbgen.lang.checker.coercion import (
+    as_counted,
+    as_typed,
+    converted,
+    spelled,
+    without_limits,
+)
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import UNSIGNED_OF, common_type, wider_types
 from fbgen.lang.checker.enabling import attempted
@@ -24,15 +30,22 @@ from fbgen.lang.checker.literals import (
     holds_untyped,
     is_untyped,
 )
+from fbgen.lang.checker.operator_help import operator_help
+from fbgen.lang.checker.reference_comparison import compare
+from fbgen.lang.checker.stamps import as_stamp, is_stamp
 from fbgen.lang.checker.standard_functions import DATE_ARITHMETIC
 from fbgen.lang.types import (
     BOOL,
+    DTL,
+    LDT,
     LREAL,
     LTIME,
     REAL,
     TIME,
     Elementary,
+    Enumeration,
     Family,
+    ReferenceType,
     StringType,
     Type,
 )
@@ -56,7 +69,8 @@ def check_binary(ctx: Context, node: ast.Binary, expected: Type | None) -> Expre
     hint = None if compares else expected
     result = check_expression(ctx, leftmost, hint)
     for binary in reversed(spine):
-        right = check_expression(ctx, binary.right, hint)
+        asked = result.type if isinstance(result.type, Enumeration) else hint
+        right = check_expression(ctx, binary.right, asked)
         result = combine(ctx, binary.span, binary.operator, result, right)
     return result
 
@@ -66,6 +80,20 @@ def combine(
 ) -> Expression:
     """Two checked operands and an operator; reports what does not go together."""
     if ERRONEOUS in (left.type, right.type):
+        return erroneous(span)
+    if isinstance(left.type, ReferenceType) or isinstance(right.type, ReferenceType):
+        same = compare(span, operator, left, right)
+        if same is None:
+            _refuse(ctx, span, operator, left, right)
+        return erroneous(span) if same is None else same
+    if DTL in (left.type, right.type):
+        return _with_stamps(ctx, span, operator, left, right)
+    if left.type != right.type or operator not in ("=", "<>"):
+        left, right = as_counted(ctx, left), as_counted(ctx, right)
+    else:
+        left, right = without_limits(left), without_limits(right)
+    if isinstance(left.type, Enumeration) and operator not in ("=", "<>"):
+        _refuse(ctx, span, operator, left, right)
         return erroneous(span)
     if operator in folding.LOGIC:
         result = _logic(ctx, span, operator, left, right)
@@ -81,6 +109,17 @@ def combine(
     return result
 
 
+def _with_stamps(
+    ctx: Context, span: Span, operator: str, left: Expression, right: Expression
+) -> Expression:
+    """DTL as the instant that it is; the sum of one and a duration is a DTL again."""
+    if operator in folding.COMPARISONS and not (is_stamp(left.type) and is_stamp(right.type)):
+        _refuse(ctx, span, operator, left, right)
+        return erroneous(span)
+    result = combine(ctx, span, operator, as_stamp(left), as_stamp(right))
+    return Convert(span, result, DTL, implicit=True) if result.type == LDT else result
+
+
 def _refuse(ctx: Context, span: Span, operator: str, left: Expression, right: Expression) -> None:
     one, two = as_typed(left).type, as_typed(right).type
     both_typed = not is_untyped(left.type) and not is_untyped(right.type)
@@ -89,32 +128,8 @@ def _refuse(ctx: Context, span: Span, operator: str, left: Expression, right: Ex
         "FB4012",
         f"{operator} does not work on {types}",
         span,
-        _operator_help(operator, one, two, both_typed),
+        operator_help(operator, one, two, both_typed),
     )
-
-
-def _operator_help(operator: str, left: Type, right: Type, both_typed: bool) -> str:
-    if operator in folding.SHORT_CIRCUIT:
-        return f"{operator} takes BOOLs only; compare numbers first: x <> 0"
-    if operator in folding.LOGIC:
-        return f"{operator} takes BOOLs or bit strings; convert integers: INT_TO_WORD(x)"
-    if BOOL in (left, right) and operator in folding.COMPARISONS:
-        return "a BOOL can be compared with a BOOL by = and <> only"
-    if (
-        both_typed
-        and left != right
-        and isinstance(left, Elementary)
-        and isinstance(right, Elementary)
-        and left.family in _COUNTS
-        and right.family in _COUNTS
-    ):
-        return f"convert one side: {left.name}_TO_{right.name}(...)"
-    for kind in (left, right):
-        if isinstance(kind, Elementary) and kind in UNSIGNED_OF:
-            return f"convert it for the calculation: {kind.name}_TO_{UNSIGNED_OF[kind].name}(...)"
-    if operator in ("MOD", "DIV"):
-        return f"{operator} takes integers"
-    return "bring both sides to one type with a conversion function"
 
 
 def unify(
@@ -414,8 +429,9 @@ def check_unary(ctx: Context, node: ast.Unary, expected: Type | None) -> Express
 
 def apply_unary(span: Span, operator: str, operand: Expression) -> Expression | None:
     """An operator on one checked operand; None if it does not take the type."""
+    operand = without_limits(operand)
     kind = operand.type
-    if not isinstance(kind, Elementary):
+    if not isinstance(kind, Elementary) or isinstance(kind, Enumeration):
         return None
     if isinstance(operand, Constant) and is_untyped(kind):
         return _unary_untyped(span, operator, operand)

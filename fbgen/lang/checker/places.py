@@ -10,16 +10,22 @@ from fbgen.lang.checked import (
     FieldRef,
     IndexRef,
     Place,
+    ReferenceTo,
     SliceRef,
     StandardBlock,
     Variable,
     VariableKind,
     VariableRef,
 )
-from fbgen.lang.checker.coercion import as_typed, spelled
+from fbgen.lang.checker.coercion import as_counted, as_typed, spelled
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.enumerations import (
+    bare_enumerator,
+    enumeration_named,
+    enumerator_value,
+)
 from fbgen.lang.checker.evaluation import check_expression
-from fbgen.lang.checker.literals import ERRONEOUS, erroneous
+from fbgen.lang.checker.literals import ERRONEOUS, NULL, erroneous
 from fbgen.lang.checker.symbols import NamedConstant, Symbol
 from fbgen.lang.types import (
     BOOL,
@@ -30,8 +36,11 @@ from fbgen.lang.types import (
     ArrayType,
     BlockType,
     Elementary,
+    Enumeration,
     Family,
+    OpenArrayType,
     StructType,
+    Subrange,
     Type,
 )
 from fbgen.nearest import nearest
@@ -78,10 +87,15 @@ def names_block(ctx: Context, node: ast.Name) -> bool:
     return node.quoted and is_own and ctx.library.user_block(node.name) is not None
 
 
-def check_name(ctx: Context, node: ast.Name, _expected: Type | None = None) -> Expression:
-    """A variable, or the value of a named constant."""
+def check_name(ctx: Context, node: ast.Name, expected: Type | None = None) -> Expression:
+    """A variable, or the value of a named constant or enumerator."""
     symbol = find_symbol(ctx, node)
     if symbol is None:
+        enumerator = None if node.local else bare_enumerator(ctx, node, expected)
+        if enumerator is not None:
+            return enumerator
+        if node.name.upper() == "NULL" and not node.local and not node.quoted:
+            return ReferenceTo(node.span, None, NULL)
         if node.name and not _is_known_as_erroneous(ctx, node):
             _unknown_name(ctx, node)
         return erroneous(node.span)
@@ -133,6 +147,9 @@ def _unknown_name(ctx: Context, node: ast.Name) -> None:
 
 def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) -> Expression:
     """A part of a structure, or a variable of an instance."""
+    named = enumeration_named(ctx, node.base)
+    if named is not None and isinstance(node.base, ast.Name) and not find_symbol(ctx, node.base):
+        return enumerator_value(ctx, node.span, named, node.name)
     base = check_expression(ctx, node.base)
     kind = base.type
     if kind == ERRONEOUS:
@@ -140,12 +157,12 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
     if isinstance(kind, StructType):
         field = kind.field(node.name)
         if field is not None and is_place(base):
-            return FieldRef(node.span, _place(base), field.name, field.type)
+            return FieldRef(node.span, as_place(base), field.name, field.type)
         known = [part.name for part in kind.fields]
     elif isinstance(kind, BlockType):
         found = _instance_variable(ctx, node, kind)
         if found is not None:
-            return FieldRef(node.span, _place(base), found.name, found.type)
+            return FieldRef(node.span, as_place(base), found.name, found.type)
         known = [part.name for part in ctx.library.variables_of(kind) if part.kind in _PARAMETERS]
     else:
         ctx.findings.error(
@@ -184,7 +201,8 @@ def _instance_variable(ctx: Context, node: ast.Member, kind: BlockType) -> Varia
     return None
 
 
-def _place(expression: Expression) -> Place:
+def as_place(expression: Expression) -> Place:
+    """An expression that `is_place` as one."""
     assert isinstance(expression, Place)
     return expression
 
@@ -192,11 +210,15 @@ def _place(expression: Expression) -> Place:
 def check_index(ctx: Context, node: ast.Index, _expected: Type | None = None) -> Expression:
     """An element of an array; constant indices are compared with the bounds."""
     base = check_expression(ctx, node.base)
-    indices = [as_typed(check_expression(ctx, index)) for index in node.indices]
+    indices = [as_counted(ctx, as_typed(check_expression(ctx, one))) for one in node.indices]
     kind = base.type
     if kind == ERRONEOUS or any(index.type == ERRONEOUS for index in indices):
         return erroneous(node.span)
-    if not isinstance(kind, ArrayType) or not is_place(base):
+    if isinstance(kind, OpenArrayType):
+        limits: tuple[tuple[int, int] | None, ...] = (None,) * kind.dimensions
+    elif isinstance(kind, ArrayType) and is_place(base):
+        limits = kind.bounds
+    else:
         ctx.findings.error(
             "FB4019",
             f"{spelled(as_typed(base).type)} is not an array and takes no index",
@@ -204,20 +226,21 @@ def check_index(ctx: Context, node: ast.Index, _expected: Type | None = None) ->
             "remove the index, or declare the variable as ARRAY[...] OF ...",
         )
         return erroneous(node.span)
-    if len(indices) != len(kind.bounds):
+    if len(indices) != len(limits):
         ctx.findings.error(
             "FB4019",
-            f"{kind.name} takes {len(kind.bounds)} indices, not {len(indices)}",
+            f"{kind.name} takes {len(limits)} indices, not {len(indices)}",
             node.span,
             "give one index for each dimension: a[i, j]",
         )
         return erroneous(node.span)
-    for index, (first, last) in zip(indices, kind.bounds, strict=True):
-        _check_one_index(ctx, index, first, last)
-    return IndexRef(node.span, _place(base), tuple(indices), kind.element)
+    for index, bounds in zip(indices, limits, strict=True):
+        _check_one_index(ctx, index, bounds)
+    return IndexRef(node.span, as_place(base), tuple(indices), kind.element)
 
 
-def _check_one_index(ctx: Context, index: Expression, first: int, last: int) -> None:
+def _check_one_index(ctx: Context, index: Expression, bounds: tuple[int, int] | None) -> None:
+    """`bounds` None: they are known when the program runs."""
     if not isinstance(index.type, Elementary) or not index.type.is_integer:
         ctx.findings.error(
             "FB4010",
@@ -225,7 +248,11 @@ def _check_one_index(ctx: Context, index: Expression, first: int, last: int) -> 
             index.span,
             "use a variable of type INT or DINT, or convert it",
         )
-    elif isinstance(index, Constant) and not first <= int(index.value) <= last:
+        return
+    if bounds is None or not isinstance(index, Constant):
+        return
+    first, last = bounds
+    if not first <= int(index.value) <= last:
         ctx.findings.error(
             "FB4015",
             f"index {index.value} is outside of the array's {first}..{last}",
@@ -246,6 +273,8 @@ def check_slice(ctx: Context, node: ast.Slice, _expected: Type | None = None) ->
         Family.SIGNED,
         Family.UNSIGNED,
     )
+    if isinstance(kind, Enumeration | Subrange):
+        countable = False
     if part is None or not countable or not is_place(base) or isinstance(base, SliceRef):
         ctx.findings.error(
             "FB4018",
@@ -266,7 +295,7 @@ def check_slice(ctx: Context, node: ast.Slice, _expected: Type | None = None) ->
             "FB4018", f"{kind.name} has no part %{node.size}{node.index}", node.span, help_text
         )
         return erroneous(node.span)
-    return SliceRef(node.span, _place(base), node.index, part)
+    return SliceRef(node.span, as_place(base), node.index, part)
 
 
 def address_of(ctx: Context, node: ast.DirectAddress) -> Address | None:

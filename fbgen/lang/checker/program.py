@@ -102,6 +102,7 @@ def _check(
     bodies: dict[Block, tuple[Statement, ...]] = {}
     for block in blocks.values():
         library.context_of(block).resolve_all()
+    library.types.settle()
     for block in blocks.values():
         ctx = library.context_of(block)
         bodies[block] = begin_enabled(ctx, check_body(ctx, block.syntax.body))

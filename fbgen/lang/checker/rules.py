@@ -22,7 +22,8 @@ class Rules:
     become REAL by themselves. `outputs_by_assignment`: outputs of a FUNCTION may be given by `:=`.
     `shifts_integers`: SHL, SHR, ROL and ROR take integers too. `lowest_bit_is_bool`: X_TO_BOOL of
     an integer looks at its lowest bit only, else at the whole number. `labels_declared`: jump
-    labels stand in a LABEL section.
+    labels stand in a LABEL section. `enumerations_are_numbers`: an enumeration becomes its base by
+    itself, and a number an enumeration with a warning.
     """
 
     dialect: str
@@ -38,6 +39,7 @@ class Rules:
     shifts_integers: bool
     lowest_bit_is_bool: bool
     labels_declared: bool
+    enumerations_are_numbers: bool
 
 
 _TIA = Rules(
@@ -54,6 +56,7 @@ _TIA = Rules(
     shifts_integers=True,
     lowest_bit_is_bool=True,
     labels_declared=False,
+    enumerations_are_numbers=False,
 )
 _STEP7 = Rules(
     dialect="step7",
@@ -69,6 +72,7 @@ _STEP7 = Rules(
     shifts_integers=True,
     lowest_bit_is_bool=True,
     labels_declared=True,
+    enumerations_are_numbers=False,
 )
 _IEC = Rules(
     dialect="iec",
@@ -84,6 +88,7 @@ _IEC = Rules(
     shifts_integers=False,
     lowest_bit_is_bool=False,
     labels_declared=False,
+    enumerations_are_numbers=False,
 )
 _TWINCAT = Rules(
     dialect="twincat",
@@ -99,6 +104,7 @@ _TWINCAT = Rules(
     shifts_integers=True,
     lowest_bit_is_bool=False,
     labels_declared=False,
+    enumerations_are_numbers=True,
 )
 
 RULES = {rules.dialect: rules for rules in (_TIA, _STEP7, _IEC, _TWINCAT)}

@@ -9,7 +9,15 @@ from collections.abc import Sequence
 from fbgen.lang import ast
 from fbgen.lang.checked import Binary, Constant, Convert, Expression, StandardCall
 from fbgen.lang.checker.arguments import bind
-from fbgen.lang.checker.coercion import as_typed, coerce, spelled
+from fbgen.lang.checker.array_bounds import BOUNDS, check_bound
+from fbgen.lang.checker.coercion import (
+    as_counted,
+    as_typed,
+    coerce,
+    converted,
+    spelled,
+    without_limits,
+)
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import (
     common_type,
@@ -21,6 +29,8 @@ from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.folding import fold_conversion
 from fbgen.lang.checker.literals import ERRONEOUS, erroneous, fitted, is_untyped, settled_bits
 from fbgen.lang.checker.operators import apply_unary, combine
+from fbgen.lang.checker.references import IS_VALID, MAKERS, check_is_valid, check_maker
+from fbgen.lang.checker.stamps import as_stamp, in_parts
 from fbgen.lang.checker.standard_functions import (
     ALIASES,
     CHAINED,
@@ -41,11 +51,16 @@ from fbgen.lang.checker.standard_functions import (
 from fbgen.lang.types import (
     BOOL,
     DINT,
+    DTL,
     LREAL,
+    LTIME,
     REAL,
+    TIME,
     Elementary,
+    Enumeration,
     Family,
     StringType,
+    Subrange,
     Type,
 )
 from fbgen.source import Span
@@ -62,6 +77,9 @@ def is_standard_function(name: str) -> bool:
         or key in DATE_FUNCTIONS
         or key in OPERATORS_BY_NAME
         or key in ("MOVE", "NOT", "NEG")
+        or key in BOUNDS
+        or key in MAKERS
+        or key == IS_VALID
         or _ROUNDED.match(key) is not None
         or _conversion_types(key) is not None
     )
@@ -82,6 +100,12 @@ def check_standard_call(
         return _call_function(ctx, node, function, expected)
     if key in OPERATORS_BY_NAME:
         return _operator(ctx, node, key, expected)
+    if key in MAKERS:
+        return check_maker(ctx, node, key)
+    if key == IS_VALID:
+        return check_is_valid(ctx, node)
+    if key in BOUNDS:
+        return check_bound(ctx, node, key)
     if key in ("MOVE", "NOT", "NEG"):
         return _one_operand(ctx, node, key, expected)
     if rounded := _ROUNDED.match(key):
@@ -143,7 +167,7 @@ def _call_function(
         return erroneous(node.span)
     hint = expected if function.result is COMMON else None
     checked = [
-        (kind, check_expression(ctx, value, hint if kind is COMMON else None))
+        (kind, _operand(ctx, function, check_expression(ctx, value, _hint(kind, hint))))
         for kind, value in arguments
     ]
     if any(expression.type == ERRONEOUS for _, expression in checked):
@@ -171,6 +195,17 @@ def _call_function(
     result = common if function.result is COMMON else function.result
     assert isinstance(result, Elementary | StringType)
     return StandardCall(node.span, function.name, settled, result)
+
+
+def _hint(kind: ParameterType, hint: Type | None) -> Type | None:
+    return hint if kind is COMMON else None
+
+
+def _operand(ctx: Context, function: Function, operand: Expression) -> Expression:
+    """SEL and MUX choose among enumerators; other functions work on their numbers, if at all."""
+    if function.common is Common.ANY:
+        return without_limits(operand)
+    return as_counted(ctx, operand)
 
 
 def _as_parameter(
@@ -256,6 +291,8 @@ def _within(ctx: Context, function: Function, kind: Type) -> Type | None:
         return kind if common in WITH_TEXT else None
     if not isinstance(kind, Elementary):
         return None
+    if isinstance(kind, Enumeration):
+        return kind if common is Common.ANY else None
     if common is Common.TEXT:
         text = StringType(wide=kind.bits == 16)
         return text if is_implicit(kind, text, ctx.rules) else None
@@ -283,6 +320,8 @@ def _operator(ctx: Context, node: ast.Call, key: str, expected: Type | None) -> 
     result = operands[0]
     for operand in operands[1:]:
         result = combine(ctx, node.span, OPERATORS_BY_NAME[key], result, operand)
+    if key == "T_DIFF" and result.type == LTIME and expected == TIME:
+        return Convert(node.span, result, TIME)
     return result
 
 
@@ -351,6 +390,15 @@ def _to_type(
     rounding: str = "nearest",
 ) -> Expression:
     source = operand.type
+    if isinstance(source, Enumeration | Subrange):
+        operand = converted(operand, source.base)
+        source = source.base
+    if source == DTL and target != DTL:
+        operand = as_stamp(operand)
+        source = operand.type
+    parts = in_parts(operand) if target == DTL else None
+    if parts is not None:
+        return parts
     by_name = f"{_short(source)}_TO_{_short(target)}"
     if by_name in TEXT_CONVERSIONS:
         return StandardCall(span, by_name, (operand,), target)

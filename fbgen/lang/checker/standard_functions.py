@@ -190,6 +190,9 @@ OPERATORS_BY_NAME: dict[str, str] = {
     "MULTIME": "*",
     "DIV_TIME": "/",
     "DIVTIME": "/",
+    "T_ADD": "+",
+    "T_SUB": "-",
+    "T_DIFF": "-",
 }
 """Functions that are operators; their calls become `Binary`."""
 

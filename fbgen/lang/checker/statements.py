@@ -29,7 +29,7 @@ from fbgen.lang.checker.places import names_block
 from fbgen.lang.checker.standard_calls import check_standard_call
 from fbgen.lang.checker.system_instructions import instruction_named
 from fbgen.lang.checker.targets import check_target
-from fbgen.lang.types import BOOL, Elementary, Family
+from fbgen.lang.types import BOOL, Elementary, Family, counting_type
 from fbgen.source import Span
 
 _SELECTORS = (Family.SIGNED, Family.UNSIGNED, Family.BITS)
@@ -245,7 +245,8 @@ def _bound(ctx: Context, node: ast.Expression, kind: Elementary | None, where: s
 def _step(ctx: Context, node: ast.For, kind: Elementary | None) -> Expression | None:
     """The step in the variable's type; a negative constant of an unsigned one in its signed."""
     if node.step is None:
-        return None if kind is None else Constant(node.span, 1, kind)
+        return None if kind is None else Constant(node.span, 1, counting_type(kind))
+    kind = None if kind is None else counting_type(kind)
     step = check_expression(ctx, node.step, kind)
     if kind is None or step.type == ERRONEOUS:
         return None

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from fbgen.lang.checked import Variable
-from fbgen.lang.types import Scalar, Type
+from fbgen.lang.types import Enumeration, Scalar, Type
 from fbgen.source import Span
 
 
@@ -40,10 +40,12 @@ Entry: TypeAlias = Variable | NamedConstant | PendingSymbol
 class Scope:
     """The names declared in one block, or the global ones, by casefolded name."""
 
-    __slots__ = ("entries", "read_only")
+    __slots__ = ("entries", "enumerations", "read_only")
 
     def __init__(self) -> None:
         self.entries: dict[str, Entry] = {}
+        self.enumerations: list[Enumeration] = []
+        """Those that variables have without a name of their own."""
         self.read_only: set[Variable] = set()
         """Constants that are arrays or structures: variables that nobody may write."""
 

@@ -4,6 +4,7 @@ from fbgen.lang import ast
 from fbgen.lang.checked import (
     AddressRef,
     Constant,
+    Dereference,
     Expression,
     FieldRef,
     IndexRef,
@@ -48,6 +49,8 @@ def _may_be_written(ctx: Context, place: Place, where: str) -> bool:
         if isinstance(base, FieldRef) and isinstance(inner.type, BlockType):
             return _member_may_be_written(ctx, base, inner.type, where)
         base = inner
+    if isinstance(base, Dereference):
+        return True
     if isinstance(base, AddressRef):
         return _address_may_be_written(ctx, base, where)
     if isinstance(base, MemoryRef):

@@ -1,22 +1,29 @@
 """From a written type to the type it means."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
+from fbgen.lang.checked import Expression
 from fbgen.lang.checker.constants import whole_number
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.enumerations import enumeration, subrange, typed_enumerator
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.references import reference_type
 from fbgen.lang.types import (
     ALIASES,
+    DTL,
     ELEMENTARY,
     UINT,
     ArrayInitial,
     ArrayType,
     Elementary,
+    Enumeration,
     Field,
     Initial,
+    OpenArrayType,
     StringType,
     StructType,
     Type,
@@ -58,14 +65,20 @@ class TypeResolver:
     def __init__(self, library: "Library") -> None:
         self._library = library
         self._declared: dict[str, ast.TypeDeclaration] = {}
+        self._enumerators: dict[str, list[str]] = {}
         self._known: dict[str, Resolved] = {}
+        self._targets: list[Callable[[], Type]] = []
         self._busy: list[str] = []
         self._cells: dict[int, int] = {}
         self.structures: dict[str, StructType] = {}
 
     def declare(self, node: ast.TypeDeclaration) -> None:
         """Make a TYPE of the text known."""
-        self._declared[node.name.name.casefold()] = node
+        key = node.name.name.casefold()
+        self._declared[key] = node
+        if isinstance(node.type, ast.EnumSpec):
+            for one in node.type.enumerators:
+                self._enumerators.setdefault(one.name.casefold(), []).append(key)
 
     def names(self) -> list[str]:
         """The names of all types of the text."""
@@ -85,11 +98,73 @@ class TypeResolver:
             return self._array(ctx, node)
         if isinstance(node, ast.StructSpec):
             return Resolved(self.structure(ctx, node.fields, "STRUCT"))
+        if isinstance(node, ast.EnumSpec):
+            return self._enumeration(ctx, node, None)
+        if isinstance(node, ast.SubrangeSpec):
+            limited = subrange(self._library, ctx, node)
+            return Resolved(ERRONEOUS) if limited is None else Resolved(limited, limited.lowest)
+        if isinstance(node, ast.ReferenceSpec):
+            return Resolved(reference_type(self._library, ctx, node))
         return self._unsupported(node)
 
-    def _unsupported(
-        self, node: ast.UnionSpec | ast.EnumSpec | ast.SubrangeSpec | ast.ReferenceSpec
+    def settle_later(self, find: Callable[[], Type]) -> None:
+        """The target of a reference, to be looked up when all types are known."""
+        self._targets.append(find)
+
+    def settle(self) -> None:
+        """Look up the targets of all references, so that errors in unused ones are found."""
+        for find in self._targets:
+            find()
+
+    def parameter(self, ctx: Context, node: ast.TypeSpec) -> Resolved:
+        """What the type of a parameter means that is bound to an argument."""
+        if not isinstance(node, ast.ArraySpec) or any(one.first for one in node.bounds):
+            return self.resolve(ctx, node)
+        element = self.resolve(ctx, node.element).type
+        if element == ERRONEOUS:
+            return Resolved(ERRONEOUS)
+        return Resolved(OpenArrayType(len(node.bounds), element))
+
+    def _enumeration(
+        self, ctx: Context, node: ast.EnumSpec, declaration: ast.TypeDeclaration | None
     ) -> Resolved:
+        kind = enumeration(self._library, ctx, node, declaration)
+        if kind is None:
+            return Resolved(ERRONEOUS)
+        if declaration is None:
+            ctx.scope.enumerations.append(kind)
+        return Resolved(kind, kind.members[0][1] if kind.members else None)
+
+    def enumeration(self, name: str) -> Enumeration | None:
+        """The enumeration that a TYPE of the text declares; None if there is none."""
+        node = self._declared.get(name.casefold())
+        if node is None:
+            return None
+        kind = self._user_type(name.casefold(), node.name.span).type
+        return kind if isinstance(kind, Enumeration) else None
+
+    def enumerations_with(self, ctx: Context, enumerator: str) -> list[Enumeration]:
+        """The enumerations that have an enumerator of that name: the block's own, else all."""
+        key = enumerator.casefold()
+        own = [kind for kind in ctx.scope.enumerations if kind.value_of(key) is not None]
+        if own:
+            return own
+        found = [self.enumeration(name) for name in self._enumerators.get(key, ())]
+        everywhere = self._library.globals.enumerations
+        return [kind for kind in found if kind is not None] + [
+            kind for kind in everywhere if kind.value_of(key) is not None
+        ]
+
+    def enumerator(self, ctx: Context, node: ast.Literal) -> Expression:
+        """`Colour#red`."""
+        return typed_enumerator(ctx, node)
+
+    def declared_at(self, name: str) -> Span | None:
+        """The place of the TYPE with that name."""
+        node = self._declared.get(name.casefold())
+        return None if node is None else node.name.span
+
+    def _unsupported(self, node: ast.UnionSpec) -> Resolved:
         self._library.findings.error(
             "FB4054",
             "variables of this type are not supported",
@@ -106,6 +181,8 @@ class TypeResolver:
         key = name.casefold()
         if key in self._declared:
             return self._user_type(key, span)
+        if key == "dtl" and not quoted and self._library.rules.dialect == "tia":
+            return Resolved(DTL)
         block = self._library.block_type(name)
         if block is not None:
             return Resolved(block)
@@ -150,8 +227,11 @@ class TypeResolver:
             if isinstance(struct, StructType):
                 self.structures[key] = struct
             resolved = Resolved(struct)
+        elif isinstance(node.type, ast.EnumSpec):
+            resolved = self._enumeration(ctx, node.type, node)
         else:
             resolved = self.resolve(ctx, node.type)
+        self._known[key] = resolved  # an initial value may use the type's own enumerators
         if node.initial is not None and resolved.type != ERRONEOUS:
             initial = self._library.initial(ctx, node.initial, resolved.type, resolved.initial)
             resolved = Resolved(resolved.type, initial)
@@ -223,10 +303,10 @@ class TypeResolver:
         for dimension in node.bounds:
             if dimension.first is None or dimension.last is None:
                 self._library.findings.error(
-                    "FB4054",
-                    "arrays of variable length, ARRAY[*], are not supported",
+                    "FB4091",
+                    "ARRAY[*] takes its bounds from an argument, and there is none here",
                     dimension.span,
-                    "declare the bounds",
+                    "use it in VAR_IN_OUT, or VAR_INPUT of a FUNCTION, with * for all bounds",
                 )
                 return Resolved(ERRONEOUS)
             first = whole_number(ctx, dimension.first, "an array bound")

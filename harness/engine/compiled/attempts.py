@@ -6,11 +6,11 @@ from typing import Any
 
 from fbgen.lang.checked import Attempt, Binary, Convert, StandardCall, Unary
 from fbgen.lang.types import Elementary, Family, Scalar, Type
-from harness.engine.compiled.calls import cell
 from harness.engine.compiled.cells import Cell
 from harness.engine.compiled.code import Code
 from harness.engine.compiled.evaluation import Write, expression, value
 from harness.engine.compiled.library import stops
+from harness.engine.compiled.places import cell
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits
 

@@ -6,7 +6,14 @@ from dataclasses import dataclass
 from fbgen.lang.checked import Block, Statement, Variable, VariableKind
 from fbgen.lang.layout import holds_blocks
 from fbgen.lang.types import ArrayType, StructInitial, StructType
-from harness.engine.compiled import attempts, calls, operators, places, standard_functions
+from harness.engine.compiled import (
+    attempts,
+    calls,
+    operators,
+    places,
+    references,
+    standard_functions,
+)
 from harness.engine.compiled.code import Listing
 from harness.engine.compiled.evaluation import enter
 from harness.engine.compiled.facts import Facts
@@ -23,7 +30,7 @@ from harness.engine.compiled.procedure import (
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.statements import write_long
 
-for module in (places, operators, standard_functions, calls, attempts):
+for module in (places, references, operators, standard_functions, calls, attempts):
     enter(module.EXPRESSIONS)
 
 

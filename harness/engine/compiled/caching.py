@@ -31,7 +31,7 @@ from fbgen.lang.checked import (
     VariableRef,
     While,
 )
-from fbgen.lang.types import BOOL, VOID, ArrayType, StructType
+from fbgen.lang.types import BOOL, VOID, ArrayType, StructType, Subrange
 from fbgen.source import Source, Span
 from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.model import is_scalar, may_be_unconnected
@@ -176,15 +176,16 @@ def _is_quiet(node: Node, interval: tuple[int, int], counter: Variable) -> bool:
         case Binary():
             return node.operator not in ("/", "MOD", "**") and node.left.type == node.right.type
         case Convert():
+            if isinstance(node.type, Subrange):
+                return False
             return all(is_counted(kind) or kind == BOOL for kind in (node.type, node.operand.type))
         case StandardCall():
             return node.name in _QUIET_FUNCTIONS
         case IndexRef():
             kind = node.base.type
-            assert isinstance(kind, ArrayType)
-            return len(node.indices) == 1 and _is_inside(
-                node.indices[0], kind.bounds[0], interval, counter
-            )
+            if not isinstance(kind, ArrayType) or len(node.indices) != 1:
+                return False
+            return _is_inside(node.indices[0], kind.bounds[0], interval, counter)
         case _:
             return False
 

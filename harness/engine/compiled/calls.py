@@ -7,10 +7,7 @@ from fbgen.lang.checked import (
     Block,
     Evaluate,
     Expression,
-    FieldRef,
     FunctionCall,
-    IndexRef,
-    MemoryRef,
     Place,
     SliceRef,
     SystemCall,
@@ -18,13 +15,12 @@ from fbgen.lang.checked import (
     VariableKind,
     VariableRef,
 )
-from fbgen.lang.types import ArrayType, Type
-from harness.engine.compiled.addresses import as_memory_ref
+from fbgen.lang.types import ArrayType, OpenArrayType, Type
 from harness.engine.compiled.code import Code, deepest
 from harness.engine.compiled.evaluation import Write, value
 from harness.engine.compiled.instructions import areas
 from harness.engine.compiled.model import is_scalar
-from harness.engine.compiled.places import assign, element_position, memory_cell, pinned, place
+from harness.engine.compiled.places import assign, cell, pinned
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits
 from harness.engine.compiled.signatures import Signature, comes_back, signature
@@ -46,9 +42,29 @@ def copied(text: str, kind: Type) -> str:
 
 def _input(procedure: Procedure, variable: Variable, node: Expression, callee: Block) -> Code:
     code = value(procedure, node)
-    if is_scalar(variable.type) or procedure.context.facts.only_reads(callee, variable):
+    only_read = procedure.context.facts.only_reads(callee, variable)
+    if isinstance(variable.type, OpenArrayType):
+        return _open_array(procedure, node, code, only_read)
+    if is_scalar(variable.type) or only_read:
         return code
     return code._replace(text=copied(code.text, variable.type), depth=code.depth + 1)
+
+
+def _open_array(procedure: Procedure, node: Expression, code: Code, by_reference: bool) -> Code:
+    """An argument for ARRAY[*]: the elements, or a copy of them, together with their bounds."""
+    kind = node.type
+    if isinstance(kind, OpenArrayType):
+        if by_reference:
+            return code
+        bounds = f"{code.text}.bounds"
+        content = f"{code.text}.elements"
+    else:
+        assert isinstance(kind, ArrayType)
+        bounds = procedure.context.table("bounds", kind.bounds)
+        content = code.text
+    if not by_reference:
+        content = copied(content, ArrayType(((0, 0),), kind.element))
+    return code._replace(text=f"_OpenArray({content}, {bounds})", depth=code.depth + 2)
 
 
 def _is_outside_python(node: Place) -> bool:
@@ -58,35 +74,6 @@ def _is_outside_python(node: Place) -> bool:
     if isinstance(node, AddressRef):
         return node.address.area != "DB"
     return isinstance(node, SliceRef)
-
-
-def cell(procedure: Procedure, node: Place) -> Code:
-    """A reference to the place of a single value."""
-    if isinstance(node, VariableRef):
-        if procedure.has_cell(node.variable):
-            return Code(procedure.storage(node.variable))
-        owner, name = procedure.owner(node.variable)
-        return Code(f"_AttributeCell({owner}, {name!r})", depth=2)
-    if isinstance(node, FieldRef):
-        base, _, name = place(procedure, node).text.rpartition(".")
-        if name == "value":
-            return Code(base)
-        return Code(f"_AttributeCell({base}, {name!r})", depth=3)
-    if isinstance(node, AddressRef):
-        node = as_memory_ref(node, node.address)
-    if isinstance(node, MemoryRef):
-        return memory_cell(procedure, node)
-    assert isinstance(node, IndexRef)
-    base_code = place(procedure, node.base)
-    kind = node.base.type
-    assert isinstance(kind, ArrayType)
-    position, shown = element_position(procedure, node)
-    if shown:
-        first, last = kind.bounds[0]
-        text = f"_checked_index({shown}, {first}, {last})"
-        procedure.site(text, node)
-        position = Code(f"{text} - {first}" if first else text, depth=position.depth + 1)
-    return Code(f"_ElementCell({base_code.text}, {position.text})", depth=position.depth + 2)
 
 
 class InOut:
@@ -108,7 +95,10 @@ def in_out_arguments(
     result = []
     facts = procedure.context.facts
     for variable, node in pairs:
-        if not is_scalar(variable.type):
+        if isinstance(variable.type, OpenArrayType):
+            code = _open_array(procedure, node, value(procedure, node), by_reference=True)
+            result.append(InOut(variable, node, code.text, ""))
+        elif not is_scalar(variable.type):
             result.append(InOut(variable, node, value(procedure, node).text, ""))
         elif variable in facts.cells:
             if _is_outside_python(node):

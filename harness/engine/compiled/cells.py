@@ -3,6 +3,7 @@
 from typing import Protocol
 
 from fbgen.lang.types import Scalar
+from harness.engine.compiled.library.stops import NullReference
 
 
 class Cell(Protocol):
@@ -29,6 +30,16 @@ class AttributeCell:
         self._owner = owner
         self._name = name
 
+    def __eq__(self, other: object) -> bool:
+        """True for cells of the same attribute."""
+        return (
+            isinstance(other, AttributeCell)
+            and self._owner is other._owner
+            and self._name == other._name
+        )
+
+    __hash__ = None  # type: ignore[assignment]  # the way Python marks what cannot be hashed
+
     @property
     def value(self) -> Scalar:
         """The attribute."""
@@ -49,6 +60,16 @@ class ElementCell:
         self._elements = elements
         self._position = position
 
+    def __eq__(self, other: object) -> bool:
+        """True for cells of the same element."""
+        return (
+            isinstance(other, ElementCell)
+            and self._elements is other._elements
+            and self._position == other._position
+        )
+
+    __hash__ = None  # type: ignore[assignment]  # the way Python marks what cannot be hashed
+
     @property
     def value(self) -> Scalar:
         """The element."""
@@ -57,3 +78,17 @@ class ElementCell:
     @value.setter
     def value(self, content: Scalar) -> None:
         self._elements[self._position] = content
+
+
+def same(left: object, right: object) -> bool:
+    """True for two references to the same variable, or to nothing."""
+    if left is right:
+        return True
+    return isinstance(left, AttributeCell | ElementCell) and left == right
+
+
+def target(reference: object) -> object:
+    """The structure, array or instance that a reference refers to."""
+    if reference is None:
+        raise NullReference
+    return reference

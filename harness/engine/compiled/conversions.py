@@ -18,6 +18,8 @@ from fbgen.lang.types import (
     Elementary,
     Family,
     StringType,
+    StructType,
+    Subrange,
     Type,
 )
 from harness.engine.compiled.code import Code, Level
@@ -53,6 +55,21 @@ def _call(function: str, code: Code, kind: Type, *more: object) -> Code:
 def convert(procedure: Procedure, node: Convert, operand: Code) -> Code:
     """The operand in the type of the conversion; a whole number may still have to be wrapped."""
     source, target = node.operand.type, node.type
+    if isinstance(source, StructType):
+        result = _call("_stamp_of_dtl", operand, target)._replace(safe=False)
+        procedure.site(result.text, node)
+        return result
+    if isinstance(target, StructType):
+        make = procedure.context.model.record_of(target).class_name
+        operand = _in_range(procedure, operand, source)
+        return operand._replace(
+            text=f"_dtl({make}, {operand.text})",
+            level=Level.ATOM,
+            depth=operand.depth + 1,
+            simple=False,
+        )
+    if isinstance(target, Subrange):
+        return _limited(procedure, node, operand, target)
     if isinstance(source, StringType) or isinstance(target, StringType):
         return _text(operand, source, target)
     assert isinstance(source, Elementary)
@@ -86,6 +103,29 @@ def convert(procedure: Procedure, node: Convert, operand: Code) -> Code:
             simple=False,
         )
     return _counted(procedure, operand, source, target)
+
+
+def _limited(procedure: Procedure, node: Convert, operand: Code, target: Subrange) -> Code:
+    """A whole number in the limits of a subrange; the type is checked where it can be left."""
+    code = operand
+    if node.operand.type != target:
+        in_base = Convert(node.span, node.operand, target.base, node.implicit, node.rounding)
+        code = convert(procedure, in_base, operand)
+    code = _in_range(procedure, code, target.base)
+    low, high = target.lowest, target.highest
+    if low <= code.low and code.high <= high:
+        return code
+    text = f"_limited({code.text}, {low}, {high})"
+    procedure.site(text, node)
+    return code._replace(
+        text=text,
+        level=Level.ATOM,
+        low=low,
+        high=high,
+        depth=code.depth + 1,
+        safe=False,
+        simple=False,
+    )
 
 
 def _in_range(procedure: Procedure, code: Code, kind: Type) -> Code:

@@ -8,7 +8,7 @@ from typing import Any, NoReturn
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, Program, Variable, VariableKind
-from fbgen.lang.types import BlockType, StructType
+from fbgen.lang.types import BlockType, OpenArrayType, StructType
 from harness.engine.compiled.areas import read_located, write_located
 from harness.engine.compiled.attempts import attempts
 from harness.engine.compiled.blocks import write_block, write_structures
@@ -22,6 +22,7 @@ from harness.engine.compiled.library.timers import Clock, timer_classes
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.model import GLOBALS, Model, Record, is_scalar, run_method
 from harness.engine.compiled.namespace import LIBRARY, Cpu, counting, hardware
+from harness.engine.compiled.open_arrays import OpenArray
 from harness.engine.compiled.outside_calls import write_keyword_call
 from harness.engine.compiled.passes import may_exceed
 from harness.engine.compiled.placement import Bytes
@@ -32,7 +33,7 @@ from harness.engine.environment import Environment, StandaloneEnvironment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block, wrong_path
 from harness.engine.interface import Convert, FunctionResult, Limits, State, Value
 from harness.engine.paths import parse_path
-from harness.engine.values import accept_scalar
+from harness.engine.values import accept, accept_scalar, array_of
 
 _GENERATOR_DEPTH = 60_000
 """Python calls that the generator may nest; they need no C stack."""
@@ -286,6 +287,8 @@ class CompiledEngine:
 
     def _own_place(self, variable: Variable, name: str, value: Value | None) -> Any:
         """What stands for an in-out in a call from outside: a value, a cell, or a new object."""
+        if isinstance(variable.type, OpenArrayType) and value is not None:
+            return self._open_array(name, variable.type, value)
         fresh = self._fresh(variable)
         if is_scalar(variable.type):
             if value is not None:
@@ -294,6 +297,16 @@ class CompiledEngine:
         if value is not None:
             self._memory.fill(name, variable.type, fresh, value)
         return fresh
+
+    def _open_array(self, name: str, kind: OpenArrayType, value: Value) -> OpenArray:
+        """An array of the size of the value."""
+        array = array_of(name, kind, value)
+        scope: dict[str, Any] = {}
+        fresh = Initializer(self._model).fresh(array)
+        exec(f"fresh = {fresh}", self._namespace, scope)
+        accepted = accept(self._program, name, kind, value)
+        self._memory.fill(name, array, scope["fresh"], accepted)
+        return OpenArray(scope["fresh"], array.bounds)
 
     def _fresh(self, variable: Variable) -> Any:
         lines = Initializer(self._model).statements("fresh", variable.type, variable.initial)

@@ -21,6 +21,7 @@ from fbgen.lang.checked import (
     MemoryRef,
     Place,
     Program,
+    ReferenceTo,
     Repeat,
     SliceRef,
     Statement,
@@ -30,7 +31,7 @@ from fbgen.lang.checked import (
     VariableRef,
     While,
 )
-from fbgen.lang.types import ArrayType, BlockType, StructType, Type
+from fbgen.lang.types import ArrayType, BlockType, OpenArrayType, StructType, Type
 from harness.engine.compiled.instructions import areas
 from harness.engine.compiled.model import has_memory, is_scalar
 from harness.engine.compiled.walk import Node, every_node, root_of, written_places
@@ -60,13 +61,23 @@ class _Site:
 class Facts:
     """The facts of one program."""
 
-    __slots__ = ("_found", "_in_bytes", "_program", "_too_deep", "cells", "counts_loops")
+    __slots__ = (
+        "_found",
+        "_in_bytes",
+        "_program",
+        "_too_deep",
+        "cells",
+        "counts_loops",
+        "referenced",
+    )
 
     def __init__(self, program: Program, call_depth: int) -> None:
         self._program = program
         self._found = {block: _Found() for block in program.bodies}
         self._in_bytes = program.byte_memory
         self.cells: set[Variable] = set()
+        self.referenced: set[Variable] = set()
+        """Variables that a reference may refer to, wholly or in part."""
         self.counts_loops = True
         sites: list[_Site] = []
         for block, body in program.bodies.items():
@@ -94,6 +105,8 @@ class Facts:
     def only_reads(self, block: Block, parameter: Variable) -> bool:
         """True if an input can be handed over uncopied: nobody changes it during the call."""
         found = self._found[block]
+        if self.referenced:
+            return False
         return (
             parameter not in found.written
             and not found.globals
@@ -103,6 +116,8 @@ class Facts:
     def keeps(self, variable: Variable, body: Iterable[Statement]) -> bool:
         """True if nothing in `body` can change the variable, a single value of the own block."""
         if variable in self.cells or variable in self._in_bytes or variable.address is not None:
+            return False
+        if variable in self.referenced:
             return False
         foreign = False
         for node in every_node(body):
@@ -119,7 +134,9 @@ class Facts:
         """Those single values of the own block that only `body` itself writes while it runs."""
         if any(self._refers(variable) for variable in block.variables):
             return set()
-        private = variables - self.cells - self._in_bytes
+        if any(_has_blocks(variable.type) for variable in self.referenced):
+            return set()
+        private = variables - self.cells - self.referenced - self._in_bytes
         for node in every_node(body):
             callee = _callee(node)
             if callee is not None and any(_has_blocks(v.type) for v in self._found[callee].globals):
@@ -172,6 +189,13 @@ class Facts:
                     if isinstance(node.block, Block):
                         found.callees.add(node.block)
                         sites += _sites(block, node.block, node.in_outs, [root_of(node.instance)])
+                case ReferenceTo() if node.place is not None:
+                    root = root_of(node.place)
+                    if root is not None:
+                        self.referenced.add(root)
+                        found.written.add(root)
+                        if root.kind is VariableKind.IN_OUT and is_scalar(root.type):
+                            self.cells.add(root)
                 case SystemCall():
                     self._box(areas(node).values())
                 case Attempt():
@@ -230,6 +254,8 @@ class Facts:
 
     def _may_alias(self, site: _Site) -> bool:
         root = root_of(site.place)
+        if root in self.referenced or (self.referenced and root is None):
+            return True
         if root is None:
             return _is_in_bytes(site.place)
         assert site.callee is not None
@@ -256,7 +282,7 @@ def _is_in_bytes(place: Place) -> bool:
 
 def _has_blocks(kind: Type) -> bool:
     """True for types with an instance of a block inside."""
-    if isinstance(kind, ArrayType):
+    if isinstance(kind, ArrayType | OpenArrayType):
         return _has_blocks(kind.element)
     if isinstance(kind, StructType):
         return any(_has_blocks(part.type) for part in kind.fields)

@@ -9,6 +9,8 @@ from fbgen.lang.types import (
     Elementary,
     Family,
     Initial,
+    OpenArrayType,
+    ReferenceType,
     Scalar,
     StringType,
     StructInitial,
@@ -71,6 +73,10 @@ class Initializer:
             if is_scalar(kind.element):
                 return f"[{self.fresh(kind.element)}] * {kind.count}"
             return f"[{self.fresh(kind.element)} for _ in range({kind.count})]"
+        if isinstance(kind, ReferenceType):
+            return "None"
+        if isinstance(kind, OpenArrayType):
+            return f"_OpenArray([], ((0, -1),) * {kind.dimensions})"
         if isinstance(kind, StructType | BlockType):
             return f"{self._model.record_of(kind).class_name}()"
         return scalar_text(default_scalar(kind, self._dialect), kind)

@@ -9,7 +9,15 @@ from typing import Any
 
 from fbgen.lang.checked import VariableKind
 from fbgen.lang.layout import holds_blocks
-from fbgen.lang.types import ArrayType, BlockType, Scalar, StructType, Type
+from fbgen.lang.types import (
+    ArrayType,
+    BlockType,
+    OpenArrayType,
+    ReferenceType,
+    Scalar,
+    StructType,
+    Type,
+)
 from harness.engine.compiled.cells import Cell
 from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.library.placed import ByteStructure
@@ -22,7 +30,7 @@ from harness.engine.faults import (
     wrong_value,
 )
 from harness.engine.interface import Value
-from harness.engine.paths import Step
+from harness.engine.paths import FOLLOW, Step
 from harness.engine.values import accept_scalar
 
 
@@ -31,9 +39,7 @@ class Location:
 
     __slots__ = ("_read", "_write", "kind")
 
-    def __init__(
-        self, kind: Type, read: Callable[[], Any], write: Callable[[Scalar], None]
-    ) -> None:
+    def __init__(self, kind: Type, read: Callable[[], Any], write: Callable[[Any], None]) -> None:
         self.kind = kind
         self._read = read
         self._write = write
@@ -42,7 +48,7 @@ class Location:
         """The Python object that holds the data."""
         return self._read()
 
-    def write(self, value: Scalar) -> None:
+    def write(self, value: Scalar | None) -> None:
         """Set a single value."""
         self._write(value)
 
@@ -63,9 +69,13 @@ class Memory:
     def export(self, kind: Type, data: Any) -> Value:
         """A copy of the data in the shape that `interface.Value` describes."""
         if isinstance(kind, ArrayType):
-            if is_scalar(kind.element):
+            if is_scalar(kind.element) and not isinstance(kind.element, ReferenceType):
                 return list(data)
             return [self.export(kind.element, element) for element in data]
+        if isinstance(kind, ReferenceType):
+            return data is not None
+        if isinstance(kind, OpenArrayType):
+            return self.export(ArrayType(data.bounds, kind.element), data.elements)
         if isinstance(kind, StructType | BlockType):
             record = self._model.record_of(kind)
             return {
@@ -80,12 +90,15 @@ class Memory:
         """Set a variable from a value; parts of a structure that are not named stay."""
         kind = location.kind
         if is_scalar(kind):
-            location.write(accept_scalar(path, kind, value))
+            accepted = accept_scalar(path, kind, value)
+            location.write(None if isinstance(kind, ReferenceType) else accepted)
         else:
             self.fill(path, kind, location.read(), value)
 
     def fill(self, path: str, kind: Type, data: Any, value: Value) -> None:
         """Set a structure or an array in place."""
+        if isinstance(kind, OpenArrayType):
+            kind, data = ArrayType(data.bounds, kind.element), data.elements
         if isinstance(kind, ArrayType):
             if not isinstance(value, Sequence) or isinstance(value, str | bytes):
                 raise wrong_value(path, value, kind, "it is a sequence of the elements")
@@ -138,7 +151,9 @@ class Memory:
     def find(self, path: str, location: Location, steps: Sequence[Step]) -> Location:
         """The part of a variable that the rest of a path leads to."""
         for step in steps:
-            if isinstance(step, tuple):
+            if step == FOLLOW:
+                location = _followed(path, location)
+            elif isinstance(step, tuple):
                 location = self._element(path, location, step)
             elif isinstance(location.kind, StructType | BlockType):
                 record = self._model.record_of(location.kind)
@@ -162,6 +177,9 @@ class Memory:
 
     def _element(self, path: str, location: Location, indices: tuple[int, ...]) -> Location:
         kind = location.kind
+        elements = location.read()
+        if isinstance(kind, OpenArrayType):
+            kind, elements = ArrayType(elements.bounds, kind.element), elements.elements
         if not isinstance(kind, ArrayType):
             raise wrong_path(path, f"{kind} has no elements")
         if len(indices) != len(kind.bounds):
@@ -173,7 +191,6 @@ class Memory:
             if not first <= index <= last:
                 raise index_out_of_range(None, index, first, last, dimension)
             position = position * (last - first + 1) + index - first
-        elements = location.read()
         return Location(
             kind.element,
             lambda: elements[position],
@@ -271,3 +288,15 @@ def _kept(record: Record) -> list[Part]:
 def _bytes_of(record: Record, owner: Any) -> bytes:
     start = owner._at >> 3
     return bytes(owner._memory[start : start + record.size])
+
+
+def _followed(path: str, location: Location) -> Location:
+    """What a reference refers to."""
+    kind, reference = location.kind, location.read()
+    if not isinstance(kind, ReferenceType) or reference is None:
+        raise wrong_path(path, "there is no reference in front of ^, or it refers to nothing")
+    if not is_scalar(kind.target):
+        return Location(kind.target, lambda: reference, lambda _: None)
+    return Location(
+        kind.target, lambda: reference.value, lambda value: setattr(reference, "value", value)
+    )

@@ -15,6 +15,7 @@ from fbgen.lang.types import (
     BlockType,
     Elementary,
     Initial,
+    ReferenceType,
     StringType,
     StructType,
     Type,
@@ -32,8 +33,11 @@ MEMORY_KINDS = (BlockKind.FUNCTION_BLOCK, BlockKind.PROGRAM)
 
 
 def is_scalar(kind: Type) -> bool:
-    """True for values that are one Python object, which nothing can change in place."""
-    return isinstance(kind, Elementary | StringType)
+    """True for values that are one Python object, which nothing can change in place.
+
+    A reference is one, too: None, the object that it refers to, or a cell for a single value.
+    """
+    return isinstance(kind, Elementary | StringType | ReferenceType)
 
 
 def has_memory(block: Block) -> bool:

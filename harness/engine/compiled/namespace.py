@@ -9,12 +9,13 @@ from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Place, SystemCall
 from fbgen.lang.types import Scalar
 from harness.engine.compiled.areas import VariableArea
-from harness.engine.compiled.cells import AttributeCell, Cell, ElementCell, ValueCell
+from harness.engine.compiled.cells import AttributeCell, Cell, ElementCell, ValueCell, same, target
 from harness.engine.compiled.instructions import areas
-from harness.engine.compiled.library import dates, decimals, reals, stops, texts, wholes
+from harness.engine.compiled.library import calendar, dates, decimals, reals, stops, texts, wholes
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.memory_access import access
 from harness.engine.compiled.model import is_scalar
+from harness.engine.compiled.open_arrays import OpenArray
 from harness.engine.compiled.placement import FUNCTIONS, Bytes
 from harness.engine.environment import Environment
 from harness.engine.interface import Limits
@@ -65,6 +66,9 @@ LIBRARY: dict[str, Any] = {
     "_AttributeCell": AttributeCell,
     "_ElementCell": ElementCell,
     "_ValueCell": ValueCell,
+    "_OpenArray": OpenArray,
+    "_same": same,
+    "_target": target,
     "_rounded": reals.rounded,
     "_real_of_whole": reals.real_of_whole,
     "_real_quotient": reals.quotient,
@@ -93,8 +97,11 @@ LIBRARY: dict[str, Any] = {
     "_chosen": _chosen,
     "_bad_index": wholes.bad_index,
     "_checked_index": wholes.checked_index,
+    "_limited": wholes.limited,
     "_runaway": wholes.runaway,
     "_no_step": wholes.no_step,
+    "_stamp_of_dtl": calendar.stamp_of,
+    "_dtl": calendar.in_parts,
     "_cut_to_ms": dates.cut_to_ms,
     "_bcd16_to_int": decimals.bcd_to_int,
     "_int_to_bcd16": decimals.int_to_bcd,

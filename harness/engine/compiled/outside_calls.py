@@ -7,7 +7,7 @@ mapping. It is written when somebody calls an instance of the block for the firs
 from collections.abc import Sequence
 
 from fbgen.lang.checked import Block, VariableKind
-from fbgen.lang.types import BOOL, Type
+from fbgen.lang.types import BOOL, Subrange, Type
 from harness.engine.compiled.code import Listing
 from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.model import Part, Record, is_scalar
@@ -34,7 +34,7 @@ def _is_plain(part: Part, value: str) -> str:
     """The condition under which a value is one of the type as it is; "" if that is not so easy."""
     if part.type == BOOL:
         return f"{value} is True or {value} is False"
-    if is_counted(part.type):
+    if is_counted(part.type) and not isinstance(part.type, Subrange):
         low, high = limits(part.type)
         return f"_type({value}) is int and {low} <= {value} <= {high}"
     return ""

@@ -6,7 +6,9 @@ is too large, but not one that is negative, so mostly only that side is tested.
 
 from fbgen.lang.checked import (
     AddressRef,
+    BoundOf,
     Constant,
+    Dereference,
     Expression,
     FieldRef,
     IndexRef,
@@ -17,8 +19,17 @@ from fbgen.lang.checked import (
     VariableKind,
     VariableRef,
 )
-from fbgen.lang.types import BOOL, ArrayType, BlockType, Elementary, StringType, StructType, Type
-from harness.engine.compiled.addresses import read_address, write_address
+from fbgen.lang.types import (
+    BOOL,
+    ArrayType,
+    BlockType,
+    Elementary,
+    OpenArrayType,
+    StringType,
+    StructType,
+    Type,
+)
+from harness.engine.compiled.addresses import as_memory_ref, read_address, write_address
 from harness.engine.compiled.code import Code, Level
 from harness.engine.compiled.conversions import cut
 from harness.engine.compiled.evaluation import Write, named, stored, value
@@ -62,6 +73,8 @@ def _field(procedure: Procedure, node: FieldRef) -> Code:
 def element_position(procedure: Procedure, node: IndexRef) -> tuple[Code, str]:
     """The position of an element in the flat list, and the text of an index to show on failure."""
     kind = node.base.type
+    if isinstance(kind, OpenArrayType):
+        return _open_position(procedure, node), ""
     assert isinstance(kind, ArrayType)
     if len(kind.bounds) == 1:
         return _single_position(procedure, node, kind.bounds[0])
@@ -97,6 +110,36 @@ def element_position(procedure: Procedure, node: IndexRef) -> tuple[Code, str]:
     )
 
 
+def elements(procedure: Procedure, node: Place) -> Code:
+    """The flat list with the elements of an array."""
+    base = place(procedure, node)
+    if isinstance(node.type, OpenArrayType):
+        return base._replace(text=f"{base.text}.elements", simple=False)
+    return base
+
+
+def _open_position(procedure: Procedure, node: IndexRef) -> Code:
+    """ARRAY[*] knows its bounds itself."""
+    base = place(procedure, node.base)
+    codes = [value(procedure, index) for index in node.indices]
+    method = "at" if len(codes) == 1 else "at_all"
+    text = f"{base.text}.{method}({', '.join(code.text for code in codes)})"
+    procedure.site(text, node)
+    return Code(
+        text,
+        depth=max(base.depth, *(code.depth for code in codes)) + 1,
+        safe=False,
+        pure=all(code.pure for code in codes),
+    )
+
+
+def _bound(procedure: Procedure, node: BoundOf) -> Code:
+    base = place(procedure, node.base)
+    low, high = limits(node.type)
+    text = f"{base.text}.bounds[{node.dimension}][{int(node.upper)}]"
+    return base._replace(text=text, low=low, high=high, simple=False)
+
+
 def _single_position(
     procedure: Procedure, node: IndexRef, bounds: tuple[int, int]
 ) -> tuple[Code, str]:
@@ -125,7 +168,7 @@ def _single_position(
 
 
 def _element(procedure: Procedure, node: IndexRef) -> Code:
-    base = place(procedure, node.base)
+    base = elements(procedure, node.base)
     position, shown = element_position(procedure, node)
     text = f"{base.text}[{position.text}]"
     if shown:
@@ -300,6 +343,9 @@ def pinned(procedure: Procedure, node: Place) -> Place:
         db = None if node.db is None else _pinned_number(procedure, node.db)
         bit = None if node.bit is None else _pinned_number(procedure, node.bit)
         return MemoryRef(node.span, area, db, byte, bit, node.type)
+    if isinstance(node, Dereference):
+        base = pinned(procedure, node.base)
+        return node if base is node.base else Dereference(node.span, base, node.type)
     return node
 
 
@@ -319,9 +365,14 @@ def _pinned_index(procedure: Procedure, node: IndexRef, number: int) -> Expressi
     index = node.indices[number]
     if isinstance(index, Constant):
         return index
-    assert isinstance(node.base.type, ArrayType)
-    first, last = node.base.type.bounds[number]
     code = value(procedure, index)
+    kind = node.base.type
+    if isinstance(kind, OpenArrayType):
+        # The access itself looks at its bounds, each time.
+        first, last = limits(index.type)
+    else:
+        assert isinstance(kind, ArrayType)
+        first, last = kind.bounds[number]
     name = procedure.temporary()
     if first <= code.low and code.high <= last:
         procedure.line(f"{name} = {code.text}")
@@ -335,11 +386,46 @@ def _pinned_index(procedure: Procedure, node: IndexRef, number: int) -> Expressi
     return VariableRef(index.span, pin, index.type)
 
 
+def cell(procedure: Procedure, node: Place) -> Code:
+    """A reference to the place of a single value."""
+    if isinstance(node, VariableRef):
+        if procedure.has_cell(node.variable):
+            return Code(procedure.storage(node.variable))
+        owner, name = procedure.owner(node.variable)
+        return Code(f"_AttributeCell({owner}, {name!r})", depth=2)
+    if isinstance(node, FieldRef):
+        base, _, name = place(procedure, node).text.rpartition(".")
+        if name == "value":
+            return Code(base)
+        return Code(f"_AttributeCell({base}, {name!r})", depth=3)
+    if isinstance(node, AddressRef):
+        node = as_memory_ref(node, node.address)
+    if isinstance(node, MemoryRef):
+        return memory_cell(procedure, node)
+    if isinstance(node, Dereference):
+        reference = place(procedure, node.base)
+        text = f"_target({reference.text})"
+        procedure.site(text, node)
+        return Code(text, depth=reference.depth + 1, safe=False)
+    assert isinstance(node, IndexRef)
+    base_code = elements(procedure, node.base)
+    kind = node.base.type
+    position, shown = element_position(procedure, node)
+    if shown:
+        assert isinstance(kind, ArrayType)
+        first, last = kind.bounds[0]
+        text = f"_checked_index({shown}, {first}, {last})"
+        procedure.site(text, node)
+        position = Code(f"{text} - {first}" if first else text, depth=position.depth + 1)
+    return Code(f"_ElementCell({base_code.text}, {position.text})", depth=position.depth + 2)
+
+
 EXPRESSIONS: dict[type, Write] = {
     VariableRef: _variable,
     FieldRef: _field,
     IndexRef: _element,
     SliceRef: _slice,
+    BoundOf: _bound,
     AddressRef: _address,
     MemoryRef: _memory,
 }

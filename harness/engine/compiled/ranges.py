@@ -8,7 +8,7 @@ IEC 61131-3 leaves overflow open; S7-1200/1500 and the compilers listed in the p
 
 from collections.abc import Callable
 
-from fbgen.lang.types import ELEMENTARY, Elementary, Family, Type
+from fbgen.lang.types import Elementary, Family, Type
 from harness.engine.compiled.code import Code, Level
 
 WIDEST = 1 << 60
@@ -18,27 +18,21 @@ COUNTED = (Family.BITS, Family.SIGNED, Family.UNSIGNED, Family.DURATION, Family.
 """The families whose values are whole numbers."""
 
 
-_LIMITS = {
-    kind.name: (kind.minimum, kind.maximum)
-    for kind in ELEMENTARY.values()
-    if kind.family in COUNTED
-}
-
-
 def is_counted(kind: Type) -> bool:
     """True for types with whole numbers as values."""
-    return isinstance(kind, Elementary) and kind.name in _LIMITS
+    return isinstance(kind, Elementary) and kind.family in COUNTED
 
 
 def limits(kind: Type) -> tuple[int, int]:
     """The interval of a type; (0, 0) for what is no whole number."""
-    return _LIMITS.get(kind.name, (0, 0)) if isinstance(kind, Elementary) else (0, 0)
+    if isinstance(kind, Elementary) and kind.family in COUNTED:
+        return kind.minimum, kind.maximum
+    return 0, 0
 
 
 def fits(code: Code, kind: Elementary) -> bool:
     """True if the value cannot lie outside of the type."""
-    low, high = _LIMITS[kind.name]
-    return low <= code.low and code.high <= high
+    return kind.minimum <= code.low and code.high <= kind.maximum
 
 
 def wrapped(code: Code, kind: Elementary, temporary: Callable[[], str]) -> Code:

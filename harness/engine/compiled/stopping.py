@@ -11,8 +11,8 @@ from types import CodeType, FrameType, TracebackType
 from typing import TypeAlias
 
 from fbgen.diagnostics import DiagnosticError
-from fbgen.lang.checked import AddressRef, Expression, IndexRef, Place, VariableRef
-from fbgen.lang.types import BOOL, ArrayType, Type
+from fbgen.lang.checked import AddressRef, Dereference, Expression, IndexRef, Place, VariableRef
+from fbgen.lang.types import BOOL, ArrayType, Subrange, Type
 from fbgen.source import Span
 from harness.engine import faults
 from harness.engine.compiled.addresses import spelled
@@ -58,6 +58,8 @@ class Stopper:
             return faults.endless_loop(self._line_span(frame, line), self._limits.loop_passes)
         if isinstance(exception, stops.StepZero):
             return faults.step_is_zero(self._line_span(frame, line))
+        if isinstance(exception, AttributeError) and site and isinstance(site.node, Dereference):
+            return faults.null_reference(span)
         if isinstance(exception, AttributeError) and isinstance(site, Site):
             return faults.reference_not_set(span, exception.name or "")
         if isinstance(exception, ZeroDivisionError | stops.ZeroDivisor):
@@ -113,13 +115,20 @@ def _of_site(exception: Exception, site: Site, frame: FrameType) -> DiagnosticEr
     node = site.node
     match exception:
         case stops.IndexOutside():
-            return _index(node, exception.index, exception.dimension)
+            return _index(node, exception.index, exception.dimension, exception.bounds)
         case IndexError():
             # Python says that the index is too large, not which one it was.
             index = eval(site.position, frame.f_globals, dict(frame.f_locals))
             return _index(node, index, 1)
         case stops.NoFit():
             return faults.value_out_of_range(node.span, exception.value, node.type)
+        case stops.OutsideLimits():
+            assert isinstance(node.type, Subrange)
+            return faults.outside_subrange(node.span, exception.value, node.type)
+        case stops.NullReference():
+            return faults.null_reference(node.span)
+        case stops.NoDate():
+            return faults.no_date(node.span)
         case stops.NoNumber():
             return faults.not_a_number(node.span, exception.text, node.type)
         case stops.NoDecimal():
@@ -142,9 +151,13 @@ def _spelled(node: Expression) -> str:
     return spelled(node.address)
 
 
-def _index(node: Expression, index: int, dimension: int) -> DiagnosticError:
+def _index(
+    node: Expression, index: int, dimension: int, bounds: tuple[int, int] | None = None
+) -> DiagnosticError:
     assert isinstance(node, IndexRef)
-    kind = node.base.type
-    assert isinstance(kind, ArrayType)
-    first, last = kind.bounds[dimension - 1]
+    if bounds is None:
+        kind = node.base.type
+        assert isinstance(kind, ArrayType)
+        bounds = kind.bounds[dimension - 1]
+    first, last = bounds
     return faults.index_out_of_range(node.span, index, first, last, dimension)

@@ -8,10 +8,12 @@ from fbgen.lang.checked import (
     Assignment,
     Attempt,
     Binary,
+    BoundOf,
     Branch,
     Case,
     CaseArm,
     Convert,
+    Dereference,
     Evaluate,
     Expression,
     FieldRef,
@@ -22,7 +24,9 @@ from fbgen.lang.checked import (
     InstanceCall,
     MemoryRef,
     Place,
+    ReferenceTo,
     Repeat,
+    SameReference,
     SliceRef,
     StandardCall,
     Statement,
@@ -53,6 +57,10 @@ _CHILDREN: dict[type, Callable[[Any], Iterable[Node]]] = {
     MemoryRef: lambda node: [
         one for one in (node.area, node.db, node.byte, node.bit) if one is not None
     ],
+    BoundOf: lambda node: (node.base,),
+    Dereference: lambda node: (node.base,),
+    ReferenceTo: lambda node: () if node.place is None else (node.place,),
+    SameReference: lambda node: (node.left, node.right),
     StandardCall: lambda node: node.arguments,
     FunctionCall: _arguments,
     SystemCall: lambda node: [expression for _, expression in node.arguments],
@@ -88,9 +96,12 @@ def every_node(roots: Iterable[Node]) -> Iterator[Node]:
 
 
 def root_of(place: Place) -> Variable | None:
-    """The variable that a place is a part of; None for an absolute address."""
+    """The variable that a place is a part of.
+
+    None for an absolute address, and behind a reference.
+    """
     while not isinstance(place, VariableRef):
-        if isinstance(place, AddressRef | MemoryRef):
+        if isinstance(place, AddressRef | MemoryRef | Dereference):
             return None
         place = place.base
     return place.variable

@@ -26,6 +26,8 @@ from fbgen.lang.types import (
     Elementary,
     Family,
     Initial,
+    OpenArrayType,
+    ReferenceType,
     Scalar,
     StringType,
     StructInitial,
@@ -36,6 +38,7 @@ from harness.engine.block_memory import BlockLayout
 from harness.engine.layout import layout_of
 from harness.engine.reference.memory import Memory, MemoryCell
 from harness.engine.reference.placed import ByteCell
+from harness.engine.reference.pointers import ReferenceCell
 from harness.engine.reference.standard_blocks import new_behaviour
 from harness.engine.reference.storage import (
     LIVING_KINDS,
@@ -119,6 +122,10 @@ class Allocator:
             return self._scalar(kind, spot)
         if isinstance(kind, ArrayType):
             return Array(kind, self._elements(kind, spot))
+        if isinstance(kind, ReferenceType):
+            return ReferenceCell(kind)
+        if isinstance(kind, OpenArrayType):
+            return Array(ArrayType(((0, -1),) * kind.dimensions, kind.element), [])
         if isinstance(kind, StructType):
             if kind.is_union:
                 return self._union(kind, spot)

@@ -11,7 +11,7 @@ from fbgen.lang.checked import (
     Variable,
     VariableKind,
 )
-from fbgen.lang.types import AnyType
+from fbgen.lang.types import AnyType, OpenArrayType
 from fbgen.source import Span
 from harness.engine.faults import nesting_too_deep
 from harness.engine.interface import Limits, Value
@@ -129,7 +129,11 @@ class Calls:
             assert isinstance(expression, Place)
             return self._places.find(expression, frame)
         value = self._expressions.value(expression, frame)
-        storage = self._allocator.variable(variable)
+        if isinstance(variable.type, OpenArrayType):
+            assert isinstance(expression, Place)
+            storage = self._allocator.of_type(self._places.find(expression, frame).kind)
+        else:
+            storage = self._allocator.variable(variable)
         storage.write(value)
         return storage
 

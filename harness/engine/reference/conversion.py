@@ -26,9 +26,11 @@ from fbgen.lang.types import (
     Family,
     Scalar,
     StringType,
+    Subrange,
     Type,
 )
 from fbgen.source import Span
+from harness.engine.faults import outside_subrange
 from harness.engine.reference.arithmetic import divided, rounded, whole, wrap
 
 _SAME_BITS = {(REAL, DWORD): ">f", (DWORD, REAL): ">f", (LREAL, LWORD): ">d", (LWORD, LREAL): ">d"}
@@ -40,7 +42,13 @@ _NS_PER_TICK = {32: _NS_PER_MS, 64: 1}
 
 
 def convert(value: Scalar, source: Type, target: Type, rounding: str, span: Span) -> Scalar:
-    """The value in another type; `rounding` as in `Convert`. Raises FB6006."""
+    """The value in another type; `rounding` as in `Convert`. Raises FB6006 and FB6030."""
+    if isinstance(target, Subrange):
+        number = convert(value, source, target.base, rounding, span)
+        assert isinstance(number, int)
+        if not target.lowest <= number <= target.highest:
+            raise outside_subrange(span, number, target)
+        return number
     if isinstance(target, StringType):
         assert isinstance(value, str)
         return _text(value, target)

@@ -7,7 +7,7 @@ from typing import Any
 
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, Program, StandardBlock, Variable, VariableKind
-from fbgen.lang.types import BlockType
+from fbgen.lang.types import ArrayType, BlockType, OpenArrayType
 from harness.engine.environment import Environment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block
 from harness.engine.interface import Convert, FunctionResult, Limits, State, Value
@@ -17,7 +17,7 @@ from harness.engine.reference.calls import Calls
 from harness.engine.reference.lookup import find_part
 from harness.engine.reference.memory import Memory
 from harness.engine.reference.storage import InstanceStorage, Storage
-from harness.engine.values import accept
+from harness.engine.values import accept, array_of
 
 _PYTHON_FRAMES = 40_000
 """Enough for the deepest nesting of blocks, statements and expressions that the checker allows."""
@@ -89,9 +89,13 @@ class ReferenceEngine:
             raise wrong_kind_of_block(block.name, block.kind.value, use)
         frame = self._calls.frame(block)
         given = check_arguments(self._program, block, arguments)
+        sizes = open_arrays(block, arguments)
         for variable in block.variables:
             if variable.kind in (VariableKind.INPUT, VariableKind.IN_OUT):
-                storage = frame.storages.get(variable) or self._allocator.variable(variable)
+                if isinstance(variable.type, OpenArrayType) and variable.name in sizes:
+                    storage = self._allocator.of_type(sizes[variable.name])
+                else:
+                    storage = frame.storages.get(variable) or self._allocator.variable(variable)
                 if variable in given:
                     storage.write(given[variable])
                 frame.storages[variable] = storage
@@ -232,6 +236,8 @@ class ReferenceInstance:
         """One call. What is not given keeps its value."""
         block = self._storage.block
         given = check_arguments(self._engine.program, block, inputs)
+        for name, kind in open_arrays(block, inputs).items():
+            self._storage.connections[name.casefold()] = self._allocator.of_type(kind)
         self._connect()
         for variable, value in given.items():
             self._storage.part(variable.name.casefold()).write(value)
@@ -295,3 +301,13 @@ def check_arguments(
             raise unknown_name(f"input of {block.name}", name, names)
         given[variable] = accept(program, variable.name, variable.type, value)
     return given
+
+
+def open_arrays(block: AnyBlock, arguments: Mapping[str, Value]) -> dict[str, ArrayType]:
+    """The arrays that stand for the ARRAY[*] parameters of a call, by declared name."""
+    by_key = {name.casefold(): value for name, value in arguments.items()}
+    return {
+        variable.name: array_of(variable.name, variable.type, by_key[variable.name.casefold()])
+        for variable in block.variables
+        if isinstance(variable.type, OpenArrayType) and variable.name.casefold() in by_key
+    }

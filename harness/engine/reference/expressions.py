@@ -1,23 +1,26 @@
 """What expressions are worth."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import (
     Attempt,
     Binary,
+    BoundOf,
     Constant,
     Convert,
     Expression,
     FunctionCall,
     Place,
+    ReferenceTo,
+    SameReference,
     StandardCall,
     SystemCall,
     Unary,
 )
 from fbgen.lang.checker.system_instructions import INSTRUCTIONS
-from fbgen.lang.types import AnyType, Scalar, StringType
+from fbgen.lang.types import AnyType, ArrayType, Scalar, StringType, StructType
 from harness.engine.environment import Area, Environment
 from harness.engine.interface import Value
 from harness.engine.reference.areas import StorageArea
@@ -28,6 +31,9 @@ from harness.engine.reference.date_functions import DATE_FUNCTIONS
 from harness.engine.reference.frames import Frame
 from harness.engine.reference.functions import NUMERIC_FUNCTIONS, Signature
 from harness.engine.reference.places import Places
+from harness.engine.reference.pointers import Pointed
+from harness.engine.reference.stamps import parts_of, stamp_of
+from harness.engine.reference.storage import Storage
 from harness.engine.reference.text_functions import TEXT_FUNCTIONS
 
 _FUNCTIONS = {**NUMERIC_FUNCTIONS, **TEXT_FUNCTIONS, **DATE_FUNCTIONS}
@@ -91,9 +97,18 @@ class Expressions:
 
     def _calculated(
         self,
-        expression: Constant | Unary | Binary | Convert | StandardCall | SystemCall | Attempt,
+        expression: Constant
+        | Unary
+        | Binary
+        | Convert
+        | StandardCall
+        | BoundOf
+        | ReferenceTo
+        | SameReference
+        | SystemCall
+        | Attempt,
         frame: Frame,
-    ) -> Scalar:
+    ) -> Value:
         match expression:
             case Constant():
                 return expression.value
@@ -104,6 +119,17 @@ class Expressions:
                 return self._chain(expression, frame)
             case StandardCall():
                 return self._standard_call(expression, frame)
+            case ReferenceTo():
+                place = expression.place
+                return Pointed(None if place is None else self._places.find(place, frame))
+            case SameReference():
+                return self._pointed(expression.left, frame) is self._pointed(
+                    expression.right, frame
+                )
+            case BoundOf():
+                array = self._places.find(expression.base, frame).kind
+                assert isinstance(array, ArrayType)
+                return array.bounds[expression.dimension][expression.upper]
             case SystemCall():
                 return self.system_call(expression, frame)
             case Attempt():
@@ -114,7 +140,7 @@ class Expressions:
         operand = attempt.operand
         values: list[Scalar] = []
         try:
-            result = self._calculated(self._settled(operand, frame, values), frame)
+            result = self.scalar(self._settled(operand, frame, values), frame)
             works = is_right(operand, values, result)
         except DiagnosticError as stop:
             if not is_bad_calculation(stop):
@@ -144,22 +170,35 @@ class Expressions:
             case StandardCall():
                 return replace(operand, arguments=tuple(map(settle, operand.arguments)))
 
-    def _chain(self, expression: Binary | Convert, frame: Frame) -> Scalar:
+    def _pointed(self, expression: Expression, frame: Frame) -> Storage | None:
+        value = self.value(expression, frame)
+        assert isinstance(value, Pointed)
+        return value.storage
+
+    def _chain(self, expression: Binary | Convert, frame: Frame) -> Value:
         """A left-deep tree, which may have conversions between its links, from the left up."""
         links: list[Binary | Convert] = []
         leftmost: Expression = expression
         while isinstance(leftmost, Binary | Convert):
             links.append(leftmost)
             leftmost = leftmost.left if isinstance(leftmost, Binary) else leftmost.operand
-        result = self.scalar(leftmost, frame)
+        result = self.value(leftmost, frame)
         for link in reversed(links):
             if isinstance(link, Convert):
                 source = link.operand.type
+                if isinstance(result, Mapping):
+                    result = stamp_of(result, link.span)
+                    continue
+                assert isinstance(result, bool | int | float | str)
+                if isinstance(link.type, StructType):
+                    result = parts_of(int(result))
+                    continue
                 result = convert(result, source, link.type, link.rounding, link.span)
             elif link.operator in ("AND_THEN", "OR_ELSE"):
                 if result is (link.operator == "AND_THEN"):
                     result = self.scalar(link.right, frame)
             else:
+                assert isinstance(result, bool | int | float | str)
                 right = self.scalar(link.right, frame)
                 result = binary(link.operator, result, right, link.left.type, link.span)
         return result

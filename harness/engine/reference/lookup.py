@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 
 from harness.engine.faults import unknown_name, wrong_path
-from harness.engine.paths import Step
+from harness.engine.paths import FOLLOW, Step
 from harness.engine.reference.places import flat_index
+from harness.engine.reference.pointers import Pointed
 from harness.engine.reference.storage import Array, InstanceStorage, Storage, Structure
 
 
@@ -17,6 +18,11 @@ def find_part(storage: Storage, steps: Sequence[Step], path: str) -> Storage:
 
 def _named(storage: Storage, name: str, path: str) -> Storage:
     key = name.casefold()
+    if name == FOLLOW:
+        pointed = storage.read()
+        if not isinstance(pointed, Pointed) or pointed.storage is None:
+            raise wrong_path(path, "there is no reference in front of ^, or it refers to nothing")
+        return pointed.storage
     if isinstance(storage, Structure):
         if key not in storage.parts:
             names = [field.name for field in storage.kind.fields]

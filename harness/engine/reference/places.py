@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 
 from fbgen.lang.checked import (
     AddressRef,
+    Dereference,
     Expression,
     FieldRef,
     IndexRef,
@@ -17,11 +18,12 @@ from fbgen.lang.checked import (
 from fbgen.lang.layout import no_layout
 from fbgen.lang.types import Elementary, Family
 from fbgen.source import Span
-from harness.engine.faults import index_out_of_range, reference_not_set
+from harness.engine.faults import index_out_of_range, null_reference, reference_not_set
 from harness.engine.interface import State, Value
 from harness.engine.reference.addresses import Addresses
 from harness.engine.reference.frames import Frame
 from harness.engine.reference.memory import Memory, MemoryCell
+from harness.engine.reference.pointers import Pointed
 from harness.engine.reference.storage import Array, InstanceStorage, Storage, Structure
 
 
@@ -98,6 +100,12 @@ class Places:
                 return self._element(self.find(place.base, frame), place, frame)
             case SliceRef():
                 return SliceStorage(self.find(place.base, frame), place.type, place.index)
+            case Dereference():
+                pointed = self.find(place.base, frame).read()
+                assert isinstance(pointed, Pointed)
+                if pointed.storage is None:
+                    raise null_reference(place.span)
+                return pointed.storage
             case AddressRef():
                 return MemoryCell(place.type, place.address, self._memory, place.span)
             case MemoryRef():

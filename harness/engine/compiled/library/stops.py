@@ -6,10 +6,16 @@ class Stop(Exception):  # noqa: N818  # it is no error of this program, but of t
 
 
 class IndexOutside(Stop):
-    """An array index outside its bounds; `dimension` counts from 1."""
+    """An array index outside its bounds; `dimension` counts from 1.
 
-    def __init__(self, index: int, dimension: int = 1) -> None:
+    `bounds` are those of an ARRAY[*]; of any other array they stand in its type.
+    """
+
+    def __init__(
+        self, index: int, dimension: int = 1, bounds: tuple[int, int] | None = None
+    ) -> None:
         super().__init__(index)
+        self.bounds = bounds
         self.index = index
         self.dimension = dimension
 
@@ -24,6 +30,22 @@ class NoFit(Stop):
     def __init__(self, value: float) -> None:
         super().__init__(value)
         self.value = value
+
+
+class OutsideLimits(Stop):
+    """A whole number that the subrange it is meant for does not allow."""
+
+    def __init__(self, value: int) -> None:
+        super().__init__(value)
+        self.value = value
+
+
+class NullReference(Stop):
+    """A reference is followed that refers to nothing."""
+
+
+class NoDate(Stop):
+    """The parts of a DTL are no date and time."""
 
 
 class NoNumber(Stop):

@@ -10,6 +10,7 @@ from harness.engine.compiled.library.stops import (
     IndexOutside,
     NoFit,
     NoInput,
+    OutsideLimits,
     StepZero,
     ZeroDivisor,
 )
@@ -114,6 +115,13 @@ def checked_index(index: int, first: int, last: int, dimension: int = 1) -> int:
     if first <= index <= last:
         return index
     raise IndexOutside(index, dimension)
+
+
+def limited(value: int, lowest: int, highest: int) -> int:
+    """The value itself if the limits of a subrange allow it."""
+    if lowest <= value <= highest:
+        return value
+    raise OutsideLimits(value)
 
 
 def runaway() -> None:

@@ -1,0 +1,245 @@
+"""Places, which can be read and written, and expressions."""
+
+from typing import TypeAlias
+
+from fbgen.lang.ast import node
+from fbgen.lang.checked.variables import Address, Block, Variable
+from fbgen.lang.types import Elementary, ReferenceType, Scalar, Type
+from fbgen.source import Span
+
+
+@node
+class VariableRef:
+    """A variable of the block itself, or a global one."""
+
+    span: Span
+    variable: Variable
+    type: Type
+
+
+@node
+class FieldRef:
+    """A part of a structure, or a parameter or static of an instance; `name` as declared."""
+
+    span: Span
+    base: "Place"
+    name: str
+    type: Type
+
+
+@node
+class IndexRef:
+    """An element of an array; the base has an `ArrayType` with as many bounds as `indices`.
+
+    With an `OpenArrayType` the bounds are those of the argument.
+    """
+
+    span: Span
+    base: "Place"
+    indices: tuple["Expression", ...]
+    type: Type
+
+
+@node
+class SliceRef:
+    """Part `index` (0 = least significant) of a bit string or integer; `type` says how wide."""
+
+    span: Span
+    base: "Place"
+    index: int
+    type: Elementary
+
+
+@node
+class AddressRef:
+    """An absolute address that is read or written directly."""
+
+    span: Span
+    address: Address
+    type: Elementary
+
+
+@node
+class MemoryRef:
+    """An absolute address that is worked out when the program runs.
+
+    `area` is a code as PEEK takes it: 16#81 inputs, 16#82 outputs, 16#83 bit memory, 16#84 the data
+    block with the number `db`, 1 the hardware's inputs, 2 its outputs. `bit` only for BOOL. All are
+    whole numbers of any type, evaluated in the order area, db, byte, bit. The type is elementary,
+    or that of a whole area which an instruction gets (`P#DB1.DBX0.0 BYTE 10`).
+    """
+
+    span: Span
+    area: "Expression"
+    db: "Expression | None"
+    byte: "Expression"
+    bit: "Expression | None"
+    type: Type
+
+
+@node
+class BoundOf:
+    """The first or (`upper`) the last index of a dimension, from 0, of an ARRAY[*]."""
+
+    span: Span
+    base: "Place"
+    dimension: int
+    upper: bool
+    type: Elementary
+
+
+@node
+class Dereference:
+    """What the reference at `base` refers to; the program stops where that is nothing."""
+
+    span: Span
+    base: "Place"
+    type: Type
+
+
+Place: TypeAlias = (
+    VariableRef | FieldRef | IndexRef | SliceRef | AddressRef | MemoryRef | Dereference
+)
+
+
+@node
+class Constant:
+    """A value known before the program runs."""
+
+    span: Span
+    value: Scalar
+    type: Type
+
+
+@node
+class Unary:
+    """NOT or - on an operand of the same type."""
+
+    span: Span
+    operator: str
+    operand: "Expression"
+    type: Type
+
+
+@node
+class Binary:
+    """Two operands and an operator: OR XOR AND OR_ELSE AND_THEN + - * / MOD ** = <> < > <= >=.
+
+    OR_ELSE and AND_THEN take BOOL and leave their right side out where the left one decides.
+    Both operands have the same type, except: TIME * and / take a number on the right; ** takes any
+    number on the right. Comparisons give BOOL, everything else the type of its left operand.
+    DIV is "/" on integers. Integer division cuts towards zero, MOD has the sign of the dividend.
+    """
+
+    span: Span
+    operator: str
+    left: "Expression"
+    right: "Expression"
+    type: Type
+
+
+@node
+class Convert:
+    """A change of type. `implicit` if nobody wrote it. See `conversions` for what each pair does.
+
+    `rounding` is "nearest" (ties to even) or "truncate"; it matters from REAL to whole numbers.
+    """
+
+    span: Span
+    operand: "Expression"
+    type: Type
+    implicit: bool = False
+    rounding: str = "nearest"
+
+
+@node
+class StandardCall:
+    """A standard function without side effects, such as SHL, LIMIT, MAX, ABS, SEL, LEN.
+
+    `name` is the canonical IEC name in upper case; arguments are positional, converted and complete
+    (defaults filled in).
+    """
+
+    span: Span
+    name: str
+    arguments: tuple["Expression", ...]
+    type: Type
+
+
+@node
+class ReferenceTo:
+    """A new reference to a place, as REF and ADR make it; `place` None is NULL."""
+
+    span: Span
+    place: Place | None
+    type: ReferenceType
+
+
+@node
+class SameReference:
+    """BOOL: two references refer to the same variable, or both to nothing."""
+
+    span: Span
+    left: "Expression"
+    right: "Expression"
+    type: Elementary
+
+
+@node
+class FunctionCall:
+    """A call of a FUNCTION of the user. Every input has a value, every in-out a place."""
+
+    span: Span
+    function: Block
+    inputs: tuple[tuple[Variable, "Expression"], ...]
+    in_outs: tuple[tuple[Variable, Place], ...]
+    outputs: tuple[tuple[Variable, Place], ...]
+    type: Type
+
+
+@node
+class SystemCall:
+    """A call of an instruction of the controller that works on hardware or memory (DPRD_DAT ...).
+
+    `arguments` has every parameter by its canonical upper-case name: an expression for inputs, a
+    place for outputs and for areas (ANY, VARIANT). The result is the instruction's RET_VAL.
+    """
+
+    span: Span
+    name: str
+    arguments: tuple[tuple[str, "Expression"], ...]
+    type: Type
+
+
+@node
+class Attempt:
+    """The value of `operand`; `flag`, a BOOL, becomes FALSE if that does not work.
+
+    It does not work if a whole number does not fit into the type of the result (of + - *, of a
+    changed sign, of a conversion): the value is then wrapped around as ever. And if it would stop
+    the program: by a division by zero, a number out of range, a text or BCD pattern that is no
+    number, a MUX selector without input; the value is then zero or the empty text. `flag` stays as
+    it is where it does work. Only what `operand` itself does counts, not what is inside of it,
+    unless that would stop the program.
+    """
+
+    span: Span
+    operand: "Unary | Binary | Convert | StandardCall"
+    flag: VariableRef
+    type: Type
+
+
+Expression: TypeAlias = (
+    Constant
+    | Place
+    | Unary
+    | Binary
+    | Convert
+    | StandardCall
+    | BoundOf
+    | ReferenceTo
+    | SameReference
+    | FunctionCall
+    | SystemCall
+    | Attempt
+)

@@ -1,0 +1,47 @@
+"""The whole program."""
+
+from collections.abc import Mapping
+from dataclasses import field
+
+from fbgen.lang.ast import node
+from fbgen.lang.checked.statements import Statement
+from fbgen.lang.checked.variables import AnyBlock, Block, StandardBlock, Variable
+from fbgen.lang.types import StructType
+
+
+@node
+class Task:
+    """A task of a configuration: period in nanoseconds (None: free running), lower is earlier."""
+
+    name: str
+    interval_ns: int | None
+    priority: int
+    programs: tuple[tuple[str, Block], ...]
+
+
+@node
+class Program:
+    """All blocks, types and global variables of a set of files.
+
+    The mappings are keyed by the casefolded name. `bodies` has the statements of every block.
+    `dialect` chooses between the rules of S7 and IEC where they differ.
+
+    `byte_memory` has what is reached besides its name and lies in bytes as `fbgen.lang.layout`
+    says: overlays and what is under them, addressed data blocks, the variables of their function
+    blocks. `data_blocks` are those with a number.
+    """
+
+    dialect: str
+    blocks: Mapping[str, Block]
+    bodies: Mapping[Block, tuple[Statement, ...]]
+    structures: Mapping[str, StructType]
+    globals: Mapping[str, Variable]
+    standard_blocks: Mapping[str, StandardBlock]
+    tasks: tuple[Task, ...] = field(default=())
+    byte_memory: frozenset[Variable] = field(default=frozenset())
+    data_blocks: Mapping[int, Variable] = field(default_factory=dict)
+
+    def block_of(self, type_name: str) -> AnyBlock:
+        """The function block of that name, the user's before the standard one."""
+        key = type_name.casefold()
+        return self.blocks[key] if key in self.blocks else self.standard_blocks[key]
