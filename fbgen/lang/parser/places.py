@@ -5,6 +5,7 @@ something of that name. Source: TIA Portal help, "Indirect addressing in SCL" an
 DB_ANY"; published S7-SCL sources.
 """
 
+import re
 from abc import ABC, abstractmethod
 
 from fbgen.lang.ast import (
@@ -40,6 +41,7 @@ NAMES = frozenset({"name", "#", '"', '#"'})
 """Kinds of tokens that are names."""
 
 
+_MARKED_BLOCK = re.compile(r"(%(?:DB|FB|FC|SFB|SFC)[0-9]+)((?:\.\w+)*)", re.IGNORECASE)
 _MOST_DIMENSIONS = 2
 _LONGEST_AREA = 3
 
@@ -112,7 +114,7 @@ class AddressParser(Cursor, ABC):
         if text[:1] == "%":
             if self.kinds[at + 1] == "(" and (indexed := self._marked_with_index()):
                 return indexed
-            return self.address()
+            return self._marked_block() or self.address()
         is_bit = self._bit_behind(at) is not None
         if text.casefold() in self.declared_addresses or (
             read_plain_address(text, None, self.token_span(at)) is None and not is_bit
@@ -120,6 +122,22 @@ class AddressParser(Cursor, ABC):
             self.at = at + 1
             return Name(self.token_span(at), text)
         return self.address()
+
+    def _marked_block(self) -> Expression | None:
+        """`%DB5`, `%FC12`, `%DB5.a.b`: an absolute block and members of it."""
+        at = self.at
+        match = _MARKED_BLOCK.fullmatch(self.texts[at])
+        if match is None or read_address(self.texts[at], self.token_span(at)) is not None:
+            return None
+        self.at = at + 1
+        self.need(Feature.MARKED_ADDRESSES, at)
+        start = self.starts[at]
+        end = start + len(match[1])
+        base: Expression = Name(Span(self.source, start, end), match[1])
+        for name in match[2].split(".")[1:]:
+            end += 1 + len(name)
+            base = Member(Span(self.source, start, end), base, name)
+        return base
 
     def _bit_behind(self, at: int) -> str | None:
         """The 1 of `M0.1`, where the token is `M0`."""
@@ -250,6 +268,10 @@ class AddressParser(Cursor, ABC):
             return Slice(place, base, *part)
         if found := read_marked_member(text):
             self.need(Feature.MARKED_ADDRESSES, at)
+            if isinstance(base, Name) and not base.quoted and not base.local:
+                address = read_member_address(base.name, text, None, place)
+                if address is not None:
+                    return address
             return self._marked(base, at, *found)
         return None
 

@@ -15,10 +15,28 @@ from fbgen.lang.parser import parse, parse_recovering
 from fbgen.lang.printer import print_file
 from fbgen.source import Source
 
-_CORPUS = Path(__file__).parents[2] / "corpus"
-_FILES = sorted(_CORPUS.glob("*/*.*"))
+_TESTS = Path(__file__).parents[2]
+_FILES = sorted((_TESTS / "corpus").glob("*/*.*"))
 _CASES = [
     pytest.param(path, path.parent.name, id=f"{path.parent.name}-{path.stem}") for path in _FILES
+]
+
+_DIALECTS = {".scl": ("tia", "step7"), ".st": ("iec", "twincat")}
+
+
+def _first_without_errors(path: Path) -> str:
+    """The first dialect of the file's suffix that reads it; the last one if none does."""
+    *others, last = _DIALECTS[path.suffix]
+    for dialect in others:
+        if not parse_recovering(read_source(path), dialect)[1]:
+            return dialect
+    return last
+
+
+_PROGRAMS = [
+    pytest.param(path, _first_without_errors(path), id=f"{path.parent.name}-{path.name}")
+    for path in sorted((_TESTS / "conformance").rglob("*"))
+    if path.suffix in _DIALECTS
 ]
 
 
@@ -28,7 +46,7 @@ def test_it_is_read_without_findings(path: Path, dialect: str) -> None:
     assert [render(found) for found in findings] == []
 
 
-@pytest.mark.parametrize(("path", "dialect"), _CASES)
+@pytest.mark.parametrize(("path", "dialect"), _CASES + _PROGRAMS)
 def test_its_print_has_the_same_tree_and_comments(path: Path, dialect: str) -> None:
     file = parse(read_source(path), dialect)
     again = parse(Source("again", print_file(file).text), dialect)
@@ -36,7 +54,7 @@ def test_its_print_has_the_same_tree_and_comments(path: Path, dialect: str) -> N
     assert comments(again) == comments(file)
 
 
-@pytest.mark.parametrize(("path", "dialect"), _CASES)
+@pytest.mark.parametrize(("path", "dialect"), _CASES + _PROGRAMS)
 def test_printing_twice_changes_nothing_more(path: Path, dialect: str) -> None:
     once = print_file(parse(read_source(path), dialect)).text
     assert print_file(parse(Source("once", once), dialect)).text == once

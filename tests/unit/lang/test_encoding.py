@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from fbgen.diagnostics import DiagnosticError
+from fbgen.lang.containers import read_document
 from fbgen.lang.encoding import decode, read_source
 
 _TEXT = "x := 'Größe';\r\n"
@@ -49,3 +50,28 @@ def test_a_file_that_cannot_be_read_is_a_finding(tmp_path: Path, name: str) -> N
     with pytest.raises(DiagnosticError) as problem:
         read_source(tmp_path / name)
     assert [found.code for found in problem.value.diagnostics] == ["FB3014"]
+
+
+_BLOCK = 'FUNCTION "F" : Void\nVERSION : 0.1\n\nBEGIN\n   // Größe\n   #x := 1;\nEND_FUNCTION\n'
+
+
+@pytest.mark.parametrize("line_end", ["\n", "\r\n"])
+@pytest.mark.parametrize(
+    ("bom", "codec"),
+    [
+        (b"", "utf-8"),
+        (b"\xef\xbb\xbf", "utf-8"),
+        (b"\xff\xfe", "utf-16-le"),
+        (b"\xfe\xff", "utf-16-be"),
+        (b"", "cp1252"),
+    ],
+)
+def test_a_printed_file_keeps_encoding_mark_and_line_ends(
+    tmp_path: Path, bom: bytes, codec: str, line_end: str
+) -> None:
+    path = tmp_path / "f.scl"
+    data = bom + _BLOCK.replace("\n", line_end).encode(codec)
+    path.write_bytes(data)
+    document = read_document(path)
+    assert document.findings == ()
+    assert document.rewritten(document.file) == data

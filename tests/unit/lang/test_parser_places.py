@@ -86,7 +86,7 @@ def test_an_absolute_address(
     assert node.span.text == text
 
 
-@pytest.mark.parametrize("text", ["%I0.8", "%IW4.1", "%X", "%DB1", "%MX5", "%T5:P", "%I0.x"])
+@pytest.mark.parametrize("text", ["%I0.8", "%IW4.1", "%X", "%DB", "%MX5", "%T5:P", "%I0.x"])
 def test_what_is_no_absolute_address(text: str) -> None:
     found = found_in(f'FUNCTION_BLOCK "B"\nBEGIN\nx := {text};\nEND_FUNCTION_BLOCK\n')
     assert [(one.code, one.span and one.span.text) for one in found] == [("FB3001", text)]
@@ -140,3 +140,17 @@ def test_quoted_parameters_keep_their_quotes() -> None:
     (statement,) = body('"f"("in 1" := 1, "out 1" => #x);')
     assert isinstance(statement, ast.CallStatement)
     assert [one.quoted for one in statement.call.arguments] == [True, True]
+
+
+def test_an_absolute_block_is_a_name_and_may_have_members() -> None:
+    member = value("%DB5.level.high")
+    assert isinstance(member, ast.Member)
+    assert isinstance(member.base, ast.Member)
+    assert isinstance(member.base.base, ast.Name)
+    assert (member.base.base.name, member.base.base.span.text) == ("%DB5", "%DB5")
+    assert member.base.span.text == "%DB5.level"
+    call = value("%FC12(1)")
+    assert isinstance(call, ast.Call)
+    address = value("%DB1.%DBX0.5")
+    assert isinstance(address, ast.DirectAddress)
+    assert (address.db, address.byte, address.bit) == (1, 0, 5)
