@@ -1,6 +1,5 @@
 """`fbgen check`: finds mistakes in PLC text, generated or written by hand."""
 
-from collections.abc import Iterable, Sequence
 from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -10,17 +9,47 @@ import typer
 from fbgen.cli import FINDINGS
 from fbgen.cli.dialects import DialectOption
 from fbgen.cli.examples import examples
-from fbgen.cli.output import report, result_json, say
+from fbgen.cli.output import on_error_terminal, report, result, result_json, say
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from fbgen.cli.plc_files import ProgramFiles
     from fbgen.diagnostics import Diagnostic
 
 
 class Format(Enum):
-    """How findings are printed: for a person on standard error, or as JSON on standard output."""
+    """How findings are printed: `text` on standard error, the others on standard output."""
 
     TEXT = "text"
     JSON = "json"
+    SARIF = "sarif"
+    GITHUB = "github"
+    GITLAB = "gitlab"
+
+
+class Lowest(Enum):
+    """The findings to show: these and all that are worse."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    INFO = "info"
+
+
+class Switch(Enum):
+    """A setting of the compiler."""
+
+    ON = "on"
+    OFF = "off"
+
+
+class Family(Enum):
+    """A CPU family."""
+
+    S7_300 = "s7-300"
+    S7_400 = "s7-400"
+    S7_1200 = "s7-1200"
+    S7_1500 = "s7-1500"
 
 
 def register(program: typer.Typer) -> None:
@@ -28,9 +57,10 @@ def register(program: typer.Typer) -> None:
     program.command(
         epilog=examples(
             "fbgen check out",
-            "fbgen check pump.scl valve.scl",
+            "fbgen check pump.scl valve.scl --cpu s7-1200",
+            'fbgen check "blocks/**/*.scl" --strict',
             "fbgen check pump.st --dialect iec --syntax-only",
-            "fbgen check out --format json",
+            "fbgen check out --format sarif > fbgen.sarif",
         )
     )(check)
 
@@ -38,95 +68,103 @@ def register(program: typer.Typer) -> None:
 def check(
     files: Annotated[
         list[Path],
-        typer.Argument(metavar="FILES", help="Files, or folders with .scl, .udt, .db, .st, .Tc*."),
+        typer.Argument(
+            metavar="FILES",
+            help="Files, patterns, or folders with .scl, .udt, .db, .st or .Tc* in them.",
+        ),
     ],
     dialect: DialectOption = None,
     syntax_only: Annotated[
         bool, typer.Option("--syntax-only", help="Do not look at names and types.")
     ] = False,
+    cpu: Annotated[
+        Family | None,
+        typer.Option("--cpu", help="Refuse what this CPU family does not have."),
+    ] = None,
+    iec_check: Annotated[
+        Switch | None,
+        typer.Option(
+            "--iec-check",
+            help="The setting of TIA Portal; by default on, and off for S7-300/400 and step7.",
+        ),
+    ] = None,
+    lowest: Annotated[
+        Lowest, typer.Option("--severity", help="Show these findings and worse ones.")
+    ] = Lowest.WARNING,
+    strict: Annotated[
+        bool, typer.Option("--strict", help="Exit status 1 for warnings too.")
+    ] = False,
+    jobs: Annotated[
+        int,
+        typer.Option(
+            "--jobs", min=1, help="Processes: one program each, or with --syntax-only some files."
+        ),
+    ] = 1,
     output: Annotated[
-        Format, typer.Option("--format", help="text for a person, json for a program.")
+        Format,
+        typer.Option(
+            "--format", help="text for a person; json, sarif, github or gitlab for a program."
+        ),
     ] = Format.TEXT,
 ) -> None:
-    """Check PLC text: syntax, names, types. All files are one program.
+    """Check PLC text: syntax, names, types, likely mistakes.
 
-    Without --dialect the file names decide: .scl, .udt and .db are tia, .st and .xml (PLCopen) are
-    iec, .TcPOU and the like are twincat. Exit status 1 if there is an error; warnings alone are
-    status 0.
+    All files of one dialect are one program. Without --dialect the file names decide: .scl, .udt
+    and .db are tia, .st and .xml (PLCopen) are iec, .TcPOU and the like are twincat. Exit status 1 if there is an error; warnings alone are status 0.
     """
+    from fbgen.cli.checking import Progress, Settings, check_programs
+    from fbgen.cli.plc_files import expand, programs_of
     from fbgen.diagnostics import Severity
+    from fbgen.lang.families import Cpu
 
-    paths = _expand(files)
-    chosen = dialect or dialect_of(paths)
-    findings = _findings(paths, chosen, syntax_only)
-    errors = sum(finding.severity is Severity.ERROR for finding in findings)
-    if output is Format.JSON:
-        result_json(
-            {
-                "dialect": chosen,
-                "files": [str(path) for path in paths],
-                "diagnostics": [finding.as_json() for finding in findings],
-            }
-        )
-    else:
-        report(findings)
-        others = len(findings) - errors
-        say(f"files: {len(paths)}, dialect: {chosen}, errors: {errors}, other findings: {others}")
-    if errors:
+    paths = expand(files)
+    programs = programs_of(paths, dialect)
+    settings = Settings(
+        syntax_only=syntax_only,
+        iec_check=None if iec_check is None else iec_check is Switch.ON,
+        cpu=None if cpu is None else Cpu(cpu.value),
+    )
+    progress = Progress(len(paths) + len(programs), shown=on_error_terminal())
+    found = check_programs(programs, settings, jobs, progress)
+    ranks = (Severity.INFO, Severity.WARNING, Severity.ERROR)
+    least = ranks.index(Severity(lowest.value))
+    shown = [finding for finding in found if ranks.index(finding.severity) >= least]
+    _print(shown, programs, output)
+    failing = 1 if strict else 2
+    if any(ranks.index(finding.severity) >= failing for finding in found):
         raise typer.Exit(FINDINGS)
 
 
-def _expand(files: Iterable[Path]) -> list[Path]:
-    """Every file once, folders replaced by the PLC texts directly in them."""
-    from fbgen.lang.containers import SUFFIXES
+def _print(
+    findings: "Sequence[Diagnostic]", programs: "Sequence[ProgramFiles]", output: Format
+) -> None:
+    from fbgen.cli.annotations import github_lines, gitlab_report
+    from fbgen.cli.check_report import report_of
+    from fbgen.cli.sarif import sarif_of
 
-    plain = SUFFIXES.keys() - {".xml"}
-    found: dict[Path, None] = {}
-    for path in files:
-        if path.is_dir():
-            texts = sorted(item for item in path.iterdir() if item.suffix.lower() in plain)
-            if not texts:
-                raise typer.BadParameter(f"there is no file with PLC text in {path}")
-            found.update(dict.fromkeys(texts))
-        else:
-            found[path] = None
-    return list(found)
-
-
-def dialect_of(paths: Sequence[Path]) -> str:
-    """The dialect that the names of these files stand for; wrong usage if they do not tell."""
-    from fbgen.lang.containers import SUFFIXES
-
-    dialects = {SUFFIXES.get(path.suffix.lower()) for path in paths}
-    if len(dialects) == 1 and (dialect := dialects.pop()) is not None:
-        return dialect
-    raise typer.BadParameter("the file names do not tell the dialect: add --dialect")
+    if output is Format.JSON:
+        result_json(report_of(programs, findings))
+    elif output is Format.SARIF:
+        result_json(sarif_of(findings))
+    elif output is Format.GITLAB:
+        result_json(gitlab_report(findings))
+    elif output is Format.GITHUB:
+        for line in github_lines(findings):
+            result(line)
+    else:
+        report(findings)
+        say(_summary(findings, programs))
 
 
-def _findings(paths: Sequence[Path], dialect: str, syntax_only: bool) -> list["Diagnostic"]:
-    """Everything that is wrong, in the order of the files and their lines."""
-    from fbgen.diagnostics import DiagnosticError
-    from fbgen.lang.checker import check_reporting
-    from fbgen.lang.containers import read_document
+def _summary(findings: "Sequence[Diagnostic]", programs: "Sequence[ProgramFiles]") -> str:
+    from fbgen.diagnostics import Severity
 
-    trees = []
-    found: list[Diagnostic] = []
-    for path in paths:
-        try:
-            document = read_document(path, dialect)
-        except DiagnosticError as unreadable:
-            found += unreadable.diagnostics
-        else:
-            trees.append(document.file)
-            found += document.findings
-    if not found and not syntax_only:
-        found += check_reporting(trees, dialect)[1]
-    order = {str(path): index for index, path in enumerate(paths)}
-    return sorted(
-        found,
-        key=lambda item: (
-            (order.get(item.span.source.name, 0), item.span.line, item.span.column)
-            if item.span
-            else (-1, 0, 0)
-        ),
+    severities = [finding.severity for finding in findings]
+    files = sum(len(program.paths) for program in programs)
+    dialects = ", ".join(program.dialect for program in programs)
+    text = (
+        f"files: {files}, dialect: {dialects}, errors: {severities.count(Severity.ERROR)}, "
+        f"warnings: {severities.count(Severity.WARNING)}"
     )
+    hints = severities.count(Severity.INFO)
+    return f"{text}, hints: {hints}" if hints else text

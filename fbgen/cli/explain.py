@@ -21,13 +21,12 @@ def explain(
     """Explain a message by its code, with an example."""
     from fbgen.diagnostics import error
     from fbgen.nearest import nearest
-    from fbgen.resources import shipped
+    from fbgen.pages import pages
 
-    pages = {page.stem: page for page in sorted(shipped("diagnostics").glob("FB*.md"))}
     wanted = code.strip().strip("[]").upper()
-    page = pages.get(wanted)
+    page = pages().get(wanted)
     if page is None:
         raise error(
-            "FB9003", f"there is no message with the code '{code}'", None, nearest(wanted, pages)
+            "FB9003", f"there is no message with the code '{code}'", None, nearest(wanted, pages())
         )
     result(page.read_text(encoding="utf-8").rstrip("\n"))

@@ -73,6 +73,11 @@ def _echo(text: str, *, err: bool) -> None:
         raise typer.Exit(READER_GONE) from None
 
 
+def on_error_terminal() -> bool:
+    """Whether a person looks at standard error."""
+    return sys.stderr.isatty()
+
+
 def on_terminal() -> bool:
     """Whether a person looks at standard output."""
     return sys.stdout.isatty()

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from fbgen.cli import FINDINGS
-from fbgen.cli.check import dialect_of
 from fbgen.cli.dialects import DialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.output import report, result, result_json, say
+from fbgen.cli.plc_files import dialect_of
 from fbgen.cli.table import table
 
 if TYPE_CHECKING:

@@ -27,7 +27,7 @@ def register(program: typer.Typer) -> None:
 def schemas(
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="Where the schemas go.")],
 ) -> None:
-    """Write the JSON Schemas of all YAML files, for editors."""
+    """Write the JSON Schemas of all YAML files, for editors, and of the report of check."""
     from fbgen.cli.files import write_file
 
     for name, schema in schema_texts().items():
@@ -39,6 +39,7 @@ def schema_texts() -> dict[str, str]:
     """The schemas by file name, each generated from the model that reads such a file."""
     from fbgen.catalog import Drive, Gateway, Protocol, Sequence
     from fbgen.catalog.schema import schema_text
+    from fbgen.cli.check_report import CheckReport
     from fbgen.plant import Plant
     from harness.scenario.model import Scenario
 
@@ -47,6 +48,7 @@ def schema_texts() -> dict[str, str]:
         "catalog-gateway": Gateway,
         "catalog-protocol": Protocol,
         "catalog-sequence": Sequence,
+        "check-report": CheckReport,
         "plant": Plant,
         "scenario": Scenario,
     }

@@ -7,6 +7,7 @@ import pytest
 from tests.architecture.sources import Import, imports, modules, tree
 
 BASE = {"fbgen", "fbgen.diagnostics", "fbgen.nearest", "fbgen.resources", "fbgen.source"}
+BASE |= {"fbgen.pages"}
 DEVICES = {"harness.drives", "harness.fieldbus", "harness.gateways", "harness.line"}
 PLANT = {*DEVICES, "harness.engine", "harness.kernel", "harness.installation", "harness.plc"}
 TEXT = {"fbgen.blocks", "fbgen.catalog", "fbgen.emit", "fbgen.lang", "fbgen.plant", "fbgen.wire"}
@@ -17,6 +18,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "fbgen.resources": set(),
     "fbgen.nearest": set(),
     "fbgen.diagnostics": {"fbgen.source"},
+    "fbgen.pages": {"fbgen.diagnostics", "fbgen.resources"},
     "fbgen.wire": BASE,
     "fbgen.lang": BASE,
     "fbgen.catalog": BASE | {"fbgen.wire"},

@@ -10,25 +10,17 @@ from collections.abc import Iterator
 from fbgen.diagnostics import Diagnostic
 from fbgen.emit.lint.emitted import EmittedText
 from fbgen.lang import ast
+from fbgen.lang.families import MISSING_TYPES, Cpu
 from fbgen.plant.families import PlcFamily
 
 _OLD_CPUS: tuple[PlcFamily, ...] = ("s7-300", "s7-400")
-_LONG = frozenset(("LWORD", "LINT", "ULINT", "LTIME"))
-_ONLY_NEW = _LONG | {"SINT", "USINT", "UINT", "UDINT", "LREAL", "DTL", "WSTRING", "VARIANT"}
-_NOT_ON_1200 = _LONG | {"S5TIME", "DATE_AND_TIME", "DT", "ANY", "POINTER"}
-_MISSING: dict[PlcFamily, frozenset[str]] = {
-    "s7-300": _ONLY_NEW,
-    "s7-400": _ONLY_NEW,
-    "s7-1200": _NOT_ON_1200,
-    "s7-1500": frozenset(),
-    "iec": frozenset(),
-}
+_CPUS = {cpu.value: cpu for cpu in Cpu}
 _OPTIMIZED = re.compile(r"S7_Optimized_Access\s*:=\s*'TRUE'", re.IGNORECASE)
 
 
 def types_of_the_cpu(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5049: every elementary type is one that the CPU has."""
-    missing = _MISSING[emitted.plc]
+    missing = MISSING_TYPES[_CPUS[emitted.plc]] if emitted.plc in _CPUS else frozenset()
     for item in emitted.nodes:
         if isinstance(item, ast.NamedType) and item.name.upper() in missing:
             yield Diagnostic(

@@ -5,6 +5,7 @@ where; `effects` says what one expression does. Each other module is one kind of
 belong to the checker; here everything is a warning or a hint that a comment may allow (`allow`).
 """
 
+from fbgen.lang.analysis.allow import without_allowed
 from fbgen.lang.analysis.program import analyse
 
-__all__ = ["analyse"]
+__all__ = ["analyse", "without_allowed"]

@@ -38,14 +38,18 @@ _MOST_ROUNDS = 50
 
 
 class _Loop:
-    """A loop that is being followed, and where EXIT and CONTINUE go with what is set there."""
+    """A loop that is being followed, and what is set where EXIT and CONTINUE go.
 
-    __slots__ = ("after", "first_write", "next_pass", "ways_out")
+    `is_left`: an EXIT of its own leaves it; `ways_out` are the RETURN and GOTO before it.
+    """
+
+    __slots__ = ("after", "first_write", "is_left", "next_pass", "ways_out")
 
     def __init__(self, first_write: int, ways_out: int) -> None:
         self.after: tuple[int, int] | None = None
         self.next_pass: tuple[int, int] | None = None
         self.first_write = first_write
+        self.is_left = False
         self.ways_out = ways_out
 
 
@@ -209,7 +213,7 @@ class Flow:
     def _exit(self, _node: checked.Exit) -> None:
         if self.loops:
             self.loops[-1].after = _joined(self.loops[-1].after, (self.must, self.may))
-            self.ways_out += 1
+            self.loops[-1].is_left = True
         self.alive = False
 
     def _continue(self, _node: checked.Continue) -> None:
@@ -263,7 +267,7 @@ class Flow:
         loop: _Loop,
         watched: frozenset[Variable] | None,
     ) -> None:
-        if self.ways_out == loop.ways_out:
+        if not loop.is_left and self.ways_out == loop.ways_out:
             loops.check_end(self.report, node, watched, self.writes[loop.first_write :])
 
     def _enter(self) -> _Loop:

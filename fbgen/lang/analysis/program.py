@@ -3,7 +3,6 @@
 from bisect import bisect_left
 from typing import TYPE_CHECKING
 
-from fbgen.diagnostics import Severity
 from fbgen.lang.analysis.flow import Flow, follow
 from fbgen.lang.analysis.names import check_names
 from fbgen.lang.analysis.outputs import check_outputs
@@ -28,9 +27,8 @@ def analyse(program: Program, library: "Library", findings: "Findings") -> None:
     have done to their variables is not guessed.
     """
     errors: dict[Source, list[int]] = {}
-    for one in findings.found():
-        if one.severity is Severity.ERROR and one.span is not None:
-            errors.setdefault(one.span.source, []).append(one.span.start)
+    for place in findings.error_places():
+        errors.setdefault(place.source, []).append(place.start)
     for offsets in errors.values():
         offsets.sort()
     flows: list[Flow] = []

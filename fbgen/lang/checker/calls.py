@@ -116,18 +116,29 @@ def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
     if standard_block(name) is not None:
         _without_instance(ctx, node, name)
         return
-    known = [
+    ctx.findings.unknown(
+        "FB4004",
+        f"there is no function or block '{name}'",
+        node.callee.span,
+        lambda: nearest(name, _callable_names(ctx)),
+    )
+    check_arguments_alone(ctx, node)
+
+
+def _callable_names(ctx: Context) -> list[str]:
+    return [
         *ctx.library.block_names(),
         *STANDARD_FUNCTIONS,
         *OPERATORS_BY_NAME,
         *(instruction.name for instruction in INSTRUCTIONS.values()),
     ]
-    ctx.findings.error(
-        "FB4004",
-        f"there is no function or block '{name}'",
-        node.callee.span,
-        nearest(name, known),
-    )
+
+
+def check_arguments_alone(ctx: Context, node: ast.Call) -> None:
+    """The arguments of a call of something unknown: their own mistakes are reported."""
+    for argument in node.arguments:
+        if argument.value is not None:
+            check_expression(ctx, argument.value)
 
 
 def _without_instance(ctx: Context, node: ast.Call, name: str) -> None:
@@ -142,6 +153,7 @@ def _without_instance(ctx: Context, node: ast.Call, name: str) -> None:
 def _not_a_value(ctx: Context, node: ast.Call) -> Expression:
     callee = check_expression(ctx, node.callee)
     if callee.type == ERRONEOUS:
+        check_arguments_alone(ctx, node)
         return callee
     if isinstance(callee.type, BlockType):
         ctx.findings.error(
@@ -258,9 +270,7 @@ def _bind_variables(
         node = ast.Call(node.span, node.callee, rest)
     bound = bind(ctx, node, name, parameters)
     if bound is None:
-        for argument in node.arguments:
-            if argument.value is not None:
-                check_expression(ctx, argument.value)
+        check_arguments_alone(ctx, node)
         return None
     inputs: list[tuple[Variable, Expression]] = []
     in_outs: list[tuple[Variable, Place]] = []
@@ -365,6 +375,7 @@ def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | None:
             callee = callee.base
     place = check_expression(ctx, callee)
     if place.type == ERRONEOUS:
+        check_arguments_alone(ctx, node)
         return None
     if not isinstance(place.type, BlockType) or not is_place(place):
         _not_callable(ctx, node, place)

@@ -1,9 +1,13 @@
 """The errors and warnings of one check, in the order of the text."""
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Iterable
+from dataclasses import replace
 
 from fbgen.diagnostics import Diagnostic, Note, Severity
 from fbgen.source import Span
+
+_MOST_MENTIONS = 20
+"""How many places of one unknown name are shown."""
 
 
 class Findings:
@@ -11,6 +15,7 @@ class Findings:
 
     def __init__(self) -> None:
         self._found: dict[tuple[str, Span | None, str], Diagnostic] = {}
+        self._more: dict[tuple[str, str], list[Span]] = {}
         self.has_errors = False
 
     def error(
@@ -27,6 +32,29 @@ class Findings:
             (code, span, message), Diagnostic(code, message, span, help_text, notes)
         )
 
+    def unknown(self, code: str, message: str, span: Span, help_text: Callable[[], str]) -> None:
+        """An unknown name of the whole program: one error, however often it is mentioned.
+
+        `help_text` looks for names that are near, so it is asked for the first mention only.
+        """
+        self.has_errors = True
+        places = self._more.setdefault((code, message), [])
+        if not places:
+            self.error(code, message, span, help_text())
+        if span not in places[-1:]:
+            places.append(span)
+
+    def error_places(self) -> list[Span]:
+        """Where errors are, each mention of an unknown name included."""
+        places = [
+            one.span
+            for one in self._found.values()
+            if one.severity is Severity.ERROR and one.span is not None
+        ]
+        for mentions in self._more.values():
+            places += mentions[1:]
+        return places
+
     def warning(self, code: str, message: str, span: Span | None, help_text: str = "") -> None:
         """Something that works and is likely a mistake."""
         self._found.setdefault(
@@ -38,6 +66,10 @@ class Findings:
         """A warning or hint that was made elsewhere."""
         key = (diagnostic.code, diagnostic.span, diagnostic.message)
         self._found.setdefault(key, diagnostic)
+
+    def replace(self, diagnostics: Iterable[Diagnostic]) -> None:
+        """Keep these findings only."""
+        self._found = {(one.code, one.span, one.message): one for one in diagnostics}
 
     def found(self) -> Collection[Diagnostic]:
         """All findings so far, in no order."""
@@ -53,4 +85,13 @@ class Findings:
                 return (-1, 0)
             return (position.get(span.source.name, len(position)), span.start)
 
-        return tuple(sorted(self._found.values(), key=place))
+        return tuple(sorted(map(self._with_mentions, self._found.values()), key=place))
+
+    def _with_mentions(self, diagnostic: Diagnostic) -> Diagnostic:
+        others = self._more.get((diagnostic.code, diagnostic.message), [])[1:]
+        if not others:
+            return diagnostic
+        notes = [Note("and here", span) for span in others[:_MOST_MENTIONS]]
+        if len(others) > _MOST_MENTIONS:
+            notes.append(Note(f"and in {len(others) - _MOST_MENTIONS} more places"))
+        return replace(diagnostic, notes=(*diagnostic.notes, *notes))

@@ -134,15 +134,18 @@ def _unknown_name(ctx: Context, node: ast.Name) -> None:
             "FB4047", f"'{node.name}' is a block, not a variable", node.span, help_text
         )
         return
+    message = f"no variable or constant is called '{node.name}'"
+    if node.quoted and not node.local:
+        ctx.findings.unknown("FB4001", message, node.span, lambda: _near_names(ctx, node))
+    else:
+        ctx.findings.error("FB4001", message, node.span, _near_names(ctx, node))
+
+
+def _near_names(ctx: Context, node: ast.Name) -> str:
     known = ctx.scope.names()
     if not node.local:
         known += ctx.library.globals.names()
-    ctx.findings.error(
-        "FB4001",
-        f"no variable or constant is called '{node.name}'",
-        node.span,
-        nearest(node.name, known),
-    )
+    return nearest(node.name, known)
 
 
 def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) -> Expression:

@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang import ast
-from fbgen.lang.analysis import analyse
+from fbgen.lang.analysis import analyse, without_allowed
 from fbgen.lang.checked import Block, Program, Statement, Variable
 from fbgen.lang.checker import expressions  # noqa: F401  (enters the checks of expressions)
 from fbgen.lang.checker.configuration import tasks_of
@@ -55,7 +55,9 @@ def check_reporting(
     rules: Rules | None = None,
     db_numbers: Mapping[str, int] = MappingProxyType({}),
 ) -> tuple[Program | None, list[Diagnostic]]:
-    """The program, None if there are errors, and all errors and warnings by file and place.
+    """The program, None if there are errors, and all errors, warnings and hints by file and place.
+
+    Comments in the text can allow warnings (`analysis.allow`).
 
     Raises FB4000 for an unknown dialect, and nothing else.
     """
@@ -64,6 +66,7 @@ def check_reporting(
     with _room_for_nesting(), _without_collector():
         program, library = _check(files, rules, findings, db_numbers)
         analyse(program, library, findings)
+    findings.replace(without_allowed(findings.found(), files))
     found = findings.in_order(tuple(file.source.name for file in files))
     return (None if findings.has_errors else program), list(found)
 

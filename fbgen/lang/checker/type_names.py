@@ -204,8 +204,14 @@ class TypeResolver:
                 "only a FUNCTION_BLOCK is a type; call a FUNCTION by its name",
             )
             return Resolved(ERRONEOUS)
-        known = [*self.names(), *self._library.type_names(), *ELEMENTARY, "STRING"]
-        findings.error("FB4003", f"there is no type '{name}'", span, nearest(name, known))
+        findings.unknown(
+            "FB4003",
+            f"there is no type '{name}'",
+            span,
+            lambda: nearest(
+                name, [*self.names(), *self._library.type_names(), *ELEMENTARY, "STRING"]
+            ),
+        )
         return Resolved(ERRONEOUS)
 
     def all_user_types(self) -> None:

@@ -1,0 +1,129 @@
+"""Checks programs, each as a whole, in one process or several.
+
+Names and types need all files of a program at once, and handing syntax trees from one process to
+another takes longer than reading the text. So a program is checked in one process; several
+programs, or files whose syntax alone is checked, are shared out.
+"""
+
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from time import monotonic
+
+from fbgen.cli.plc_files import ProgramFiles
+from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
+from fbgen.lang import ast
+from fbgen.lang.analysis.cpu import missing_on
+from fbgen.lang.checker import check_reporting, rules_for
+from fbgen.lang.containers import read_document
+from fbgen.lang.families import Cpu
+
+_PATIENCE_S = 1.0
+"""How long a person waits before progress is shown."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """How to check. `iec_check` None: as the CPU family has it, else as the dialect has it."""
+
+    syntax_only: bool = False
+    iec_check: bool | None = None
+    cpu: Cpu | None = None
+
+
+class Progress:
+    """Says on a terminal how far it is, once it has taken a while."""
+
+    def __init__(self, total: int, shown: bool) -> None:
+        self._total = total
+        self._done = 0
+        self._shown = shown
+        self._begin = monotonic()
+
+    def step(self, what: str) -> None:
+        """One more file, or the step behind the last one."""
+        self._done += 1
+        if self._shown and monotonic() - self._begin > _PATIENCE_S:
+            sys.stderr.write(f"\r\x1b[K{self._done} of {self._total}: {what}")
+            sys.stderr.flush()
+
+    def end(self) -> None:
+        """Clear the line."""
+        if self._shown and monotonic() - self._begin > _PATIENCE_S:
+            sys.stderr.write("\r\x1b[K")
+            sys.stderr.flush()
+
+
+def check_programs(
+    programs: Sequence[ProgramFiles], settings: Settings, jobs: int, progress: Progress
+) -> list[Diagnostic]:
+    """Everything that is wrong, in the order of the files and their lines."""
+    parts = list(_shares(programs, settings, jobs))
+    if jobs > 1 and len(parts) > 1:
+        from concurrent.futures import ProcessPoolExecutor
+
+        with ProcessPoolExecutor(min(jobs, len(parts))) as pool:
+            found = list(pool.map(_check_quietly, parts, [settings] * len(parts)))
+    else:
+        found = [_check(part, settings, progress) for part in parts]
+    progress.end()
+    return [one for part in found for one in part]
+
+
+def _shares(
+    programs: Sequence[ProgramFiles], settings: Settings, jobs: int
+) -> Iterator[ProgramFiles]:
+    """The programs; their files in neighbouring groups where only the syntax is looked at."""
+    for program in programs:
+        if not settings.syntax_only or jobs == 1:
+            yield program
+            continue
+        size = -(-len(program.paths) // jobs)
+        for start in range(0, len(program.paths), size):
+            yield ProgramFiles(program.dialect, program.paths[start : start + size])
+
+
+def _check_quietly(program: ProgramFiles, settings: Settings) -> list[Diagnostic]:
+    return _check(program, settings, Progress(0, shown=False))
+
+
+def _check(program: ProgramFiles, settings: Settings, progress: Progress) -> list[Diagnostic]:
+    trees: list[ast.File] = []
+    found: list[Diagnostic] = []
+    for path in program.paths:
+        progress.step(str(path))
+        try:
+            document = read_document(path, program.dialect)
+        except DiagnosticError as unreadable:
+            found += unreadable.diagnostics
+        else:
+            trees.append(document.file)
+            found += document.findings
+    if not settings.syntax_only and not any(one.severity is Severity.ERROR for one in found):
+        progress.step("names and types")
+        rules = rules_for(program.dialect)
+        if (iec_check := _iec_check(settings)) is not None:
+            rules = replace(rules, iec_check=iec_check)
+        found += check_reporting(trees, program.dialect, rules=rules)[1]
+        if settings.cpu is not None:
+            found += missing_on(settings.cpu, trees)
+    return _in_order(found, program.paths)
+
+
+def _iec_check(settings: Settings) -> bool | None:
+    if settings.iec_check is not None or settings.cpu is None:
+        return settings.iec_check
+    return not settings.cpu.is_classic
+
+
+def _in_order(found: Sequence[Diagnostic], paths: Sequence[Path]) -> list[Diagnostic]:
+    order = {str(path): index for index, path in enumerate(paths)}
+
+    def place(one: Diagnostic) -> tuple[int, int, int]:
+        span = one.span
+        return (
+            (-1, 0, 0) if span is None else (order.get(span.source.name, 0), span.line, span.column)
+        )
+
+    return sorted(found, key=place)

@@ -1,0 +1,88 @@
+"""Which files the arguments of a command name, and which of them make one program.
+
+Files, folders (with all folders in them) and patterns such as `blocks/**/*.scl`. All files of one
+dialect are one program; the suffix tells the dialect.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import typer
+
+_PATTERN = frozenset("*?[")
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramFiles:
+    """All files of one dialect: one program."""
+
+    dialect: str
+    paths: tuple[Path, ...]
+
+
+def expand(arguments: Iterable[Path]) -> list[Path]:
+    """Every file once, in order; folders and patterns replaced by the PLC texts they stand for.
+
+    Raises a usage error for a folder or pattern without any.
+    """
+    found: dict[Path, None] = {}
+    for path in arguments:
+        if path.is_dir():
+            texts = [item for item in path.rglob("*") if _is_plc_text(item, path)]
+            if not texts:
+                raise typer.BadParameter(f"there is no file with PLC text in {path}")
+            found.update(dict.fromkeys(sorted(texts)))
+        elif not path.exists() and _PATTERN & set(str(path)):
+            texts = _matches(path)
+            if not texts:
+                raise typer.BadParameter(f"no file is named like {path}")
+            found.update(dict.fromkeys(sorted(texts)))
+        else:
+            found[path] = None
+    return list(found)
+
+
+def _is_plc_text(item: Path, folder: Path) -> bool:
+    """A PLC text that lies in no hidden folder; an .xml may be anything, so it has to be named."""
+    from fbgen.lang.containers import SUFFIXES
+
+    hidden = any(part.startswith(".") for part in item.relative_to(folder).parts)
+    suffix = item.suffix.lower()
+    return suffix in SUFFIXES and suffix != ".xml" and not hidden and item.is_file()
+
+
+def _matches(pattern: Path) -> list[Path]:
+    fixed = Path(*(part for part in _until_pattern(pattern.parts)))
+    rest = pattern.parts[len(fixed.parts) :] if fixed.parts else pattern.parts
+    return [item for item in fixed.glob(str(Path(*rest))) if item.is_file()]
+
+
+def _until_pattern(parts: Sequence[str]) -> Iterable[str]:
+    for part in parts:
+        if _PATTERN & set(part):
+            return
+        yield part
+
+
+def programs_of(paths: Sequence[Path], dialect: str | None) -> list[ProgramFiles]:
+    """The files by dialect: by their suffixes, or all of the one that is given."""
+    if dialect is not None:
+        return [ProgramFiles(dialect, tuple(paths))]
+    from fbgen.lang.containers import SUFFIXES
+
+    by_dialect: dict[str, list[Path]] = {}
+    for path in paths:
+        told = SUFFIXES.get(path.suffix.lower())
+        if told is None:
+            raise typer.BadParameter(f"the name of {path} does not tell its dialect: add --dialect")
+        by_dialect.setdefault(told, []).append(path)
+    return [ProgramFiles(name, tuple(files)) for name, files in by_dialect.items()]
+
+
+def dialect_of(paths: Sequence[Path]) -> str:
+    """The dialect that the names of these files stand for; wrong usage if they do not tell."""
+    programs = programs_of(paths, None)
+    if len(programs) == 1:
+        return programs[0].dialect
+    raise typer.BadParameter("the files are of several dialects: add --dialect")

@@ -1,0 +1,185 @@
+"""What is set, reached and called on the paths through a block; and what good code does."""
+
+import pytest
+from checking import findings_of, in_block
+
+_HEAD = (
+    "FUNCTION_BLOCK b\nVAR_INPUT a, c : BOOL; n : INT; END_VAR\n"
+    "VAR_OUTPUT y : INT; z : BOOL; END_VAR\n"
+    "VAR t1 : TON_TIME; r1 : R_TRIG; s : INT; END_VAR\n"
+    "VAR_TEMP t, i : INT; END_VAR\nBEGIN\n"
+)
+_USE = "#y := #n; #z := #a AND #c; #s := #y; #r1(CLK := #a); #z := #r1.Q;\n"
+
+
+def codes(statements: str) -> list[str]:
+    """The warnings of the flow analysis for these statements in a tia block; not what is unused."""
+    text = f"{_HEAD}{statements}\nEND_FUNCTION_BLOCK\n"
+    unused = ("FB4101", "FB4201", "FB4202", "FB4203", "FB4205")
+    return [one.code for one in findings_of(text, "tia") if one.code not in unused]
+
+
+@pytest.mark.parametrize(
+    "statements",
+    [
+        "IF #a THEN #t := 1; ELSE #t := 2; END_IF; #y := #t;",
+        "IF #a THEN #t := 1; ELSIF #c THEN RETURN; ELSE #t := 3; END_IF; #y := #t;",
+        "CASE #n OF 1: #t := 1; ELSE #t := 2; END_CASE; #y := #t;",
+        "FOR #i := 0 TO 9 DO #t := #i; END_FOR; #y := #t;",
+        "FOR #i := 0 TO 9 DO IF #a THEN #t := 1; EXIT; END_IF; #t := 2; END_FOR; #y := #t;",
+        "REPEAT #t := #n; #s := #s + 1; UNTIL #s > 5 END_REPEAT; #y := #t;",
+        "WHILE TRUE DO #t := #n; IF #a THEN EXIT; END_IF; #s := #s + 1; END_WHILE; #y := #t;",
+        "#t := 1; WHILE #s < #n DO #s := #s + 1; END_WHILE; #y := #t;",
+        "IF NOT #a THEN RETURN; END_IF; #t := 1; #y := #t;",
+    ],
+)
+def test_a_temporary_that_every_path_sets_gives_no_warning(statements: str) -> None:
+    assert codes(statements) == []
+
+
+@pytest.mark.parametrize(
+    ("statements", "code"),
+    [
+        ("#y := #t;", "FB4206"),
+        ("IF #a THEN #t := 1; END_IF; #y := #t;", "FB4207"),
+        ("CASE #n OF 1: #t := 1; END_CASE; #y := #t;", "FB4207"),
+        ("FOR #i := 0 TO #n DO #t := #i; END_FOR; #y := #t;", "FB4207"),
+        ("WHILE #s < #n DO #t := 1; #s := #s + 1; END_WHILE; #y := #t;", "FB4207"),
+        ("FOR #i := 0 TO 9 DO #y := #t; #t := #i; END_FOR;", "FB4207"),
+        ("FOR #i := 0 TO 9 DO IF #a THEN EXIT; END_IF; #t := 2; END_FOR; #y := #t;", "FB4207"),
+        ("FOR #i := 0 TO 9 DO IF #a THEN CONTINUE; END_IF; #t := 2; END_FOR; #y := #t;", "FB4207"),
+        ("#t := #t + 1; #y := #t;", "FB4206"),
+    ],
+)
+def test_a_temporary_that_some_path_leaves_out_is_reported(statements: str, code: str) -> None:
+    assert codes(statements) == [code]
+
+
+def test_each_temporary_is_reported_once() -> None:
+    assert codes("#y := #t; #y := #t + #t;") == ["FB4206"]
+
+
+@pytest.mark.parametrize(
+    "statements",
+    [
+        "RETURN; #y := 1;",
+        "IF #a THEN RETURN; ELSE RETURN; END_IF; #y := 1;",
+        "FOR #i := 0 TO 9 DO EXIT; #y := 1; END_FOR;",
+        "FOR #i := 0 TO 9 DO CONTINUE; #y := 1; END_FOR;",
+        "CASE #n OF 1: RETURN; ELSE RETURN; END_CASE; #y := 1; #y := 2;",
+    ],
+)
+def test_what_no_path_reaches_is_reported_once(statements: str) -> None:
+    assert codes(statements) == ["FB4210"]
+
+
+def test_a_case_without_else_goes_on_behind_it() -> None:
+    assert codes("CASE #n OF 1: RETURN; 2: RETURN; END_CASE; #y := 1;") == []
+
+
+@pytest.mark.parametrize(
+    ("statements", "expected"),
+    [
+        ("WHILE TRUE DO #y := 1; END_WHILE;", ["FB4213"]),
+        ("REPEAT #y := 1; UNTIL FALSE END_REPEAT;", ["FB4213"]),
+        ("WHILE TRUE DO IF #a THEN RETURN; END_IF; END_WHILE;", []),
+        ("WHILE #a DO #y := #y + 1; END_WHILE;", ["FB4213"]),
+        ("WHILE #y < 5 DO #y := #y + 1; END_WHILE;", []),
+        ("WHILE #a DO #y := #y + 1; IF #y > 5 THEN EXIT; END_IF; END_WHILE;", []),
+        ("WHILE %I0.0:P DO #y := #y + 1; END_WHILE;", []),
+        (
+            "WHILE #a DO WHILE TRUE DO EXIT; END_WHILE; END_WHILE;",
+            ["FB4213"],
+        ),
+    ],
+)
+def test_a_loop_needs_a_way_out(statements: str, expected: list[str]) -> None:
+    assert codes(statements) == expected
+
+
+@pytest.mark.parametrize(
+    ("statements", "expected"),
+    [
+        ("#t1(IN := #a, PT := T#1s);", []),
+        ("IF #c THEN #t1(IN := #a, PT := T#1s); END_IF;", ["FB4220"]),
+        ("IF #c THEN #t1(IN := #a, PT := T#1s); ELSE #t1(IN := FALSE); END_IF;", []),
+        ("#t1(IN := #a, PT := T#1s); #t1(IN := #c, PT := T#1s);", ["FB4221"]),
+        ("#t1(IN := FALSE); #t1(IN := #c, PT := T#1s);", []),
+        ("FOR #i := 0 TO 3 DO #t1(IN := #a, PT := T#1s); END_FOR;", ["FB4221"]),
+        ("CASE #n OF 1: #t1(IN := #a); 2: #t1(IN := #c); END_CASE;", []),
+        ("IF #a THEN #t1(IN := #a); END_IF; #t1(IN := #c);", ["FB4221"]),
+        ("#z := #t1.Q;", ["FB4222"]),
+    ],
+)
+def test_a_timer_is_called_once_in_each_cycle(statements: str, expected: list[str]) -> None:
+    found = [code for code in codes(statements) if code != "FB4220" or code in expected]
+    assert found == expected
+
+
+@pytest.mark.parametrize(
+    ("condition", "warned"),
+    [
+        ("#u >= 0", True),
+        ("#u < 0", True),
+        ("0 <= #u", True),
+        ("#u > 0", False),
+        ("#u <= 65535", True),
+        ("#u > 65534", False),
+        ("#b = 300", True),
+        ("#d >= 0", False),
+    ],
+)
+def test_a_comparison_that_the_type_answers_is_reported(condition: str, warned: bool) -> None:
+    text = in_block("u : UINT; b : USINT; d : DINT; x : BOOL;", f"#x := {condition};")
+    assert ("FB4231" in [one.code for one in findings_of(text, "tia")]) is warned
+
+
+@pytest.mark.parametrize(
+    ("statements", "warned"),
+    [
+        ("#x := #r = #q;", True),
+        ("#x := #r = 0.0;", False),
+        ("#x := #r <> #r;", False),
+        ("#x := #r <> #q; #q := #r;", False),
+    ],
+)
+def test_reals_are_compared_exactly_on_purpose_only(statements: str, warned: bool) -> None:
+    text = in_block("r, q : REAL; x : BOOL;", statements)
+    assert ("FB4230" in [one.code for one in findings_of(text, "tia")]) is warned
+
+
+def test_a_named_switch_is_no_constant_condition() -> None:
+    text = (
+        "FUNCTION_BLOCK b\nVAR CONSTANT DEBUG : BOOL := FALSE; END_VAR\nVAR_OUTPUT y : INT;"
+        " END_VAR\nIF #DEBUG THEN #y := 1; END_IF;\nEND_FUNCTION_BLOCK\n"
+    )
+    assert findings_of(text, "tia") == []
+
+
+def test_statements_with_errors_hide_what_they_may_have_done() -> None:
+    text = (
+        "FUNCTION_BLOCK b\nVAR_OUTPUT y, z : INT; END_VAR\nVAR_TEMP t, u : INT; END_VAR\nBEGIN\n"
+        '"GET"(x => #t, y => #z);\n#y := #t + #u;\nEND_FUNCTION_BLOCK\n'
+    )
+    assert [one.code for one in findings_of(text, "tia")] == ["FB4004", "FB4206"]
+
+
+def test_an_unknown_block_is_one_error_with_all_its_places() -> None:
+    text = in_block("y : INT;", '"GET"(1);\n#y := "GET"(#missing);\n"GET"(2);')
+    found = findings_of(text, "tia")
+    assert [one.code for one in found] == ["FB4004", "FB4001"]
+    assert [note.span and note.span.line for note in found[0].notes] == [5, 6]
+
+
+def test_the_iec_dialects_give_variables_their_defaults() -> None:
+    text = (
+        "FUNCTION f : INT\nVAR_INPUT a : BOOL; END_VAR\nVAR t : INT; END_VAR\n"
+        "IF a THEN\n t := 1;\n f := t;\nEND_IF;\nEND_FUNCTION\n"
+    )
+    assert findings_of(text) == []
+
+
+def test_the_time_grows_with_the_size() -> None:
+    """Deep and long blocks are followed without recursion over their length."""
+    text = in_block("x : INT;", "IF #x > 1 THEN #x := 2; END_IF;\n" * 3000)
+    assert findings_of(text, "tia") == []
