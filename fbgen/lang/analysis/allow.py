@@ -17,7 +17,11 @@ from fbgen.nearest import nearest
 from fbgen.pages import pages, severity_of
 from fbgen.source import Span
 
-_COMMENT = re.compile(r"\bfbgen:\s*allow\s+(?P<codes>\w+(?:\s*,\s*FB\w+)*)", re.ASCII | re.IGNORECASE)
+_COMMENT = re.compile(
+    r"\bfbgen:\s*allow\s+"
+    r"(?P<codes>\w+(?:\s*,\s*FB\w+)*)",
+    re.ASCII | re.IGNORECASE,
+)
 _COMMENTS = (ast.TriviaKind.LINE_COMMENT, ast.TriviaKind.BLOCK_COMMENT)
 _TOUCHABLE = frozenset(
     kind

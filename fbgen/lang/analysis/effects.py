@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 
 from fbgen.lang.checked import (
     AddressRef,
+    Attempt,
     Binary,
     Constant,
     Convert,
@@ -99,6 +100,9 @@ class Effects:
                 self.arguments(node)
             elif kind is AddressRef:
                 self.outside = True
+            elif kind is Attempt:
+                pending.append(node.operand)
+                self.writes.append(node.flag)
             else:
                 self.outside = True
                 self._unknown(node)

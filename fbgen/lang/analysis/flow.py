@@ -79,6 +79,8 @@ class Flow:
         self.ways_out = 0
         self.ends: tuple[int, int] | None = None
         self.labels: dict[str, tuple[int, int]] = {}
+        self.jumped: set[str] = set()
+        self.places: dict[str, Span] = {}
         self.passed: dict[str, tuple[int, int] | None] = {}
 
     def run(self, body: tuple[Statement, ...]) -> None:
@@ -226,16 +228,18 @@ class Flow:
         self.ways_out += 1
         self.alive = False
 
-    def _goto(self, node: Any) -> None:
-        key = node.label.casefold()
+    def _goto(self, node: checked.Goto) -> None:
+        key = node.label
+        self.jumped.add(key)
         state = _joined(self.labels.get(key), (self.must, self.may))
         assert state is not None
         self.labels[key] = state
         self.ways_out += 1
         self.alive = False
 
-    def _label(self, node: Any) -> None:
-        key = node.name.casefold()
+    def _label(self, node: checked.Label) -> None:
+        key = node.name
+        self.places[key] = node.span
         known = self.labels.get(key)
         state = self._joined_here(known)
         if state is not None:
@@ -358,13 +362,16 @@ def follow(
         again.labels = flow.labels
         again.run(body)
         flow = again
+    for key, place in flow.places.items():
+        if key not in flow.jumped:
+            statements.report_label(flow.report, place)
     flow.copied.report(flow.report)
     flow.instances.report_conditional()
     flow.unset.report_all()
     return flow
 
 
-_ARRIVALS: tuple[type, ...] = ()
+_ARRIVALS = (checked.Label,)
 _COPIES = (VariableRef, FieldRef, checked.IndexRef, Constant)
 _STEPS: dict[type, Any] = {
     checked.Assignment: Flow._assignment,
@@ -378,4 +385,6 @@ _STEPS: dict[type, Any] = {
     checked.Exit: Flow._exit,
     checked.Continue: Flow._continue,
     checked.Return: Flow._return,
+    checked.Goto: Flow._goto,
+    checked.Label: Flow._label,
 }

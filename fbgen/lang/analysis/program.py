@@ -37,7 +37,8 @@ def analyse(program: Program, library: "Library", findings: "Findings") -> None:
         span = block.syntax.span
         offsets = errors.get(span.source, [])
         inside = offsets[bisect_left(offsets, span.start) : bisect_left(offsets, span.end)]
-        vague = vague_variables(ctx, block.syntax, inside) if inside else frozenset()
+        unclear = inside or block.syntax.members
+        vague = vague_variables(ctx, block.syntax, inside) if unclear else frozenset()
         flows.append(follow(block, body, program, vague))
     members_written = written_from_outside(flows)
     for flow in flows:

@@ -3,6 +3,7 @@
 from fbgen.lang.analysis.effects import same_value
 from fbgen.lang.analysis.report import Report
 from fbgen.lang.checked import Assignment, Binary, Statement
+from fbgen.source import Span
 
 
 def report_unreachable(report: Report, statement: Statement) -> None:
@@ -35,3 +36,14 @@ def report_division(report: Report, node: Binary) -> None:
         node.span,
         "convert an operand first: INT_TO_REAL(a) / b; or write the conversion of the quotient",
     )
+
+
+def report_label(report: Report, span: Span) -> None:
+    """FB4208."""
+    report.warning(
+        "FB4208", f"nothing jumps to label '{_name(span)}'", span, "remove the label, or jump to it"
+    )
+
+
+def _name(span: Span) -> str:
+    return span.text.partition(":")[0].strip()

@@ -20,6 +20,8 @@ _PARAMETERS = (VariableKind.INPUT, VariableKind.IN_OUT)
 def check_usage(flow: Flow, ctx: "Context", members_written: Set[tuple[str, str]]) -> None:
     """FB4101, FB4201, FB4202, FB4203, FB4205 for one block.
 
+    The temporaries and inputs of an organization block are what the controller hands to it.
+
     `members_written` are (block, variable) that somebody writes from outside, casefolded.
     """
     for entry in ctx.scope.entries.values():
@@ -29,7 +31,7 @@ def check_usage(flow: Flow, ctx: "Context", members_written: Set[tuple[str, str]
         elif entry.kind in _INNER:
             if entry in ctx.used or entry.address is not None:
                 _one_way(flow, ctx, entry, members_written)
-            elif entry.address is None:
+            elif flow.block.kind is not BlockKind.ORGANIZATION_BLOCK:
                 _unused(flow, "variable", entry)
         elif flow.block.kind is not BlockKind.ORGANIZATION_BLOCK and flow.block.syntax.body:
             _parameter(flow, ctx, entry)
@@ -41,6 +43,7 @@ def _unused(flow: Flow, what: str, entry: "Entry") -> None:
         f"{what} '{entry.name}' of {flow.block.name} is never used",
         entry.span,
         "remove it",
+        about=entry if isinstance(entry, Variable) else None,
     )
 
 
@@ -52,6 +55,7 @@ def _parameter(flow: Flow, ctx: "Context", entry: Variable) -> None:
                 f"{entry.kind.value} '{entry.name}' of {flow.block.name} is never used",
                 entry.span,
                 "remove it, or use it",
+                about=entry,
             )
     elif (
         entry.kind is VariableKind.OUTPUT

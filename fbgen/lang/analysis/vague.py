@@ -1,4 +1,7 @@
-"""Variables of statements with errors: nobody knows what these statements do to them."""
+"""Variables of statements with errors: nobody knows what these statements do to them.
+
+The same goes for what methods, properties and actions mention, which are no part of the body.
+"""
 
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
@@ -14,11 +17,18 @@ _BODIES = frozenset(("body", "branches", "otherwise", "arms"))
 
 
 def vague_variables(ctx: "Context", block: ast.Block, errors: Sequence[int]) -> frozenset[Variable]:
-    """The variables in statements of the block that have an error at one of these offsets."""
+    """The variables in what has an error at one of these offsets, and in methods and actions."""
+    unclear: list[object] = [*_with_error(block.body, errors), *block.members]
+    unclear += [
+        declaration
+        for section in block.sections
+        for declaration in section.declarations
+        if any(declaration.span.start <= one < declaration.span.end for one in errors)
+    ]
     found: set[Variable] = set()
-    for statement in _with_error(block.body, errors):
-        for node in walk(statement):
-            if isinstance(node, ast.Name):
+    for part in unclear:
+        for node in walk(part):
+            if isinstance(node, ast.Name | ast.DeclaredName):
                 entry = ctx.scope.entries.get(node.name.casefold())
                 if isinstance(entry, Variable):
                     found.add(entry)

@@ -148,6 +148,26 @@ def test_reals_are_compared_exactly_on_purpose_only(statements: str, warned: boo
     assert ("FB4230" in [one.code for one in findings_of(text, "tia")]) is warned
 
 
+@pytest.mark.parametrize(
+    ("statements", "expected"),
+    [
+        ("IF #a THEN GOTO done; END_IF; #t := 1; #y := #t; done: ;", []),
+        ("IF #a THEN GOTO done; END_IF; #t := 1; done: #y := #t;", ["FB4207"]),
+        ("GOTO done; #y := 1; done: #y := 2;", ["FB4210"]),
+        ("#s := 0; again: #s := #s + 1; IF #s < 5 THEN GOTO again; END_IF; #y := #s;", []),
+        (
+            "IF #a THEN GOTO second; END_IF; #t := 1; first: #y := #t; RETURN;"
+            " second: #s := 1; GOTO first;",
+            ["FB4207"],
+        ),
+        ("WHILE TRUE DO IF #a THEN GOTO done; END_IF; END_WHILE; done: #y := 1;", []),
+        ("GOTO used; used: #y := 1; spare: #y := 2;", ["FB4208"]),
+    ],
+)
+def test_jumps_are_followed_to_their_labels(statements: str, expected: list[str]) -> None:
+    assert codes(statements) == expected
+
+
 def test_a_named_switch_is_no_constant_condition() -> None:
     text = (
         "FUNCTION_BLOCK b\nVAR CONSTANT DEBUG : BOOL := FALSE; END_VAR\nVAR_OUTPUT y : INT;"

@@ -98,6 +98,7 @@ def _dialect_of(path: Path) -> str:
         ("FB4205_never_written.scl", 6, 3),
         ("FB4206_read_before_set.scl", 9, 11),
         ("FB4207_not_set_on_every_path.scl", 15, 14),
+        ("FB4208_label_unused.scl", 13, 3),
         ("FB4210_unreachable.scl", 11, 3),
         ("FB4211_constant_condition.scl", 10, 6),
         ("FB4212_condition_twice.scl", 11, 9),
