@@ -17,6 +17,7 @@ from fbgen.lang.checked import (
     FieldRef,
     FunctionCall,
     IndexRef,
+    MemoryRef,
     Place,
     SliceRef,
     StandardCall,
@@ -100,6 +101,9 @@ class Effects:
                 self.arguments(node)
             elif kind is AddressRef:
                 self.outside = True
+            elif kind is MemoryRef:
+                self.outside = True
+                pending += (part for part in _where(node) if part is not None)
             elif kind is Attempt:
                 pending.append(node.operand)
                 self.writes.append(node.flag)
@@ -136,6 +140,11 @@ class Effects:
             if kind is IndexRef:
                 for index in node.indices:
                     self.value(index)
+            elif kind is MemoryRef:
+                for part in _where(node):
+                    if part is not None:
+                        self.value(part)
+                return None
             elif kind is VariableRef:
                 return node  # type: ignore[no-any-return]  # told apart by its exact type
             elif kind is not FieldRef and kind is not SliceRef:
@@ -160,6 +169,10 @@ class Effects:
                 self.value(part)
             elif hasattr(part, "span") and not isinstance(part, Variable):
                 self._unknown(part)
+
+
+def _where(node: MemoryRef) -> tuple[Expression | None, ...]:
+    return node.area, node.db, node.byte, node.bit
 
 
 def _cuts(conversion: Convert, operand: Binary) -> bool:

@@ -65,7 +65,7 @@ class Flow:
         self.program = program
         self.report = Report(vague)
         self.facts = BlockFacts(block)
-        self.bits = tracked_variables(block, program.dialect)
+        self.bits = tracked_variables(block, program)
         self.effects = Effects()
         self.copied = CopiedTexts()
         self.unset = UnsetReads(self.report)

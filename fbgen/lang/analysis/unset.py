@@ -6,16 +6,16 @@ On S7 these hold whatever was in the memory before: TIA Portal help, "Temporary 
 
 from fbgen.lang.analysis.report import Report
 from fbgen.lang.ast import BlockKind
-from fbgen.lang.checked import Block, Variable, VariableKind
+from fbgen.lang.checked import Block, Program, Variable, VariableKind
 from fbgen.lang.types import AnyType, BlockType
 from fbgen.source import Span
 
 _WITHOUT_DEFAULTS = ("tia", "step7")
 
 
-def tracked_variables(block: Block, dialect: str) -> dict[Variable, int]:
-    """The variables that begin with no value, each with a bit of its own."""
-    if dialect not in _WITHOUT_DEFAULTS:
+def tracked_variables(block: Block, program: Program) -> dict[Variable, int]:
+    """The variables that begin with no value and that only their names reach, a bit for each."""
+    if program.dialect not in _WITHOUT_DEFAULTS:
         return {}
     kinds = {VariableKind.TEMP, VariableKind.RESULT}
     if block.kind is BlockKind.FUNCTION:
@@ -25,6 +25,7 @@ def tracked_variables(block: Block, dialect: str) -> dict[Variable, int]:
         for variable in block.variables
         if variable.kind in kinds
         and variable.initial is None
+        and variable not in program.byte_memory
         and not isinstance(variable.type, BlockType | AnyType)
     ]
     return {variable: 1 << place for place, variable in enumerate(tracked)}

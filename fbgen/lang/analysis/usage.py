@@ -31,7 +31,9 @@ def check_usage(flow: Flow, ctx: "Context", members_written: Set[tuple[str, str]
         elif entry.kind in _INNER:
             if entry in ctx.used or entry.address is not None:
                 _one_way(flow, ctx, entry, members_written)
-            elif flow.block.kind is not BlockKind.ORGANIZATION_BLOCK:
+            elif flow.block.kind is not BlockKind.ORGANIZATION_BLOCK and (
+                entry.overlay is not None or entry not in flow.program.byte_memory
+            ):
                 _unused(flow, "variable", entry)
         elif flow.block.kind is not BlockKind.ORGANIZATION_BLOCK and flow.block.syntax.body:
             _parameter(flow, ctx, entry)
@@ -76,6 +78,8 @@ def _one_way(
 ) -> None:
     facts = flow.facts
     if entry in facts.touched or entry.address is not None or ctx.is_read_only(entry):
+        return
+    if entry in flow.program.byte_memory:
         return
     written, read = entry in facts.written, entry in facts.read
     hidden = entry.kind is VariableKind.TEMP or (
