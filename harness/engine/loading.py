@@ -20,7 +20,10 @@ from fbgen.lang import ast
 from fbgen.lang.checked import Program
 from fbgen.lang.checker import check
 from fbgen.lang.containers import read_document
+from fbgen.lang.encoding import read_source
 from fbgen.lang.parser import parse
+from fbgen.lang.tag_files import read_tags
+from fbgen.lang.tags import ConstantValue, Tag, as_file, constants_of
 from fbgen.source import Source
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.faults import unknown_engine
@@ -41,15 +44,19 @@ def load_program(
     engine: str = "compiled",
     limits: Limits | None = None,
     db_numbers: Mapping[str, int] = MappingProxyType({}),
+    *,
+    constants: Mapping[str, ConstantValue] = MappingProxyType({}),
+    tags: Iterable[str | Path | Source | Tag] = (),
 ) -> "LoadedProgram":
     """Read, check and load PLC text on a controller without hardware.
 
     `sources` are files by their paths, or texts as `Source`. `db_numbers` has the numbers of data
-    blocks by their names, for absolute addresses; `DB100` has its number in its name. Raises one
+    blocks by their names, for absolute addresses; `DB100` has its number in its name. `constants`
+    are user constants by their names, `tags` PLC tags, or exported tag tables. Raises one
     `DiagnosticError` with everything that is wrong in them.
     """
     factory = engine_named(engine)
-    program = read_program(sources, dialect, db_numbers)
+    program = read_program(sources, dialect, db_numbers, constants, tags)
     kernel = Kernel()
     loaded = factory(program, StandaloneEnvironment(kernel), limits or Limits())
     return LoadedProgram(loaded, Clock(kernel))
@@ -59,6 +66,8 @@ def read_program(
     sources: Iterable[str | Path | Source],
     dialect: str = "tia",
     db_numbers: Mapping[str, int] = MappingProxyType({}),
+    constants: Mapping[str, ConstantValue] = MappingProxyType({}),
+    tags: Iterable[str | Path | Source | Tag] = (),
 ) -> Program:
     """The checked program that the files or texts make up; raises all errors together."""
     files: list[ast.File] = []
@@ -70,9 +79,31 @@ def read_program(
             files.append(_tree(source, dialect))
         except DiagnosticError as failure:
             found.extend(failure.diagnostics)
+    try:
+        files.append(global_file(dialect, constants, tags))
+    except DiagnosticError as failure:
+        found.extend(failure.diagnostics)
     if found:
         raise DiagnosticError(found)
     return check(files, dialect, db_numbers=db_numbers)
+
+
+def global_file(
+    dialect: str,
+    constants: Mapping[str, ConstantValue],
+    tags: Iterable[str | Path | Source | Tag],
+) -> ast.File:
+    """User constants and PLC tags as a further source; `tags` are tags, or files with tables."""
+    known: list[Tag] = []
+    more = constants_of(constants)
+    for one in tags:
+        if isinstance(one, Tag):
+            known.append(one)
+            continue
+        found, also = read_tags(one if isinstance(one, Source) else read_source(Path(one)))
+        known += found
+        more += also
+    return as_file(known, more, dialect)
 
 
 def _tree(source: str | Path | Source, dialect: str) -> ast.File:
