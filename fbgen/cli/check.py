@@ -110,7 +110,8 @@ def check(
     """Check PLC text: syntax, names, types, likely mistakes.
 
     All files of one dialect are one program. Without --dialect the file names decide: .scl, .udt
-    and .db are tia, .st and .xml (PLCopen) are iec, .TcPOU and the like are twincat. Exit status 1 if there is an error; warnings alone are status 0.
+    and .db are tia, .st and .xml (PLCopen) are iec, .TcPOU and the like are twincat. Exit status 1
+    if there is an error; warnings alone are status 0.
     """
     from fbgen.cli.checking import Progress, Settings, check_programs
     from fbgen.cli.plc_files import expand, programs_of
