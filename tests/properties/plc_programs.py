@@ -209,7 +209,9 @@ class Writer:
         """Some statement; compound ones only while `depth` lasts."""
         kinds = [self._assignment] * 5 + [self._call, self._jump]
         if self.mark:
-            kinds += [self._chain, self._enabled]
+            kinds += [self._chain, self._enabled, self._reference, self._open_array]
+        else:
+            kinds += [self._named_value, self._limited_value]
         if self.mark and depth > 0:
             kinds += [self._labelled, self._repeated_by_jump]
         if depth > 0:
@@ -220,6 +222,60 @@ class Writer:
         kind = self.one_of(TYPES)
         target = self.one_of(self.writable[kind])
         return f"{indent}{target} := {self.expression(kind, 3)};\n"
+
+    def _reference(self, depth: int, indent: str) -> str:
+        """A reference is bound, rarely to nothing, or handed to a function beside an in-out."""
+        target = self.one_of(self.writable["INT"])
+        match self.number(0, 11):
+            case 0:
+                return f"{indent}#toInt := NULL;\n"
+            case 1 | 2 | 3:
+                own = [one for one in self.writable["INT"] if "^" not in one]
+                return f"{indent}#toInt := REF({self.one_of(own)});\n"
+            case 4 | 5:
+                return f"{indent}#toFrame := REF(#frames[{self.number(1, 2)}]);\n"
+            case 6 | 7:
+                same = self.one_of(("#toInt = REF(#statInt)", "#toInt = NULL", "#toInt <> #other"))
+                return f"{indent}{self.one_of(self.writable['BOOL'])} := {same};\n"
+            case 8:
+                return f"{indent}#other := #toInt;\n"
+            case _:
+                value = self.expression("INT", 1)
+                return f'{indent}"Through"(one := {target}, also := #toInt, value := {value});\n'
+
+    def _open_array(self, depth: int, indent: str) -> str:
+        """Arrays of several lengths for one parameter; the index is often out of range."""
+        array = self.one_of(("#listInt", "#listInt", "#short"))
+        index = f"{self.one_of(self.readable['INT'])} MOD 4"
+        target = self.one_of(self.writable["INT"])
+        if self.number(0, 3):
+            index = str(self.number(1, 3) if array == "#listInt" else self.number(-1, 0))
+        value = self.expression("INT", 1)
+        return f'{indent}{target} := "Put"(list := {array}, at := {index}, value := {value});\n'
+
+    def _named_value(self, depth: int, indent: str) -> str:
+        """An enumeration is assigned, chosen, or selects."""
+        condition, target = self.expression("BOOL", 1), self.one_of(self.writable["INT"])
+        match self.number(0, 3):
+            case 0:
+                return f"{indent}statMode := SEL({condition}, typeMode#off, fast);\n"
+            case 1:
+                return f"{indent}IF statMode <> slow THEN statMode := slow; END_IF;\n"
+            case 2:
+                return f"{indent}{target} := TO_INT(statMode);\n"
+            case _:
+                first, second = self.expression("INT", 1), self.expression("INT", 1)
+                return (
+                    f"{indent}CASE statMode OF\n{indent}  off, fast: {target} := {first};\n"
+                    f"{indent}ELSE {target} := {second};\n{indent}END_CASE;\n"
+                )
+
+    def _limited_value(self, depth: int, indent: str) -> str:
+        """A subrange is assigned; rarely what it does not allow."""
+        value = self.expression("INT", 2)
+        if self.number(0, 9):
+            value = f"LIMIT(0, {value}, {self.one_of(('100', '100', '101'))})"
+        return f"{indent}statLevel := {value};\n"
 
     def _chain(self, depth: int, indent: str) -> str:
         """Several targets in one statement, with whole numbers of one or two types."""
@@ -381,8 +437,34 @@ class Writer:
         if mark:
             self.writable["BOOL"] += [f"{mark}statWord.%X3", f"{mark}statDint.%X31"]
             self.writable["BYTE"].append(f"{mark}statDword.%B2")
+            for places in (self.writable, self.readable):
+                places["INT"] += ["#toInt^", "#toFrame^.intPart"]
+        else:
+            self.readable["INT"].append("statLevel")
+            self.readable["BOOL"].append("(statMode = fast)")
         body = self.statements(3, "    ")
         return _declarations(mark) + body + "END_FUNCTION_BLOCK\n"
+
+
+_IEC_TYPES = (
+    "TYPE typeMode : (off, slow := 5, fast); END_TYPE\n"
+    "TYPE typeLevel : INT (0..100) := 20; END_TYPE\n"
+)
+_S7_VARIABLES = (
+    "    toInt : REF_TO INT;\n    other : REF_TO INT;\n"
+    '    toFrame : REF_TO "typeFrame";\n    short : ARRAY[-1..0] OF INT;\n'
+)
+_S7_FUNCTIONS = (
+    'FUNCTION "Through" : Void\n'
+    "VAR_IN_OUT one : INT; END_VAR\nVAR_INPUT also : REF_TO INT; value : INT; END_VAR\nBEGIN\n"
+    "    #one := #value;\n    IF #also <> NULL THEN\n        #also^ := #also^ + #one;\n"
+    "    END_IF;\n    #one := #one + 1;\nEND_FUNCTION\n"
+    'FUNCTION "Put" : INT\n'
+    "VAR_IN_OUT list : ARRAY[*] OF INT; END_VAR\nVAR_INPUT at : INT; value : INT; END_VAR\n"
+    "VAR_TEMP i : DINT; END_VAR\nBEGIN\n    #list[#at] := #value;\n    #Put := 0;\n"
+    "    FOR #i := LOWER_BOUND(ARR := #list, DIM := 1) TO UPPER_BOUND(ARR := #list, DIM := 1) DO\n"
+    "        #Put := #Put + #list[#i];\n    END_FOR;\nEND_FUNCTION\n"
+)
 
 
 def _declarations(mark: str) -> str:
@@ -406,7 +488,8 @@ def _declarations(mark: str) -> str:
         + f"    {mark}total := {mark}total + {mark}value;\n    {mark}Twice := {mark}value * 2;\n"
         + ("    IF #value > 100 THEN ENO := FALSE; END_IF;\n" if mark else "")
         + "END_FUNCTION\n"
-        f"FUNCTION_BLOCK {quote}Inner{quote}\n"
+        + (_S7_FUNCTIONS if mark else _IEC_TYPES)
+        + f"FUNCTION_BLOCK {quote}Inner{quote}\n"
         "VAR_INPUT value : INT; END_VAR\nVAR_OUTPUT sum : INT; END_VAR\n"
         "VAR_IN_OUT place : INT; END_VAR\nVAR calls : UINT; END_VAR\n" + begin
         + f"    {mark}calls := {mark}calls + 1;\n    {mark}place := {mark}place + {mark}value;\n"
@@ -420,7 +503,9 @@ def _declarations(mark: str) -> str:
         "    i : INT;\n    j : DINT;\n    k : USINT;\n    guard : INT;\n"
         "    instOn : TON;\n    instOff : TOF;\n    instPulse : TP;\n    instRise : R_TRIG;\n"
         f"    instFall : F_TRIG;\n    instCount : CTU;\n    instInner : {quote}Inner{quote};\n"
-        "END_VAR\n" + begin + f"    {mark}guard := 0;\n"
+        + (_S7_VARIABLES if mark else "    statMode : typeMode;\n    statLevel : typeLevel;\n")
+        + "END_VAR\n" + begin + f"    {mark}guard := 0;\n"
+        + ("    #toInt := REF(#statInt);\n    #toFrame := REF(#frame);\n" if mark else "")
     )  # fmt: skip
 
 

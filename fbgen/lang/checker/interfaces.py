@@ -166,11 +166,16 @@ class Interfaces:
             if not self._is_new(ctx, declared):
                 continue
             remanent = "RETAIN" in section.qualifiers
+            shared = kind is VariableKind.GLOBAL and block is not None
+            name = self._library.name_of_shared(declared.name) if shared else declared.name
             variable = Variable(
-                declared.span, declared.name, kind, resolved.type, initial, remanent, address
+                declared.span, name, kind, resolved.type, initial, remanent, address
             )
             ctx.scope.entries[declared.name.casefold()] = variable
-            variables.append(variable)
+            if shared:
+                self._library.globals.entries[name.casefold()] = variable
+            else:
+                variables.append(variable)
         return variables
 
     def _overlays(
@@ -210,6 +215,8 @@ class Interfaces:
                 if parameter
                 else "declare global variables in a CONFIGURATION or outside of the blocks",
             )
+        if section.keyword == "VAR_STAT":
+            return VariableKind.GLOBAL
         if section.keyword in _KINDS:
             return _KINDS[section.keyword]
         return VariableKind.TEMP if block in _WITHOUT_MEMORY else VariableKind.STATIC

@@ -306,6 +306,13 @@ class Library:
             node.name.span, node.name.name, VariableKind.RESULT, resolved.type, resolved.initial
         )
 
+    def name_of_shared(self, name: str) -> str:
+        """The global name of a VAR_STAT of the block whose interface is being resolved.
+
+        All instances of the block share it, and it outlives the calls of a FUNCTION.
+        """
+        return f"{self._units[self._busy[-1]][0]}.{name}"
+
     def all_blocks(self) -> Mapping[str, Block]:
         """All blocks of the text by casefolded name, their interfaces resolved."""
         for node in self._syntax.values():

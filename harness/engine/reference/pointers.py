@@ -15,6 +15,10 @@ class Pointed(int):
         self.storage = storage
         return self
 
+    def __repr__(self) -> str:
+        """As it reads from outside."""
+        return repr(bool(self))
+
 
 class ReferenceCell(Storage):
     """A variable that is a reference."""

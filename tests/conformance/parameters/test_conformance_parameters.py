@@ -68,3 +68,18 @@ def test_an_in_out_from_outside_is_a_place_of_its_own(load: Load) -> None:
     assert (instance.first, instance.second, instance.seen) == (6, 16, 1)
     instance()
     assert (instance.first, instance.second) == (7, 26)
+
+
+def test_static_variables_of_a_function_outlive_its_calls(load: Load) -> None:
+    program = load("shared.twincat")
+    assert [program.call("CountCalls") for _ in range(3)] == [11, 12, 13]
+    program.reset()
+    assert program.call("CountCalls") == 11
+
+
+def test_static_variables_are_shared_by_all_instances(load: Load) -> None:
+    program = load("shared.twincat")
+    one, two = program.instance("Member"), program.instance("Member")
+    for member in (one, two, one):
+        member()
+    assert (one.number, two.number, one.all) == (1, 2, 2)
