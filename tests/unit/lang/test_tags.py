@@ -1,13 +1,17 @@
 """PLC tags and user constants that a project keeps outside of its sources."""
 
+import re
+
 import pytest
 
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.tag_files import read_tags
 from fbgen.lang.tags import Tag
+from fbgen.resources import shipped
 from fbgen.source import Source
 from harness import load_program
 from harness.engine.interface import Value
+from harness.engine.loading import global_file
 
 _BLOCK = Source(
     "start.scl",
@@ -111,3 +115,11 @@ def test_a_constant_that_the_sources_declare_too_is_reported() -> None:
     with pytest.raises(DiagnosticError) as caught:
         load_program([Source("p.st", text)], dialect="iec", constants={"C": 2})
     assert [one.code for one in caught.value.diagnostics] == ["FB4002"]
+
+
+def test_the_page_of_the_code_shows_it_and_the_way_out() -> None:
+    page = (shipped("diagnostics") / "FB3060.md").read_text(encoding="utf-8")
+    fails, fixed = re.findall(r"```xml\n(.*?)```", page, re.DOTALL)
+    with pytest.raises(DiagnosticError, match="FB3060"):
+        global_file("tia", {}, [Source("tags.xml", fails)])
+    assert len(global_file("tia", {}, [Source("tags.xml", fixed)]).units) == 1
