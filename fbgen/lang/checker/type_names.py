@@ -12,6 +12,7 @@ from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enumerations import enumeration, subrange, typed_enumerator
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.references import reference_type
+from fbgen.lang.layout import holds_blocks, holds_values
 from fbgen.lang.types import (
     ALIASES,
     DTL,
@@ -105,7 +106,7 @@ class TypeResolver:
             return Resolved(ERRONEOUS) if limited is None else Resolved(limited, limited.lowest)
         if isinstance(node, ast.ReferenceSpec):
             return Resolved(reference_type(self._library, ctx, node))
-        return self._unsupported(node)
+        return Resolved(self.union(ctx, node, "UNION"))
 
     def settle_later(self, find: Callable[[], Type]) -> None:
         """The target of a reference, to be looked up when all types are known."""
@@ -163,15 +164,6 @@ class TypeResolver:
         """The place of the TYPE with that name."""
         node = self._declared.get(name.casefold())
         return None if node is None else node.name.span
-
-    def _unsupported(self, node: ast.UnionSpec) -> Resolved:
-        self._library.findings.error(
-            "FB4054",
-            "variables of this type are not supported",
-            node.span,
-            "use elementary types, arrays and structures",
-        )
-        return Resolved(ERRONEOUS)
 
     def named(self, ctx: Context, name: str, span: Span, quoted: bool = False) -> Resolved:
         """What a type's name means."""
@@ -235,6 +227,8 @@ class TypeResolver:
             resolved = Resolved(struct)
         elif isinstance(node.type, ast.EnumSpec):
             resolved = self._enumeration(ctx, node.type, node)
+        elif isinstance(node.type, ast.UnionSpec):
+            resolved = Resolved(self.union(ctx, node.type, node.name.name))
         else:
             resolved = self.resolve(ctx, node.type)
         self._known[key] = resolved  # an initial value may use the type's own enumerators
@@ -282,6 +276,22 @@ class TypeResolver:
                 seen[key] = declared
                 fields.append(Field(declared.name, resolved.type, initial))
         return StructType(name, tuple(fields))
+
+    def union(self, ctx: Context, node: ast.UnionSpec, name: str) -> Type:
+        """A new union of these parts, which all have to lie in bytes."""
+        struct = self.structure(ctx, node.fields, name)
+        if not isinstance(struct, StructType):
+            return struct
+        for part in struct.fields:
+            if part.type != ERRONEOUS and (not holds_values(part.type) or holds_blocks(part.type)):
+                self._library.findings.error(
+                    "FB4074",
+                    f"part '{part.name}' of a union has no fixed bytes",
+                    node.span,
+                    "take elementary types, arrays and structures as parts of a union",
+                )
+                return ERRONEOUS
+        return StructType(name, struct.fields, is_union=True)
 
     def _string(self, ctx: Context, node: ast.StringSpec) -> Type:
         if node.length is None:

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from fbgen.diagnostics import DiagnosticError
+from fbgen.source import Source
 from harness import LoadedProgram, load_program
 
 INPUTS, OUTPUTS, MARKERS, BLOCK = 0x81, 0x82, 0x83, 0x84
@@ -100,3 +101,40 @@ def test_the_bytes_of_data_blocks_are_part_of_a_snapshot(program: LoadedProgram)
     program.reset()
     program.engine.restore(saved)
     assert program.call("Peeked", area=BLOCK, db=100, offset=2) == 0x0102
+
+
+def test_an_index_counts_bytes(engine_name: str) -> None:
+    path = Path(__file__).with_name("indexed.scl")
+    program = load_program([path], engine=engine_name, db_numbers={"values": 7})
+    assert program.call("Indexed", i=0) == 2 * 0x1234 + 5
+    assert program.globals.values.table == [0x1234, 5, *[0] * 8]
+    with pytest.raises(DiagnosticError, match=r"FB6010.*%DB7\.DBW21"):
+        program.call("Indexed", i=21)
+
+
+CLASSIC = """
+DATA_BLOCK DB100
+STRUCT table : ARRAY[0..9] OF INT; flag : BOOL; END_STRUCT
+BEGIN
+END_DATA_BLOCK
+
+FUNCTION FC1 : INT
+VAR_INPUT i : INT; block : WORD; END_VAR
+BEGIN
+  DB100.DW[i] := 16#1234;
+  DB100.DX[20, 3] := TRUE;
+  MW[i + 2] := DB100.DW[i];
+  M[20, 1] := DB100.DX[20, 3];
+  WORD_TO_BLOCK_DB(block).DW[6] := MW[i + 2];
+  FC1 := WORD_TO_INT(WORD_TO_BLOCK_DB(block).DW[i]) + WORD_TO_INT(DB100.DW6);
+END_FUNCTION
+"""
+
+
+def test_classic_spellings_reach_the_same_memory(engine_name: str) -> None:
+    program = load_program([Source("classic.scl", CLASSIC)], "step7", engine=engine_name)
+    assert program.call("FC1", i=2, block=100) == 2 * 0x1234
+    assert program.globals.DB100.table == [0, 0x1234, 0, 0x1234, *[0] * 6]
+    assert program.engine.environment.markers[20] == 2
+    with pytest.raises(DiagnosticError, match=r"FB6011.*DB101"):
+        program.call("FC1", i=2, block=101)

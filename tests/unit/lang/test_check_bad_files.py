@@ -85,6 +85,7 @@ def _dialect_of(path: Path) -> str:
         ("FB4071_overlay_too_large.scl", 5, 12),
         ("FB4072_unknown_area.scl", 3, 26),
         ("FB4073_optimized_block.scl", 8, 3),
+        ("FB4074_timer_in_union.st", 2, 3),
         ("FB4101_unused.st", 4, 3),
         ("FB4102_result_not_set.st", 1, 10),
         ("FB4103_own_input_changed.scl", 4, 3),
