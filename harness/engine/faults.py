@@ -123,6 +123,16 @@ def unknown_area(span: Span, code: int) -> DiagnosticError:
     )
 
 
+def too_many_elements(span: Span, name: str, count: int, room: int) -> DiagnosticError:
+    """FB6041: MOVE_BLK and the like with more elements than there are from the given one on."""
+    return error(
+        "FB6041",
+        f"{name} works on {count} elements, the array has {room} from there on",
+        span,
+        "limit COUNT to the elements that are left",
+    )
+
+
 def reference_not_set(span: Span | None, name: str) -> DiagnosticError:
     """FB6012: an in-out is used that no call has connected yet."""
     return error(

@@ -29,7 +29,11 @@ from fbgen.lang.checker.conversions import keeps_representation
 from fbgen.lang.checker.enabling import ENABLED, attempted
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, default_value, erroneous
-from fbgen.lang.checker.memory_access import check_peek, memory_access_named
+from fbgen.lang.checker.memory_access import check_peek, check_whole, memory_access_named
+from fbgen.lang.checker.memory_instructions import (
+    check_area_literal,
+    check_memory_instruction,
+)
 from fbgen.lang.checker.places import is_place, names_block
 from fbgen.lang.checker.standard_blocks import TIMER_METHODS, standard_block
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
@@ -435,6 +439,10 @@ def system_call(
             continue
         if isinstance(parameter.type, AnyType):
             value = _area(ctx, argument.value, parameter.is_output, where)
+        elif parameter.any_integer:
+            value = check_whole(ctx, argument.value, where)
+        elif parameter.type == VOID:
+            value = check_expression(ctx, argument.value)
         else:
             checked_value = check_expression(ctx, argument.value, parameter.type)
             value = _hardware_address(ctx, checked_value, parameter.type, where)
@@ -443,6 +451,8 @@ def system_call(
     if missing:
         _missing(ctx, node, instruction.name, missing)
     if missing or any(value.type == ERRONEOUS for value in arguments.values()):
+        return erroneous(node.span), None
+    if instruction.on_memory and not check_memory_instruction(ctx, instruction, arguments):
         return erroneous(node.span), None
     ordered = tuple((name, arguments[name]) for name, _ in parameters)
     return SystemCall(node.span, instruction.name, ordered, instruction.result), result_place
@@ -459,6 +469,8 @@ def _hardware_address(
 
 
 def _area(ctx: Context, node: ast.Expression, written: bool, where: str) -> Expression:
+    if isinstance(node, ast.Literal) and node.kind is ast.LiteralKind.POINTER:
+        return check_area_literal(ctx, node, where)
     if written:
         return check_target(ctx, node, where) or erroneous(node.span)
     expression = check_expression(ctx, node)

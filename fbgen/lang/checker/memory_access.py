@@ -97,12 +97,12 @@ def _place(
 ) -> MemoryRef:
     area, number = arguments["area"], arguments["dbNumber"]
     if not isinstance(area, Constant) or area.value == DATA_BLOCK:
-        _use(ctx, number)
+        use_block(ctx, number)
     bit = arguments.get("bitOffset")
     return MemoryRef(span, area, number, arguments["byteOffset"], bit, kind)
 
 
-def _use(ctx: Context, number: Expression) -> None:
+def use_block(ctx: Context, number: Expression) -> None:
     if isinstance(number, Constant):
         ctx.library.memory.address(int(number.value))
     else:
@@ -129,7 +129,7 @@ def _arguments(ctx: Context, node: ast.Call, access: Access) -> dict[str, Expres
         elif kind is None:
             value = _poked(ctx, argument.value, where)
         elif kind in (DINT, INT):
-            value = _whole(ctx, argument.value, where)
+            value = check_whole(ctx, argument.value, where)
         else:
             value = coerce(ctx, check_expression(ctx, argument.value, kind), kind, where)
         found[name] = value
@@ -174,7 +174,8 @@ def _poked(ctx: Context, node: ast.Expression, where: str) -> Expression:
     return value
 
 
-def _whole(ctx: Context, node: ast.Expression, where: str) -> Expression:
+def check_whole(ctx: Context, node: ast.Expression, where: str) -> Expression:
+    """A whole number of any type, as it is."""
     value = as_typed(check_expression(ctx, node))
     kind = value.type
     if kind == ERRONEOUS:
@@ -208,7 +209,7 @@ def check_indexed_address(
         )
         return erroneous(node.span)
     wanted = 2 if kind == BOOL else 1
-    indices = [_whole(ctx, index, "an absolute address") for index in node.indices]
+    indices = [check_whole(ctx, index, "an absolute address") for index in node.indices]
     if len(indices) != wanted:
         ctx.findings.error(
             "FB4019",
@@ -222,7 +223,7 @@ def check_indexed_address(
     if node.base is not None:
         number = _block_number(ctx, node.base)
         if number.type != ERRONEOUS:
-            _use(ctx, number)
+            use_block(ctx, number)
         area = DATA_BLOCK
     else:
         area = _HARDWARE[node.area] if node.peripheral else _AREAS[node.area]
@@ -237,7 +238,7 @@ def _block_number(ctx: Context, base: ast.Expression) -> Expression:
     if isinstance(base, ast.Call) and isinstance(base.callee, ast.Name):
         argument = base.arguments[0].value if len(base.arguments) == 1 else None
         if base.callee.name.casefold() in _NUMBER_OF_BLOCK and argument is not None:
-            return _whole(ctx, argument, "the number of a data block")
+            return check_whole(ctx, argument, "the number of a data block")
     if isinstance(base, ast.Name):
         symbol = find_symbol(ctx, base)
         if isinstance(symbol, Variable) and symbol.kind is VariableKind.GLOBAL:
@@ -245,13 +246,13 @@ def _block_number(ctx: Context, base: ast.Expression) -> Expression:
         key = base.name.casefold()
         if symbol is None and key.startswith("db") and key[2:].isdecimal():
             return Constant(base.span, int(key[2:]), DINT)
-    return _whole(ctx, base, "the number of a data block")
+    return check_whole(ctx, base, "the number of a data block")
 
 
 def _number_of(ctx: Context, base: ast.Name, symbol: Variable) -> Expression:
     ctx.used.add(symbol)
     if not isinstance(symbol.type, StructType | BlockType):
-        return _whole(ctx, base, "the number of a data block")
+        return check_whole(ctx, base, "the number of a data block")
     if symbol in ctx.library.memory.optimized:
         report_optimized(ctx, base.span, symbol)
         return erroneous(base.span)

@@ -1,30 +1,76 @@
-"""The controller's instructions that work on hardware: their parameters.
+"""The controller's instructions that work on hardware and on memory: their parameters.
 
 Source: TIA Portal help, "DPRD_DAT" and "DPWR_DAT" (SFC14 and SFC15 on S7-300/400). LADDR is the
 start address of the module as WORD (S7-300/400), or its hardware identifier (S7-1200/1500).
+"BLKMOV", "UBLKMOV" and "FILL" (SFC20, SFC81, SFC21), "MOVE_BLK", "FILL_BLK", "POKE_BLK".
 """
 
 from dataclasses import dataclass
 
-from fbgen.lang.types import INT, VARIANT, WORD, AnyType, Elementary
+from fbgen.lang.types import ANY, BYTE, DINT, INT, VARIANT, VOID, WORD, AnyType, Elementary
 
 
 @dataclass(frozen=True, slots=True)
 class InstructionParameter:
-    """One parameter. An area (VARIANT) is a place of any type; `is_output`: it is written."""
+    """One parameter. An area (VARIANT) is a place of any type; `is_output`: it is written.
+
+    `any_integer`: whole numbers of all types are taken as they are.
+    """
 
     name: str
     type: Elementary | AnyType
     is_output: bool = False
+    any_integer: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Instruction:
-    """An instruction; its result is its RET_VAL."""
+    """An instruction; its result is its RET_VAL, VOID for none.
+
+    `on_memory`: it works on the memory of the program alone, so that every engine has it.
+    """
 
     name: str
     parameters: tuple[InstructionParameter, ...]
     result: Elementary
+    on_memory: bool = False
+
+
+def _number(name: str) -> InstructionParameter:
+    return InstructionParameter(name, DINT, any_integer=True)
+
+
+def _moves(name: str) -> Instruction:
+    """What fills takes a value of the type that the elements have (VOID), what moves an element."""
+    source = InstructionParameter("IN", VOID if "FILL" in name else VARIANT)
+    target = InstructionParameter("OUT", VARIANT, is_output=True)
+    return Instruction(name, (source, _number("COUNT"), target), VOID, on_memory=True)
+
+
+def _copies(name: str) -> Instruction:
+    source = InstructionParameter("SRCBLK", ANY)
+    target = InstructionParameter("DSTBLK", ANY, is_output=True)
+    return Instruction(name, (source, target), INT, on_memory=True)
+
+
+_FILL = Instruction(
+    "FILL",
+    (InstructionParameter("BVAL", ANY), InstructionParameter("BLK", ANY, is_output=True)),
+    INT,
+    on_memory=True,
+)
+_POKE_BLK = Instruction(
+    "POKE_BLK",
+    (
+        *(InstructionParameter("area_src", BYTE), _number("dbNumber_src")),
+        *(_number("byteOffset_src"), InstructionParameter("area_dest", BYTE)),
+        *(_number("dbNumber_dest"), _number("byteOffset_dest"), _number("count")),
+    ),
+    VOID,
+    on_memory=True,
+)
+ELEMENT_MOVES = ("MOVE_BLK", "UMOVE_BLK", "FILL_BLK", "UFILL_BLK")
+"""They work on elements of arrays from a given one on."""
 
 
 RETURN_VALUE = "RET_VAL"
@@ -46,11 +92,19 @@ INSTRUCTIONS: dict[str, Instruction] = {
             (InstructionParameter("LADDR", WORD), InstructionParameter("RECORD", VARIANT)),
             INT,
         ),
+        *(_moves(name) for name in ELEMENT_MOVES),
+        *(_copies("BLKMOV"), _copies("UBLKMOV"), _FILL, _POKE_BLK),
     )
 }
 """By casefolded canonical name."""
 
-ALIASES = {"sfc14": "dprd_dat", "sfc15": "dpwr_dat"}
+ALIASES = {
+    "sfc14": "dprd_dat",
+    "sfc15": "dpwr_dat",
+    "sfc20": "blkmov",
+    "sfc21": "fill",
+    "sfc81": "ublkmov",
+}
 """Other spellings, casefolded."""
 
 

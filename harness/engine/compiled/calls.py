@@ -15,7 +15,9 @@ from fbgen.lang.checked import (
     VariableKind,
     VariableRef,
 )
+from fbgen.lang.checker.system_instructions import ELEMENT_MOVES
 from fbgen.lang.types import ArrayType, OpenArrayType, Type
+from harness.engine.compiled.addresses import as_memory_ref
 from harness.engine.compiled.code import Code, deepest
 from harness.engine.compiled.evaluation import Write, value
 from harness.engine.compiled.instructions import areas
@@ -217,7 +219,9 @@ def _instruction_code(procedure: Procedure, node: SystemCall, cells: dict[str, s
     areas_by_name = areas(node)
     for name, argument in node.arguments:
         area = areas_by_name.get(name)
-        if area is None or not is_scalar(area.type):
+        if area is not None and node.name in ELEMENT_MOVES:
+            texts.append(cell(procedure, area).text)
+        elif area is None or not is_scalar(area.type):
             texts.append(value(procedure, argument).text)
         else:
             texts.append(cells.get(name) or cell(procedure, area).text)
@@ -232,6 +236,7 @@ def instruction_statement(procedure: Procedure, node: SystemCall) -> Code:
     back: list[tuple[Place, str]] = []
     for name, area in areas(node).items():
         if is_scalar(area.type) and _is_outside_python(area):
+            # A single value that no cell can refer to is copied in and out.
             target = pinned(procedure, area)
             cells[name] = procedure.temporary()
             procedure.line(f"{cells[name]} = _ValueCell({value(procedure, target).text})")

@@ -71,6 +71,16 @@ class ElementCell:
     __hash__ = None  # type: ignore[assignment]  # the way Python marks what cannot be hashed
 
     @property
+    def elements(self) -> list[Scalar]:
+        """The array."""
+        return self._elements
+
+    @property
+    def position(self) -> int:
+        """Where the element is in the array."""
+        return self._position
+
+    @property
     def value(self) -> Scalar:
         """The element."""
         return self._elements[self._position]

@@ -7,6 +7,7 @@ from typing import Any
 
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Place, SystemCall
+from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, INSTRUCTIONS
 from fbgen.lang.types import Scalar
 from harness.engine.compiled.areas import VariableArea
 from harness.engine.compiled.cells import AttributeCell, Cell, ElementCell, ValueCell, same, target
@@ -14,6 +15,7 @@ from harness.engine.compiled.instructions import areas
 from harness.engine.compiled.library import calendar, dates, decimals, reals, stops, texts, wholes
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.memory_access import access
+from harness.engine.compiled.memory_instructions import BlockPokes, move_area, move_elements
 from harness.engine.compiled.model import is_scalar
 from harness.engine.compiled.open_arrays import OpenArray
 from harness.engine.compiled.placement import FUNCTIONS, Bytes
@@ -146,8 +148,13 @@ def hardware(
     memory: Memory, data: Bytes, environment: Environment
 ) -> dict[str, Callable[..., Any]]:
     """The functions that reach the controller and absolute addresses."""
+    block_pokes = BlockPokes(data, environment)
 
     def instruction(node: SystemCall, *arguments: Any) -> Scalar:
+        if node.name in ELEMENT_MOVES:
+            return move_elements(node, *arguments)
+        if node.name == "POKE_BLK":
+            return block_pokes.run(node, *arguments)
         by_name: dict[str, Scalar | VariableArea] = {}
         places = areas(node)
         for (name, _), argument in zip(node.arguments, arguments, strict=True):
@@ -160,6 +167,11 @@ def hardware(
                 by_name[name] = VariableArea(memory, _cell_location(place.type, argument))
             else:
                 by_name[name] = VariableArea(memory, _fixed(place.type, argument))
+        if INSTRUCTIONS[node.name.casefold()].on_memory:
+            source, target = by_name.values()
+            assert isinstance(source, VariableArea)
+            assert isinstance(target, VariableArea)
+            return move_area(node, source, target)
         return environment.instruction(node.name, by_name, node.span)
 
     return {"_instruction": instruction, **access(data, environment)}

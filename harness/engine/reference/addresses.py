@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from fbgen.lang.checked import Address, Expression, MemoryRef
 from fbgen.lang.types import Elementary, Type
+from fbgen.source import Span
 from harness.engine.faults import address_out_of_range, no_data_block, unknown_area
 from harness.engine.layout import S7
 from harness.engine.reference.frames import Frame
@@ -47,7 +48,7 @@ class Addresses:
         kind = place.type
         bits = kind.bits if isinstance(kind, Elementary) else 8
         address = Address(area, bits, byte, bit, number, peripheral)
-        memory = self._bytes(address, place)
+        memory = self._bytes(address, place.span)
         size = max(S7.used_bits(kind) + bit + 7, 8) // 8
         if byte < 0 or not 0 <= bit <= 7 or (not peripheral and byte + size > len(memory)):
             raise address_out_of_range(place.span, spelling(address), len(memory))
@@ -55,11 +56,22 @@ class Addresses:
             return MemoryCell(kind, address, self._memory, place.span)
         return self._view(kind, memory, 8 * byte + bit)
 
-    def _bytes(self, address: Address, place: MemoryRef) -> bytearray:
+    def area(self, span: Span, code: int, number: int, byte: int, count: int) -> bytearray:
+        """The memory in which so many bytes lie. Raises FB6010, FB6011 and FB6040."""
+        area, peripheral = _AREAS.get(code, ("", True))
+        if peripheral:
+            raise unknown_area(span, code)
+        address = Address(area, 8, byte, 0, number)
+        memory = self._bytes(address, span)
+        if byte < 0 or byte + count > len(memory):
+            raise address_out_of_range(span, spelling(address), len(memory))
+        return memory
+
+    def _bytes(self, address: Address, span: Span) -> bytearray:
         if address.area == "DB":
             block = self._memory.data_block(address.db)
             if block is None:
-                raise no_data_block(place.span, address.db)
+                raise no_data_block(span, address.db)
             return block
         environment = self._memory.environment
         images = {"I": environment.inputs, "Q": environment.outputs, "M": environment.markers}

@@ -19,7 +19,7 @@ from fbgen.lang.checked import (
     SystemCall,
     Unary,
 )
-from fbgen.lang.checker.system_instructions import INSTRUCTIONS
+from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, INSTRUCTIONS
 from fbgen.lang.types import AnyType, ArrayType, Scalar, StringType, StructType
 from harness.engine.environment import Area, Environment
 from harness.engine.interface import Value
@@ -30,6 +30,12 @@ from harness.engine.reference.conversion import convert
 from harness.engine.reference.date_functions import DATE_FUNCTIONS
 from harness.engine.reference.frames import Frame
 from harness.engine.reference.functions import NUMERIC_FUNCTIONS, Signature
+from harness.engine.reference.memory_instructions import (
+    elements,
+    move_areas,
+    move_elements,
+    poke_block,
+)
 from harness.engine.reference.places import Places
 from harness.engine.reference.pointers import Pointed
 from harness.engine.reference.stamps import parts_of, stamp_of
@@ -80,7 +86,10 @@ class Expressions:
 
     def system_call(self, call: SystemCall, frame: Frame) -> Scalar:
         """A system instruction: areas by reference, everything else by value."""
-        parameters = INSTRUCTIONS[call.name.casefold()].parameters
+        instruction = INSTRUCTIONS[call.name.casefold()]
+        if instruction.on_memory:
+            return self._on_memory(call, frame)
+        parameters = instruction.parameters
         areas = {
             parameter.name
             for parameter in parameters
@@ -94,6 +103,24 @@ class Expressions:
             else:
                 arguments[name] = self.scalar(expression, frame)
         return self._environment.instruction(call.name, arguments, call.span)
+
+    def _on_memory(self, call: SystemCall, frame: Frame) -> Scalar:
+        """An instruction that works on memory alone; 0 for those without a result."""
+        places = self._places
+        if call.name == "POKE_BLK":
+            numbers = [self.integer(argument, frame) for _, argument in call.arguments]
+            poke_block(call, numbers, places)
+        elif call.name in ELEMENT_MOVES:
+            (_, source), (_, count), (_, target) = call.arguments
+            if "FILL" in call.name:
+                values = [self.value(source, frame)]
+            else:
+                values = [storage.read() for storage in elements(source, places, frame)]
+            wanted = self.integer(count, frame)
+            move_elements(call, values, elements(target, places, frame), wanted)
+        else:
+            return move_areas(call, places, frame)
+        return 0
 
     def _calculated(
         self,

@@ -87,6 +87,11 @@ class Places:
         self._globals = program_globals
         self._index = index
 
+    @property
+    def addresses(self) -> Addresses:
+        """Where absolute addresses lead."""
+        return self._addresses
+
     def find(self, place: Place, frame: Frame) -> Storage:
         """The storage behind a place. Raises FB6002 and FB6012."""
         match place:
@@ -121,10 +126,19 @@ class Places:
         return base.part(key)
 
     def _element(self, base: Storage, place: IndexRef, frame: Frame) -> Storage:
+        array, position = self._position(base, place, frame)
+        return array.elements[position]
+
+    def elements_from(self, place: IndexRef, frame: Frame) -> list[Storage]:
+        """An element of an array and those behind it. Raises FB6002 and FB6012."""
+        array, position = self._position(self.find(place.base, frame), place, frame)
+        return array.elements[position:]
+
+    def _position(self, base: Storage, place: IndexRef, frame: Frame) -> tuple[Array, int]:
         if not isinstance(base, Array):
             raise no_layout(place.span, base.kind)
         indices = [self._index(index, frame) for index in place.indices]
-        return base.elements[flat_index(base.kind.bounds, indices, place.span)]
+        return base, flat_index(base.kind.bounds, indices, place.span)
 
 
 def flat_index(

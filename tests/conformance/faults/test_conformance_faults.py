@@ -29,6 +29,7 @@ PLACES = {
     "FB6010_address_behind_the_memory": (3, 5, "%MW1023 lies outside of its area"),
     "FB6013_instance_as_area": (7, 52, "a variable of type TON cannot be used as an area"),
     "FB6014_not_decimal": (7, 15, "16#01A3 is not binary coded decimal"),
+    "FB6041_too_many_elements": (4, 3, "FILL_BLK works on 8 elements, the array has 5"),
     "FB6040_unknown_area": (4, 9, "there is no memory area 16#85"),
 }
 

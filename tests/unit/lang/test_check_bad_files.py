@@ -86,6 +86,7 @@ def _dialect_of(path: Path) -> str:
         ("FB4072_unknown_area.scl", 3, 26),
         ("FB4073_optimized_block.scl", 8, 3),
         ("FB4074_timer_in_union.st", 2, 3),
+        ("FB4075_no_element.scl", 4, 18),
         ("FB4101_unused.st", 4, 3),
         ("FB4102_result_not_set.st", 1, 10),
         ("FB4103_own_input_changed.scl", 4, 3),
