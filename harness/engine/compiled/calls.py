@@ -17,7 +17,6 @@ from fbgen.lang.checked import (
 )
 from fbgen.lang.checker.system_instructions import ELEMENT_MOVES
 from fbgen.lang.types import ArrayType, OpenArrayType, Type
-from harness.engine.compiled.addresses import as_memory_ref
 from harness.engine.compiled.code import Code, deepest
 from harness.engine.compiled.evaluation import Write, value
 from harness.engine.compiled.instructions import areas
