@@ -136,10 +136,13 @@ class Bytes:
         offsets = self.layout.element_bits(kind)
         if is_scalar(kind.element):
             way = self.codec(kind.element)
-            size = self.layout.size_bytes(kind)
+            size = self._used_bytes(kind)
             return lambda memory, bit: ByteArray(memory, bit, offsets, way, size)
         inner = self.maker(kind.element)
         return lambda memory, bit: [inner(memory, bit + offset) for offset in offsets]
+
+    def _used_bytes(self, kind: Type) -> int:
+        return (self.layout.used_bits(kind) + 7) // 8
 
     def _instance_maker(self, kind: BlockType) -> Callable[[bytearray, int], Any]:
         """Timers and the like have their memory elsewhere."""
@@ -162,7 +165,9 @@ class Bytes:
     def _class(self, kind: StructType) -> type[ByteStructure]:
         record = self._model.record_of(kind)
         bits = self.layout.field_bits(kind)
-        content: MutableMapping[str, Any] = {"_size": self.layout.size_bytes(kind)}
+        # What only rounds the length up may belong to somebody else.
+        size = self.layout.size_bytes(kind) if kind.is_union else self._used_bytes(kind)
+        content: MutableMapping[str, Any] = {"_size": size}
         makers = []
         for part in record.parts:
             bit = bits[part.name.casefold()]
@@ -174,6 +179,7 @@ class Bytes:
         content["_parts"] = tuple(makers)
         content["_slots"] = tuple((part.slot, part.type) for part in record.parts)
         content["_first_bytes"] = self.layout.encode(kind, self.value(kind, None))
+        content["_is_union"] = kind.is_union
         content["_names"] = self._names
         content["_plain"] = record.class_name
         made: type[ByteStructure] = type(record.class_name, (ByteStructure,), dict(content))

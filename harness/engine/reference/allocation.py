@@ -46,6 +46,7 @@ from harness.engine.reference.storage import (
     Cell,
     InstanceStorage,
     Storage,
+    Stretch,
     Structure,
     Union,
 )
@@ -121,7 +122,7 @@ class Allocator:
         if isinstance(kind, Elementary | StringType):
             return self._scalar(kind, spot)
         if isinstance(kind, ArrayType):
-            return Array(kind, self._elements(kind, spot))
+            return Array(kind, self._elements(kind, spot), self._stretch(kind, spot))
         if isinstance(kind, ReferenceType):
             return ReferenceCell(kind)
         if isinstance(kind, OpenArrayType):
@@ -129,10 +130,16 @@ class Allocator:
         if isinstance(kind, StructType):
             if kind.is_union:
                 return self._union(kind, spot)
-            return Structure(kind, self._parts(kind, spot))
+            return Structure(kind, self._parts(kind, spot), self._stretch(kind, spot))
         if isinstance(kind, BlockType):
             return self.instance(self._block(kind.name), kind, spot)
         raise no_layout(None, kind)
+
+    def _stretch(self, kind: Type, spot: _Spot | None) -> Stretch | None:
+        if spot is None:
+            return None
+        # What only rounds its length up may belong to somebody else.
+        return Stretch(spot.memory, spot.bit >> 3, (self._layout.used_bits(kind) + 7) // 8)
 
     def _scalar(self, kind: Elementary | StringType, spot: _Spot | None) -> Storage:
         if spot is None:
@@ -169,7 +176,7 @@ class Allocator:
             for field in kind.fields:
                 if field.initial is not None:
                     apply_initial(views[field.name.casefold()], field.initial)
-        return Union(kind, views, spot.memory, spot.bit >> 3, size)
+        return Union(kind, views, Stretch(spot.memory, spot.bit >> 3, size))
 
     def instance(self, block: AnyBlock, kind: Type, spot: _Spot | None = None) -> InstanceStorage:
         """A fresh instance; the in-outs are not connected."""

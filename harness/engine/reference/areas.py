@@ -30,11 +30,17 @@ class StorageArea:
 
     def read(self) -> bytes:
         """All bytes of the variable."""
+        stretch = self._storage.stretch
+        if stretch is not None:
+            return stretch.read()
         return encode(self._storage.kind, self._storage.read())
 
     def write(self, data: bytes) -> None:
         """Set the variable from its first bytes; the rest stays, what is too much is left out."""
-        kind = self._storage.kind
+        kind, stretch = self._storage.kind, self._storage.stretch
+        if stretch is not None:
+            stretch.write(data)
+            return
         memory = bytearray(self.read())
         memory[: len(data)] = data[: len(memory)]
         value: Value = decode(kind, bytes(memory))

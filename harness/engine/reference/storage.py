@@ -6,6 +6,7 @@ which is what "by reference" means. Keys of parts are casefolded names.
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from fbgen.lang.checked import AnyBlock, Variable, VariableKind
@@ -15,6 +16,24 @@ from harness.engine.interface import State, Value
 
 if TYPE_CHECKING:
     from harness.engine.reference.behaviour import Behaviour
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """`size` bytes of a memory from byte `start` on."""
+
+    memory: bytearray
+    start: int
+    size: int
+
+    def read(self) -> bytes:
+        """All bytes."""
+        return bytes(self.memory[self.start : self.start + self.size])
+
+    def write(self, data: bytes) -> None:
+        """The first bytes; what is too much is left out."""
+        data = data[: self.size]
+        self.memory[self.start : self.start + len(data)] = data
 
 
 class Storage(ABC):
@@ -34,6 +53,11 @@ class Storage(ABC):
     @abstractmethod
     def write(self, value: Value) -> None:
         """Take over a value of the right type; of a mapping only what it names."""
+
+    @property
+    def stretch(self) -> "Stretch | None":
+        """The bytes that it lies in; None if it lies in none."""
+        return None
 
     @abstractmethod
     def snapshot(self) -> State:
@@ -86,11 +110,19 @@ class Cell(Storage):
 class Structure(Storage):
     """The parts of a structure, in their order."""
 
-    __slots__ = ("_kind", "parts")
+    __slots__ = ("_kind", "_stretch", "parts")
 
-    def __init__(self, kind: StructType, parts: dict[str, Storage]) -> None:
+    def __init__(
+        self, kind: StructType, parts: dict[str, Storage], stretch: Stretch | None = None
+    ) -> None:
         self._kind = kind
+        self._stretch = stretch
         self.parts = parts
+
+    @property
+    def stretch(self) -> Stretch | None:
+        """The bytes that it lies in."""
+        return self._stretch
 
     @property
     def kind(self) -> StructType:
@@ -134,54 +166,55 @@ class UnionValue(dict[str, Value]):
 
 
 class Union(Structure):
-    """A structure whose parts share `size` bytes of a memory from byte `start` on."""
+    """A structure whose parts share their bytes."""
 
-    __slots__ = ("_memory", "_size", "_start")
+    __slots__ = ("_bytes",)
 
-    def __init__(
-        self, kind: StructType, parts: dict[str, Storage], memory: bytearray, start: int, size: int
-    ) -> None:
-        super().__init__(kind, parts)
-        self._memory = memory
-        self._start = start
-        self._size = size
+    def __init__(self, kind: StructType, parts: dict[str, Storage], stretch: Stretch) -> None:
+        super().__init__(kind, parts, stretch)
+        self._bytes = stretch
 
     def read(self) -> dict[str, Value]:
         """All parts by their declared names."""
-        return UnionValue(super().read(), self._data())
+        return UnionValue(super().read(), self._bytes.read())
 
     def write(self, value: Value) -> None:
         """Another union byte by byte; else the parts that are named, one behind the other."""
         if isinstance(value, UnionValue):
-            self._memory[self._start : self._start + self._size] = value.data
+            self._bytes.write(value.data)
         else:
             super().write(value)
 
     def snapshot(self) -> State:
         """The bytes."""
-        return self._data()
+        return self._bytes.read()
 
     def restore(self, state: State) -> None:
         """The bytes."""
         assert isinstance(state, bytes)
-        self._memory[self._start : self._start + self._size] = state
+        self._bytes.write(state)
 
     def reset(self, fresh: Storage, warm: bool) -> None:
         """The bytes."""
         self.restore(fresh.snapshot())
 
-    def _data(self) -> bytes:
-        return bytes(self._memory[self._start : self._start + self._size])
-
 
 class Array(Storage):
     """The elements of an array, the last index fastest."""
 
-    __slots__ = ("_kind", "elements")
+    __slots__ = ("_kind", "_stretch", "elements")
 
-    def __init__(self, kind: ArrayType, elements: list[Storage]) -> None:
+    def __init__(
+        self, kind: ArrayType, elements: list[Storage], stretch: Stretch | None = None
+    ) -> None:
         self._kind = kind
+        self._stretch = stretch
         self.elements = elements
+
+    @property
+    def stretch(self) -> Stretch | None:
+        """The bytes that it lies in."""
+        return self._stretch
 
     @property
     def kind(self) -> ArrayType:

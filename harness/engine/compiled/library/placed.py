@@ -173,6 +173,7 @@ class ByteStructure:
     __slots__ = ("_at", "_memory")
 
     _size: int
+    _is_union: bool
     _slots: tuple[tuple[str, Type], ...]
     _plain: str
     _names: Mapping[str, Any]
@@ -187,7 +188,7 @@ class ByteStructure:
             setattr(self, slot, make(self._memory, bit + offset))
 
     def _assign(self, other: Any) -> None:
-        if type(other) is type(self):
+        if self._is_union and type(other) is type(self):
             self.write(other.read())
             return
         for slot, kind in self._slots:
