@@ -11,7 +11,11 @@ from typing import Any
 from fbgen.lang import checked
 from fbgen.lang.analysis import loops, statements
 from fbgen.lang.analysis.comparisons import CopiedTexts, check_comparison
-from fbgen.lang.analysis.conditions import check_condition, check_repeated_conditions
+from fbgen.lang.analysis.conditions import (
+    check_case,
+    check_condition,
+    check_repeated_conditions,
+)
 from fbgen.lang.analysis.effects import Effects, key_of, root_of
 from fbgen.lang.analysis.facts import BlockFacts, CalledInstance
 from fbgen.lang.analysis.instances import InstanceTracker
@@ -156,6 +160,7 @@ class Flow:
     def _case(self, node: checked.Case) -> None:
         self.effects.value(node.selector)
         self._settle()
+        check_case(self.report, node)
         before = (self.must, self.may)
         after: tuple[int, int] | None = None
         self.depth += 1

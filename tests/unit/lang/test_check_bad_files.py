@@ -107,6 +107,7 @@ def _dialect_of(path: Path) -> str:
         ("FB4213_endless_loop.scl", 10, 9),
         ("FB4214_counter_written.scl", 16, 7),
         ("FB4215_division_cuts.scl", 10, 15),
+        ("FB4216_case_leaves_names_out.st", 10, 6),
         ("FB4220_conditional_call.scl", 13, 5),
         ("FB4221_called_twice.scl", 14, 3),
         ("FB4222_never_called.scl", 9, 11),
