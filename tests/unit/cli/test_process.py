@@ -76,7 +76,6 @@ def test_version_is_one_line(fbgen: Fbgen) -> None:
         ("generate", "plant.yaml"),
         ("generate", "plant.yaml", "-o", "out", "--dialect", "cobol"),
         ("check", "pump.txt"),
-        ("check", "pump.scl", "pump.st"),
         ("check", "pump.scl", "--format", "xml"),
         ("test", "--seed", "x"),
     ],
