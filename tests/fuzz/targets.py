@@ -58,6 +58,7 @@ def targets() -> Mapping[str, Target]:
         "tia": Target(_plc_text("tia"), texts + _files("tests/corpus/tia/*")),
         "step7": Target(_plc_text("step7"), _files("tests/corpus/step7/*")),
         "iec": Target(_plc_text("iec"), _files("bench/handshake.st", "tests/unit/bad/FB[34]*.st")),
+        "twincat": Target(_plc_text("twincat"), _files("tests/corpus/twincat/*")),
         "plant": Target(
             lambda data: read_plant(Source("fuzz.yaml", _text(data))),
             _files("examples/*/plant.yaml", "tests/unit/bad/FB[12]*.yaml"),

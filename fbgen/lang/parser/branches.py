@@ -62,13 +62,17 @@ class BranchParser(SimpleStatementParser):
             return condition
         except Unexpected:
             self.depth = depth
-            at = self.at
-            while self.kinds[at] not in (end, ";", "end") and self.kinds[at] not in ENDS | UNITS:
-                at += 1
-            if self.kinds[at] != end:
-                raise
-            self.at = at + 1
+            self.skip_behind(end)
             return Name(self.span(first), "")
+
+    def skip_behind(self, end: str) -> None:
+        """Go on behind the next `end` of this statement; give up if it has none."""
+        at = self.at
+        while self.kinds[at] not in (end, ";", "end") and self.kinds[at] not in ENDS | UNITS:
+            at += 1
+        if self.kinds[at] != end:
+            raise Unexpected
+        self.at = at + 1
 
     def _else(self, ends: set[str]) -> ElseBranch:
         first = self.at

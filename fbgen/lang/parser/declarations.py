@@ -202,9 +202,12 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
         self.at = first + 1
         names: list[Name] = []
         while self.kinds[self.at] not in _SECTION_ENDS:
-            names.append(self.name())
-            if not self.accept(",") and not self.accept(";"):
-                break
+            try:
+                names.append(self.name())
+                if not self.accept(",") and self.kinds[self.at] != "END_LABEL":
+                    self.expect(";", "',' or ';'", "write LABEL first, second; END_LABEL")
+            except Unexpected:
+                self._skip_declaration(self.at)
         self.end_section("END_LABEL", first)
         self.accept(";")
         span = self.span(first)
@@ -291,7 +294,7 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
             self.at += 1
             names.append(self._declared_name())
         at: DirectAddress | Name | None = None
-        if kinds[self.at] == ":=" and self._in_const_section:
+        if self._in_const_section:
             return self._constant(first, tuple(names), leading)
         if kinds[self.at] != ":":
             if self.accept_word("AT"):
@@ -356,7 +359,7 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
         self, first: int, names: tuple[DeclaredName, ...], leading: TriviaList
     ) -> Declaration:
         """`name := value;` of a CONST section, from the `:=` on."""
-        self.at += 1
+        self.expect(":=", "':='", "constants have the type of their value: LIMIT := 10;")
         initial = self.initial_value()
         if not self.accept(";"):
             self.missing_semicolon("the constant")

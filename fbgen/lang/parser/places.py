@@ -41,7 +41,8 @@ NAMES = frozenset({"name", "#", '"', '#"'})
 """Kinds of tokens that are names."""
 
 
-_MARKED_BLOCK = re.compile(r"(%(?:DB|FB|FC|SFB|SFC)[0-9]+)((?:\.\w+)*)", re.IGNORECASE)
+_MARKED_BLOCK = re.compile(r"(%(?:DB|FB|FC|SFB|SFC)[0-9]+)((?:\.[^\W\d]\w*)*)", re.IGNORECASE)
+_ADDRESSED = re.compile(r"DB[XBWD][0-9]+", re.IGNORECASE).fullmatch
 _MOST_DIMENSIONS = 2
 _LONGEST_AREA = 3
 
@@ -127,7 +128,9 @@ class AddressParser(Cursor, ABC):
         """`%DB5`, `%FC12`, `%DB5.a.b`: an absolute block and members of it."""
         at = self.at
         match = _MARKED_BLOCK.fullmatch(self.texts[at])
-        if match is None or read_address(self.texts[at], self.token_span(at)) is not None:
+        if match is None or read_marked_member(match[2][1:].partition(".")[0] + ".0"):
+            return None
+        if read_address(self.texts[at], self.token_span(at)) is not None:
             return None
         self.at = at + 1
         self.need(Feature.MARKED_ADDRESSES, at)
@@ -231,6 +234,9 @@ class AddressParser(Cursor, ABC):
         bit = self._bit_behind(self.at - 1)
         place = Span(self.source, base.span.start, self.ends[self.at + 1 if bit else self.at - 1])
         address = read_member_address(base.name, text, bit, place)
+        if address is None and data_block_number(base.name) is not None and _ADDRESSED(text):
+            self.at -= 1
+            raise self.failed("an absolute address", "they look like DB1.DBX0.7 and DB1.DBW2")
         if address is None:
             return None
         self.at += 2 if bit else 0

@@ -4,8 +4,9 @@ Source: IEC 61131-3, iteration statements; TIA Portal help, "REGION"; published 
 REGION lines.
 """
 
-from fbgen.lang.ast import For, Region, Repeat, Statement, While
+from fbgen.lang.ast import Expression, For, Name, Region, Repeat, Statement, While
 from fbgen.lang.parser.branches import BranchParser
+from fbgen.lang.parser.cursor import Unexpected
 from fbgen.lang.parser.statement_lists import enter
 
 
@@ -16,13 +17,7 @@ class StatementParser(BranchParser):
         leading = self.take_leading()
         first = self.at
         self.at += 1
-        variable = self.operand()
-        self.expect(":=", "':='", "write FOR i := 0 TO 7 DO")
-        start = self.expression()
-        self.expect("TO", "TO or an operator", "write FOR i := 0 TO 7 DO")
-        last = self.expression()
-        step = self.expression() if self.accept("BY") else None
-        self.expect("DO", "DO, BY or an operator", "write FOR i := 0 TO 7 DO")
+        variable, start, last, step = self._range()
         leading, opening = self.finish(leading)
         body = self.inside({"END_FOR"}, self.statements)
         closing = self.take_leading()
@@ -30,6 +25,24 @@ class StatementParser(BranchParser):
         place = self.span(first)
         trailing = self.take_same_line()
         return For(place, variable, start, last, step, body, leading, opening, closing, trailing)
+
+    def _range(self) -> tuple[Expression, Expression, Expression, Expression | None]:
+        """From the variable to DO; what is broken there does not hide what follows."""
+        first, depth = self.at, self.depth
+        try:
+            variable = self.operand()
+            self.expect(":=", "':='", "write FOR i := 0 TO 7 DO")
+            start = self.expression()
+            self.expect("TO", "TO or an operator", "write FOR i := 0 TO 7 DO")
+            last = self.expression()
+            step = self.expression() if self.accept("BY") else None
+            self.expect("DO", "DO, BY or an operator", "write FOR i := 0 TO 7 DO")
+        except Unexpected:
+            self.depth = depth
+            self.skip_behind("DO")
+            broken = Name(self.span(first), "")
+            return broken, broken, broken, None
+        return variable, start, last, step
 
     def _while(self) -> While:
         leading = self.take_leading()

@@ -177,3 +177,29 @@ def test_const_and_label_are_names_elsewhere() -> None:
 
 def test_in_tia_brackets_index_a_variable() -> None:
     assert isinstance(value("MW[i]", "tia"), ast.Index)
+
+
+def test_every_error_of_a_block_is_found_in_one_go() -> None:
+    text = """FUNCTION_BLOCK FB1
+CONST
+  A : INT := 4;
+  B = 5;
+  C := ;
+  D := 7;
+END_CONST
+LABEL a b; c; END_LABEL
+BEGIN
+  M0.9 := 1;
+  DB1.DBX0.8 := 1;
+  MW[ := 2;
+  x := DB10.DW[1;
+  FOR i := 1 TO DO x := 1; END_FOR;
+  x := y
+  z := D;
+END_FUNCTION_BLOCK
+"""
+    found = [(one.span.line, one.span.column) for one in found_in(text, "step7") if one.span]
+    assert found == [
+        *[(3, 5), (4, 5), (5, 8), (8, 9), (10, 3), (11, 7)],
+        *[(12, 7), (13, 17), (14, 17), (15, 8)],
+    ]
