@@ -15,6 +15,6 @@ def _known(name: str | None) -> str | None:
 
 DialectOption = Annotated[
     str | None,
-    typer.Option("--dialect", metavar="D", callback=_known, help="tia, step7 or iec."),
+    typer.Option("--dialect", metavar="D", callback=_known, help="tia, step7, iec or twincat."),
 ]
 """A dialect of the PLC language; None if not given. An unknown one is wrong usage."""

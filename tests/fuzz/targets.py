@@ -6,6 +6,7 @@ from pathlib import Path
 
 from fbgen.catalog import load_yaml, validate
 from fbgen.lang.checker import check_reporting
+from fbgen.lang.containers import new_files, read_text
 from fbgen.lang.encoding import decode
 from fbgen.lang.parser import parse_recovering
 from fbgen.lang.printer import print_file
@@ -35,6 +36,13 @@ def _plc_text(dialect: str) -> Callable[[bytes], object]:
     return run
 
 
+def _xml(data: bytes) -> None:
+    document = read_text(Source("fuzz.xml", decode(data, "fuzz")), "twincat", is_xml=True)
+    if not document.findings:
+        document.rewritten(document.file)
+        new_files([document.file], "plcopen", "fuzz")
+
+
 def _text(data: bytes) -> str:
     return data.decode("utf-8", "replace")
 
@@ -57,8 +65,12 @@ def targets() -> Mapping[str, Target]:
     return {
         "tia": Target(_plc_text("tia"), texts + _files("tests/corpus/tia/*")),
         "step7": Target(_plc_text("step7"), _files("tests/corpus/step7/*")),
-        "iec": Target(_plc_text("iec"), _files("bench/handshake.st", "tests/unit/bad/FB[34]*.st")),
+        "iec": Target(
+            _plc_text("iec"),
+            _files("bench/handshake.st", "tests/unit/bad/FB[34]*.st", "tests/corpus/iec/*"),
+        ),
         "twincat": Target(_plc_text("twincat"), _files("tests/corpus/twincat/*")),
+        "xml": Target(_xml, _files("tests/unit/lang/objects/*", "tests/unit/bad/FB3*.[Tx]*")),
         "plant": Target(
             lambda data: read_plant(Source("fuzz.yaml", _text(data))),
             _files("examples/*/plant.yaml", "tests/unit/bad/FB[12]*.yaml"),

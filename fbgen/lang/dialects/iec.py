@@ -27,6 +27,7 @@ IEC = Dialect(
             Feature.SUBRANGES,
             Feature.UNIONS,
             Feature.BARE_ENDS,
+            Feature.BARE_ARRAYS,
             Feature.OBJECTS,
             Feature.CLASSES,
             Feature.NAMESPACES,

@@ -24,6 +24,7 @@ TWINCAT = Dialect(
             Feature.UNIONS,
             Feature.ROUND_LENGTHS,
             Feature.BARE_ENDS,
+            Feature.BARE_ARRAYS,
             Feature.REFERENCES,
             Feature.SHORT_CIRCUIT,
             Feature.CHAINED_ASSIGNMENTS,

@@ -28,6 +28,7 @@ from fbgen.lang.dialects.dialect import Feature
 from fbgen.lang.parser.cursor import Unexpected
 from fbgen.lang.parser.declarations import MEMBERS, SECTIONS, UNITS
 from fbgen.lang.parser.namespaces import NamespaceParser
+from fbgen.lang.parser.unread import UNREAD_SECTIONS
 from fbgen.source import Span
 
 _HEADER_WORDS = frozenset({"AUTHOR", "FAMILY", "NAME", "VERSION"})
@@ -227,7 +228,7 @@ class BlockParser(NamespaceParser):
             kind = self.kinds[self.at]
             if kind in SECTIONS and self.kinds[self.at + 1] != ":=":
                 sections.append(self.const_section() if kind == "CONST" else self.section())
-            elif kind == "name" and self.texts[self.at].upper() in ("VAR_ACCESS", "VAR_CONFIG"):
+            elif kind == "name" and self.texts[self.at].upper() in UNREAD_SECTIONS:
                 raise self.unread(
                     self.texts[self.at].upper(), self.token_span(self.at), "leave it out"
                 )

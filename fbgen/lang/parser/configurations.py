@@ -13,6 +13,7 @@ from fbgen.lang.ast import (
 from fbgen.lang.dialects.dialect import Feature
 from fbgen.lang.parser.declarations import SECTIONS
 from fbgen.lang.parser.statements import StatementParser
+from fbgen.lang.parser.unread import UNREAD_SECTIONS
 
 
 class ConfigurationParser(StatementParser):
@@ -39,6 +40,8 @@ class ConfigurationParser(StatementParser):
                 self.at += 1
             else:
                 break
+        if self.texts[self.at].upper() in UNREAD_SECTIONS:
+            raise self.unread(self.texts[self.at].upper(), self.token_span(self.at), "leave it out")
         closing = self.take_leading()
         self._close("END_CONFIGURATION", first, "VAR_GLOBAL, RESOURCE or END_CONFIGURATION")
         return Configuration(

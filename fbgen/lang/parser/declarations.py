@@ -168,7 +168,8 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
         declarations = self.fields("END_VAR", first)
         closing = self.take_leading()
         self.end_section("END_VAR", first)
-        self.accept(";")
+        if not self.starts_line(self.at):
+            self.accept(";")
         span = self.span(first)
         leading, trailing = self.settle(leading)
         return VarSection(
@@ -349,6 +350,12 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
         if self.kinds[self.at] == "name" and self.texts[self.at].upper() in _EDGES:
             edge = self.texts[self.at].upper()
             self.at += 1
+        if self.kinds[self.at] == "[":
+            raise self.unread(
+                "a list of arguments for the elements of an array",
+                self.token_span(self.at),
+                "give the elements their values by := [...]",
+            )
         if self.kinds[self.at] == "(" and isinstance(spec, NamedType | ArraySpec):
             self.need(Feature.OBJECTS, self.at)
             self.at += 1

@@ -223,6 +223,8 @@ class ExpressionParser(AddressParser):
             return Member(place, base, text[2:-1], True)
         if kind == "address" and (part := self.marked_member(base, text, at)):
             return part
+        if kind == "literal" and (enumerator := self._qualified_enumerator(place, base, text)):
+            return enumerator
         if kind == "literal" and text.isdecimal() and len(text) < 3:
             self.need(Feature.BIT_MEMBERS, at)
             return Slice(place, base, "X", int(text))
@@ -230,6 +232,16 @@ class ExpressionParser(AddressParser):
             return Member(place, base, text)
         self.at = at
         raise self.failed("the name of a member", "behind '.' stands a name, or a slice like %X0")
+
+    def _qualified_enumerator(self, place: Span, base: Expression, text: str) -> Literal | None:
+        """`Plant.State#running`, whose part behind the first dot is one token."""
+        prefix, mark, name = text.partition("#")
+        space = place.text[: base.span.end - base.span.start]
+        if not (mark and prefix.isidentifier() and name.isidentifier()):
+            return None
+        self.need(Feature.ENUMERATIONS, self.at - 1)
+        kind = LiteralKind.ENUMERATOR
+        return Literal(place, kind, name, place.text, f"{space}.{prefix}")
 
     def arguments(self) -> tuple[Argument, ...]:
         """The arguments of a call behind its '(', up to and with the ')'."""
@@ -294,7 +306,7 @@ class ExpressionParser(AddressParser):
         self.deeper()
         items: list[Repeated | Expression] = []
         while self.kinds[self.at] != "]":
-            items.append(self._array_item())
+            items.append(self.array_item())
             if not self.accept(","):
                 break
         self.expect("]", "']' or ','", "initial values of an array look like [1, 2, 3(0)]")
@@ -310,14 +322,15 @@ class ExpressionParser(AddressParser):
     def _bare_array(self) -> Expression:
         """`1, 2, 3(0)`: a lone value is that value, all else an array."""
         first = self.at
-        items = [self._array_item()]
+        items = [self.array_item()]
         while self.accept(","):
-            items.append(self._array_item())
+            items.append(self.array_item())
         if len(items) == 1 and not isinstance(items[0], Repeated):
             return items[0]
         return ArrayLiteral(self.span(first), tuple(items), True)
 
-    def _array_item(self) -> Expression:
+    def array_item(self) -> Expression:
+        """One item of an array, with a number of repetitions or without."""
         first = self.at
         value = self.initial_value()
         if isinstance(value, Call) and len(value.arguments) == 1 and isinstance(value.callee, Name):
@@ -326,7 +339,7 @@ class ExpressionParser(AddressParser):
                 return Repeated(value.span, value.callee, only.value)
         if isinstance(value, Literal) and self.accept("("):
             self.deeper()
-            repeated = None if self.kinds[self.at] == ")" else self._array_item()
+            repeated = None if self.kinds[self.at] == ")" else self.array_item()
             self.depth -= 1
             self.expect(")")
             return Repeated(self.span(first), value, repeated)

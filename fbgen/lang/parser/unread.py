@@ -9,6 +9,9 @@ from fbgen.lang.dialects.dialect import Feature
 from fbgen.lang.dialects.words import words
 from fbgen.lang.parser.cursor import Cursor, Unexpected
 
+UNREAD_SECTIONS = words("VAR_ACCESS VAR_CONFIG VAR_GENERIC")
+"""Sections with connections between the parts of a project, and with parameters of blocks."""
+
 _EXCEPTIONS = "__TRY"
 _CHART = words("INITIAL_STEP STEP TRANSITION")
 _LIST = words("LD LDN ST STN CAL CALC CALCN JMPC JMPCN RETC RETCN")
