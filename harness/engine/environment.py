@@ -10,6 +10,7 @@ from typing import Protocol
 from fbgen.diagnostics import error
 from fbgen.lang.types import Scalar, Type
 from fbgen.source import Span
+from harness.engine.services import Services
 from harness.kernel import Kernel
 
 
@@ -61,6 +62,11 @@ class Environment(Protocol):
         """The bit memory."""
         ...
 
+    @property
+    def services(self) -> Services:
+        """The calendar clock, and the stubs of the user."""
+        ...
+
     def read_peripheral(self, byte: int, count: int) -> int:
         """`count` bytes (1, 2, 4) straight from the hardware, big endian, as an unsigned number."""
         ...
@@ -80,10 +86,11 @@ class Environment(Protocol):
 class StandaloneEnvironment:
     """A controller without hardware: a clock and memory, for blocks that run on their own."""
 
-    __slots__ = ("inputs", "kernel", "markers", "outputs")
+    __slots__ = ("inputs", "kernel", "markers", "outputs", "services")
 
     def __init__(self, kernel: Kernel | None = None, image_bytes: int = 1024) -> None:
         self.kernel = kernel or Kernel()
+        self.services = Services()
         self.inputs = bytearray(image_bytes)
         self.outputs = bytearray(image_bytes)
         self.markers = bytearray(image_bytes)

@@ -14,6 +14,7 @@ from fbgen.lang.checked import (
     FunctionCall,
     IndexRef,
     Place,
+    RoutineCall,
     SliceRef,
     Statement,
     SystemCall,
@@ -26,7 +27,7 @@ from harness.engine.spelling import spell
 
 _MOST_VALUES = 8
 _PLACES = (VariableRef, FieldRef, IndexRef, SliceRef)
-_CALLS = (FunctionCall, SystemCall)
+_CALLS = (FunctionCall, SystemCall, RoutineCall)
 
 
 def can_be_shown(place: object) -> bool:

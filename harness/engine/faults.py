@@ -8,7 +8,8 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 
 from fbgen.diagnostics import DiagnosticError, error
-from fbgen.lang.types import Subrange, Type
+from fbgen.lang.checked import RoutineCall
+from fbgen.lang.types import VOID, Subrange, Type
 from fbgen.source import Span
 
 # --- what the program does --------------------------------------------------------------------
@@ -180,6 +181,54 @@ def no_date(span: Span) -> DiagnosticError:
         "the parts of this DTL are no date and time",
         span,
         "set YEAR, MONTH and DAY to a day of the calendar, from 1970 to 2553",
+    )
+
+
+def no_such_date(span: Span, text: str) -> DiagnosticError:
+    """FB6015: numbers that make up no date or time of day that the type can hold."""
+    return error(
+        "FB6015",
+        f"{text} is not in the calendar of this type",
+        span,
+        "check the numbers before they are put together: month 1..12, day 1..31, hour 0..23",
+    )
+
+
+def stop_requested(span: Span) -> DiagnosticError:
+    """FB6016: the program asks the controller to stop (STP, SFC46)."""
+    return error("FB6016", "the program stops the CPU here", span, "call STP under a condition")
+
+
+def not_modelled(node: RoutineCall) -> DiagnosticError:
+    """FB6070: a call of something that only a stub could carry out."""
+    inputs = ", ".join(name for name, _ in node.inputs)
+    outputs = ", ".join(f'"{name}": ...' for name, _ in node.outputs)
+    return error(
+        "FB6070",
+        f"nobody has said what {node.name}({inputs}) does",
+        node.span,
+        f'before the run: program.stub("{node.name}", lambda **inputs: {{{outputs}}})',
+    )
+
+
+def wrong_result(node: RoutineCall, given: object) -> DiagnosticError:
+    """FB6071: a stub gives a result where there is none, or none where there is one."""
+    wanted = f"a {node.type}" if node.type != VOID else "no result"
+    return error(
+        "FB6071",
+        f"the stub of {node.name} gave {_shortened(given)}, and the call has {wanted}",
+        node.span,
+        "return a mapping from the names of the outputs (and RET_VAL) to their values",
+    )
+
+
+def unknown_output(node: RoutineCall, name: str, known: Sequence[str]) -> DiagnosticError:
+    """FB6071: a stub gives an output that the call does not take."""
+    return error(
+        "FB6071",
+        f"the stub of {node.name} gave '{name}', which the call does not ask for",
+        node.span,
+        f"it takes: {', '.join(known)}" if known else "it takes nothing",
     )
 
 

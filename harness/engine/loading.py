@@ -9,7 +9,7 @@
 Errors in the text are raised together as `DiagnosticError`.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from datetime import timedelta
 from importlib import import_module
 from pathlib import Path
@@ -28,6 +28,7 @@ from fbgen.source import Source
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.faults import unknown_engine
 from harness.engine.interface import Engine, EngineFactory, FunctionResult, Limits, Value
+from harness.engine.stubs import Stub
 from harness.engine.variables import BlockInstance, Globals
 from harness.kernel import NS_PER_MS, NS_PER_S, NS_PER_US, Kernel
 
@@ -47,19 +48,24 @@ def load_program(
     *,
     constants: Mapping[str, ConstantValue] = MappingProxyType({}),
     tags: Iterable[str | Path | Source | Tag] = (),
+    stubs: Mapping[str, Stub] = MappingProxyType({}),
 ) -> "LoadedProgram":
     """Read, check and load PLC text on a controller without hardware.
 
     `sources` are files by their paths, or texts as `Source`. `db_numbers` has the numbers of data
     blocks by their names, for absolute addresses; `DB100` has its number in its name. `constants`
-    are user constants by their names, `tags` PLC tags, or exported tag tables. Raises one
-    `DiagnosticError` with everything that is wrong in them.
+    are user constants by their names, `tags` PLC tags, or exported tag tables. `stubs` are Python
+    functions for blocks that the program calls and that neither the files nor the harness have; see
+    `harness.engine.stubs`. Raises one `DiagnosticError` with everything that is wrong in them.
     """
     factory = engine_named(engine)
-    program = read_program(sources, dialect, db_numbers, constants, tags)
+    program = read_program(sources, dialect, db_numbers, constants, tags, stubbed=tuple(stubs))
     kernel = Kernel()
-    loaded = factory(program, StandaloneEnvironment(kernel), limits or Limits())
-    return LoadedProgram(loaded, Clock(kernel))
+    environment = StandaloneEnvironment(kernel)
+    loaded = LoadedProgram(factory(program, environment, limits or Limits()), Clock(kernel))
+    for name, stub in stubs.items():
+        loaded.stub(name, stub)
+    return loaded
 
 
 def read_program(
@@ -68,8 +74,13 @@ def read_program(
     db_numbers: Mapping[str, int] = MappingProxyType({}),
     constants: Mapping[str, ConstantValue] = MappingProxyType({}),
     tags: Iterable[str | Path | Source | Tag] = (),
+    *,
+    stubbed: Collection[str] = (),
 ) -> Program:
-    """The checked program that the files or texts make up; raises all errors together."""
+    """The checked program that the files or texts make up; raises all errors together.
+
+    `stubbed` are the names of blocks that a stub stands for.
+    """
     files: list[ast.File] = []
     found: list[Diagnostic] = []
     if isinstance(sources, str | Path | Source):
@@ -85,7 +96,7 @@ def read_program(
         found.extend(failure.diagnostics)
     if found:
         raise DiagnosticError(found)
-    return check(files, dialect, db_numbers=db_numbers)
+    return check(files, dialect, db_numbers=db_numbers, stubbed=stubbed)
 
 
 def global_file(
@@ -183,6 +194,14 @@ class LoadedProgram:
     def run(self, block_name: str) -> None:
         """One run of an organization block, a PROGRAM, or a FUNCTION without parameters."""
         self._engine.run_block(block_name)
+
+    def stub(self, name: str, stub: Stub) -> None:
+        """Let Python carry out the calls of a block that the harness has no model for.
+
+        Later stubs of the same name replace earlier ones. What neither the controller nor the text
+        knows has to be named when the program is loaded: `load_program(..., stubs={name: stub})`.
+        """
+        self._engine.environment.services.stubs.add(name, stub)
 
     def reset(self, *, warm: bool = False) -> None:
         """Initial values for everything global; after a warm start remanent variables stay."""

@@ -10,6 +10,7 @@ from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.types import Scalar
 from fbgen.source import Span
 from harness.engine.environment import Area
+from harness.engine.services import Services
 from harness.fieldbus import DpMaster
 from harness.kernel import Kernel
 from harness.plc.consistent_data import ConsistentData
@@ -45,6 +46,7 @@ class HardwareAccess:
         "markers",
         "now_ns",
         "outputs",
+        "services",
         "settings",
     )
 
@@ -56,6 +58,7 @@ class HardwareAccess:
         self._image = self._modules.image
         self._peripheral_ns = settings.peripheral_ns
         self.settings = settings
+        self.services = Services()
         self.inputs = bytearray(settings.memory_bytes)
         self.outputs = bytearray(settings.memory_bytes)
         self.markers = bytearray(settings.memory_bytes)

@@ -229,6 +229,24 @@ class Attempt:
     type: Type
 
 
+@node
+class RoutineCall:
+    """A call of an instruction that takes values and gives values, several at once.
+
+    Inputs are evaluated in their order, the instruction runs, then the outputs are found and
+    written in theirs. An in-out stands in both. `RET_VAL` as an output is the result itself.
+    `type` is VOID where there is no result. `instance` is the instance of a block that the harness
+    has no model for; then the call is what the user's stub makes of it.
+    """
+
+    span: Span
+    name: str
+    inputs: tuple[tuple[str, "Expression"], ...]
+    outputs: tuple[tuple[str, Place], ...]
+    type: Type
+    instance: Place | None = None
+
+
 Expression: TypeAlias = (
     Constant
     | Place
@@ -241,5 +259,6 @@ Expression: TypeAlias = (
     | SameReference
     | FunctionCall
     | SystemCall
+    | RoutineCall
     | Attempt
 )

@@ -3,7 +3,13 @@
 from typing import TypeAlias
 
 from fbgen.lang.ast import node
-from fbgen.lang.checked.expressions import Expression, FunctionCall, Place, SystemCall
+from fbgen.lang.checked.expressions import (
+    Expression,
+    FunctionCall,
+    Place,
+    RoutineCall,
+    SystemCall,
+)
 from fbgen.lang.checked.variables import AnyBlock, Variable
 from fbgen.source import Span
 
@@ -25,7 +31,7 @@ class Evaluate:
     """A function called for its side effects; the result is dropped."""
 
     span: Span
-    call: FunctionCall | SystemCall
+    call: FunctionCall | SystemCall | RoutineCall
 
 
 @node

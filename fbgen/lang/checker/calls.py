@@ -13,6 +13,7 @@ from fbgen.lang.checked import (
     AnyBlock,
     Block,
     Constant,
+    Evaluate,
     Expression,
     FunctionCall,
     InstanceCall,
@@ -35,6 +36,12 @@ from fbgen.lang.checker.memory_instructions import (
     check_memory_instruction,
 )
 from fbgen.lang.checker.places import is_place, names_block
+from fbgen.lang.checker.routine_calls import (
+    routine_call,
+    stubbed_call,
+    unmodelled_instance_call,
+)
+from fbgen.lang.checker.routines import MODELLED, is_modelled, routine_named
 from fbgen.lang.checker.standard_blocks import TIMER_METHODS, standard_block
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.standard_functions import OPERATORS_BY_NAME, STANDARD_FUNCTIONS
@@ -88,8 +95,42 @@ def check_call(ctx: Context, node: ast.Call, expected: Type | None) -> Expressio
         return system_call(ctx, node, instruction)[0]
     if is_standard_function(name):
         return attempted(ctx, check_standard_call(ctx, node, name, expected))
+    if is_routine(ctx, name):
+        return _value_of_routine(ctx, node, name, expected)
     unknown_callee(ctx, node, name)
     return erroneous(node.span)
+
+
+def is_routine(ctx: Context, name: str) -> bool:
+    """True for instructions with several outputs, and for functions that a stub stands for."""
+    if routine_named(name) is not None:
+        return True
+    return ctx.library.is_stubbed(name) and standard_block(name) is None
+
+
+def routine(
+    ctx: Context, node: ast.Call, name: str, expected: Type | None
+) -> checked.RoutineCall | None:
+    """The call of what `is_routine` says yes to; None after reporting errors."""
+    known = routine_named(name)
+    if known is not None:
+        return routine_call(ctx, node, known, expected)
+    return stubbed_call(ctx, node, ctx.library.stubbed_name(name), expected)
+
+
+def _value_of_routine(ctx: Context, node: ast.Call, name: str, expected: Type | None) -> Expression:
+    call = routine(ctx, node, name, expected)
+    if call is None:
+        return erroneous(node.span)
+    if call.type == VOID:
+        ctx.findings.error(
+            "FB4048",
+            f"{call.name} has no result",
+            node.span,
+            "call it in a statement of its own and take its outputs by =>",
+        )
+        return erroneous(node.span)
+    return call
 
 
 def _called_name(ctx: Context, node: ast.Call) -> str | None:
@@ -112,6 +153,7 @@ def is_built_in(name: str) -> bool:
         is_standard_function(name)
         or instruction_named(name) is not None
         or memory_access_named(name) is not None
+        or is_modelled(name)
     )
 
 
@@ -135,6 +177,7 @@ def _callable_names(ctx: Context) -> list[str]:
         *STANDARD_FUNCTIONS,
         *OPERATORS_BY_NAME,
         *(instruction.name for instruction in INSTRUCTIONS.values()),
+        *MODELLED,
     ]
 
 
@@ -368,7 +411,7 @@ def _output(ctx: Context, node: ast.Expression, source: Type, where: str) -> Pla
 # --- instances --------------------------------------------------------------------------------
 
 
-def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | None:
+def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | Evaluate | None:
     """The call of an instance of a function block; None after reporting errors."""
     callee = node.callee
     method = ""
@@ -395,6 +438,8 @@ def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | None:
             f"write {callee.span.text}.TON(IN := ..., PT := ...)",
         )
         return None
+    if isinstance(block, StandardBlock) and block.name.casefold() in ctx.library.unmodelled:
+        return unmodelled_instance_call(ctx, node, place, block)
     if isinstance(block, Block):
         ctx.calls.setdefault(block, node.span)
     bound = _bind_variables(ctx, node, block.name, block, by_assignment=False)

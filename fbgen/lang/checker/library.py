@@ -4,13 +4,13 @@ All units share one set of names, as on the controller. Interfaces are resolved 
 order of files and units does not matter; what needs itself is reported as recursion.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from types import MappingProxyType
 
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
-from fbgen.lang.checked import AnyBlock, Block, Variable, VariableKind
+from fbgen.lang.checked import AnyBlock, Block, StandardBlock, Variable, VariableKind
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enabling import enable_variables
 from fbgen.lang.checker.findings import Findings
@@ -22,6 +22,7 @@ from fbgen.lang.checker.rules import Rules
 from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS, standard_block
 from fbgen.lang.checker.symbols import Scope
 from fbgen.lang.checker.type_names import TypeResolver
+from fbgen.lang.checker.unmodelled import hardware_block, stubbed_block
 from fbgen.lang.types import VOID, BlockType, Initial, StructType, Type
 from fbgen.source import Span
 
@@ -33,10 +34,16 @@ class Library:
     """The declarations of a program."""
 
     def __init__(
-        self, rules: Rules, findings: Findings, numbers: Mapping[str, int] = MappingProxyType({})
+        self,
+        rules: Rules,
+        findings: Findings,
+        numbers: Mapping[str, int] = MappingProxyType({}),
+        stubbed: Collection[str] = (),
     ) -> None:
         self.rules = rules
         self.memory = MemoryUse(numbers)
+        self._stubbed = {name.casefold(): name for name in stubbed}
+        self.unmodelled: dict[str, StandardBlock] = {}
         self.findings = findings
         self.globals = Scope()
         self.types = TypeResolver(self)
@@ -192,7 +199,7 @@ class Library:
             name = node.name.name
             self.user_block(name)  # reports a block that contains itself
         else:
-            standard = standard_block(name)
+            standard = self.controller_block(name)
             if standard is None:
                 return None
             name = standard.name
@@ -200,7 +207,27 @@ class Library:
 
     def block(self, name: str) -> AnyBlock | None:
         """The block with that name, the user's before the standard one."""
-        return self.user_block(name) or standard_block(name)
+        return self.user_block(name) or self.controller_block(name)
+
+    def controller_block(self, name: str) -> StandardBlock | None:
+        """The function block that the text need not have: a standard, hardware or stubbed one."""
+        block = standard_block(name)
+        if block is not None:
+            return block
+        block = hardware_block(name)
+        if block is None and self.is_stubbed(name):
+            block = stubbed_block(self._stubbed[name.casefold()])
+        if block is not None:
+            self.unmodelled[block.name.casefold()] = block
+        return block
+
+    def is_stubbed(self, name: str) -> bool:
+        """True if the user has said that a stub stands for the block of this name."""
+        return name.casefold() in self._stubbed
+
+    def stubbed_name(self, name: str) -> str:
+        """The name as the user has given it."""
+        return self._stubbed[name.casefold()]
 
     def variables_of(self, kind: BlockType) -> tuple[Variable, ...]:
         """Everything declared in the block of an instance."""

@@ -2,7 +2,7 @@
 
 import gc
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from types import MappingProxyType
 
@@ -31,17 +31,19 @@ def check(
     *,
     rules: Rules | None = None,
     db_numbers: Mapping[str, int] = MappingProxyType({}),
+    stubbed: Collection[str] = (),
 ) -> Program:
     """The program that the files make up together, in any order.
 
     Raises one DiagnosticError with all errors over all files. `rules` replaces the dialect's own
     rules, for a project with other compiler settings. `db_numbers` has the numbers of data blocks
-    by their names, for absolute addresses; `DB100` has its number in its name.
+    by their names, for absolute addresses; `DB100` has its number in its name. `stubbed` are the
+    names of blocks that the files do not have, because a stub of the user stands for them.
     """
     rules = rules or rules_for(dialect)
     findings = Findings()
     with _room_for_nesting(), _without_collector():
-        program, _ = _check(files, rules, findings, db_numbers)
+        program, _ = _check(files, Library(rules, findings, db_numbers, stubbed))
     if findings.has_errors:
         found = findings.in_order(tuple(file.source.name for file in files))
         raise DiagnosticError(one for one in found if one.severity is Severity.ERROR)
@@ -54,6 +56,7 @@ def check_reporting(
     *,
     rules: Rules | None = None,
     db_numbers: Mapping[str, int] = MappingProxyType({}),
+    stubbed: Collection[str] = (),
 ) -> tuple[Program | None, list[Diagnostic]]:
     """The program, None if there are errors, and all errors, warnings and hints by file and place.
 
@@ -64,7 +67,7 @@ def check_reporting(
     rules = rules or rules_for(dialect)
     findings = Findings()
     with _room_for_nesting(), _without_collector():
-        program, library = _check(files, rules, findings, db_numbers)
+        program, library = _check(files, Library(rules, findings, db_numbers, stubbed))
         analyse(program, library, findings)
     findings.replace(without_allowed(findings.found(), files))
     found = findings.in_order(tuple(file.source.name for file in files))
@@ -93,10 +96,7 @@ def _without_collector() -> Iterator[None]:
             gc.enable()
 
 
-def _check(
-    files: Sequence[ast.File], rules: Rules, findings: Findings, db_numbers: Mapping[str, int]
-) -> tuple[Program, Library]:
-    library = Library(rules, findings, db_numbers)
+def _check(files: Sequence[ast.File], library: Library) -> tuple[Program, Library]:
     library.collect(files)
     library.declare_constants()
     library.types.all_user_types()
@@ -113,7 +113,7 @@ def _check(
     report_recursive_calls(library, blocks)
     tasks = tasks_of(library)
     program = Program(
-        dialect=rules.dialect,
+        dialect=library.rules.dialect,
         blocks=blocks,
         bodies=bodies,
         structures=library.types.structures,
@@ -122,7 +122,7 @@ def _check(
             for key, entry in library.globals.entries.items()
             if isinstance(entry, Variable)
         },
-        standard_blocks=STANDARD_BLOCKS,
+        standard_blocks={**STANDARD_BLOCKS, **library.unmodelled},
         tasks=tasks,
         byte_memory=library.memory.byte_memory(library),
         data_blocks=library.memory.numbers,

@@ -4,85 +4,94 @@ Sources as for `standard_functions` and `conversions`.
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
 from fbgen.lang import ast
-from fbgen.lang.checked import Binary, Constant, Convert, Expression, StandardCall
+from fbgen.lang.checked import Constant, Convert, Expression, StandardCall
 from fbgen.lang.checker.arguments import bind
 from fbgen.lang.checker.array_bounds import BOUNDS, check_bound
-from fbgen.lang.checker.coercion import (
-    as_counted,
-    as_typed,
-    coerce,
-    converted,
-    spelled,
-    without_limits,
-)
+from fbgen.lang.checker.coercion import as_counted, as_typed, coerce, spelled, without_limits
+from fbgen.lang.checker.common_types import common_type_of
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.conversion_calls import conversion_types, convert_to_type, is_integer
 from fbgen.lang.checker.conversions import (
-    common_type,
     elementary_named,
-    is_convertible,
-    is_implicit,
 )
 from fbgen.lang.checker.evaluation import check_expression
-from fbgen.lang.checker.folding import fold_conversion
-from fbgen.lang.checker.literals import ERRONEOUS, erroneous, fitted, is_untyped, settled_bits
-from fbgen.lang.checker.operators import apply_unary, combine
-from fbgen.lang.checker.references import IS_VALID, MAKERS, check_is_valid, check_maker
-from fbgen.lang.checker.stamps import as_stamp, in_parts
-from fbgen.lang.checker.standard_functions import (
-    ALIASES,
-    CHAINED,
+from fbgen.lang.checker.function_signatures import (
     COMMON,
-    DATE_FUNCTIONS,
-    FAMILIES,
-    OPERATORS_BY_NAME,
-    ROUNDED_UP_OR_DOWN,
-    STANDARD_FUNCTIONS,
-    TEXT_CONVERSIONS,
+    EXPECTED,
+    FLOATING,
     WHOLE_NUMBER,
-    WITH_TEXT,
     Common,
     Function,
     ParameterType,
     Slot,
 )
+from fbgen.lang.checker.literals import ERRONEOUS, erroneous
+from fbgen.lang.checker.operators import apply_unary, combine
+from fbgen.lang.checker.references import IS_VALID, MAKERS, check_is_valid, check_maker
+from fbgen.lang.checker.standard_functions import (
+    ALIASES,
+    CHAINED,
+    CHAINED_COMPARISONS,
+    DATE_FUNCTIONS,
+    MUX_WITH_ELSE,
+    OPERATORS_BY_NAME,
+    RENAMED,
+    ROUNDED_TO_REAL,
+    ROUNDED_UP_OR_DOWN,
+    STANDARD_FUNCTIONS,
+    UNSIGNED_BCD,
+)
 from fbgen.lang.types import (
     BOOL,
+    DATE,
     DINT,
-    DTL,
+    INT,
     LREAL,
     LTIME,
+    LTIME_OF_DAY,
     REAL,
     TIME,
+    TIME_OF_DAY,
     Elementary,
-    Enumeration,
     Family,
     StringType,
-    Subrange,
     Type,
 )
-from fbgen.source import Span
 
 _ROUNDED = re.compile(r"(?:(REAL|LREAL)_)?(ROUND|TRUNC|CEIL|FLOOR)(?:_([A-Z]+))?\Z")
-_LONGEST_TEXT = StringType()
 
 
 def is_standard_function(name: str) -> bool:
     """True for every name that `check_standard_call` knows."""
     key = _canonical(name)
     return (
-        key in STANDARD_FUNCTIONS
-        or key in DATE_FUNCTIONS
+        _function_named(key) is not None
         or key in OPERATORS_BY_NAME
-        or key in ("MOVE", "NOT", "NEG")
+        or key in _SPECIAL
         or key in BOUNDS
         or key in MAKERS
         or key == IS_VALID
+        or key in RENAMED
         or _ROUNDED.match(key) is not None
-        or _conversion_types(key) is not None
+        or conversion_types(key) is not None
     )
+
+
+def _function_named(key: str) -> Function | None:
+    function = STANDARD_FUNCTIONS.get(key) or DATE_FUNCTIONS.get(key) or UNSIGNED_BCD.get(key)
+    if function is not None:
+        return function
+    base, _, suffix = key.rpartition("_")
+    general = STANDARD_FUNCTIONS.get(base)
+    kind = elementary_named(suffix)
+    if general is None or general.result is not EXPECTED or kind not in general.results:
+        return None
+    assert isinstance(kind, Elementary)
+    return replace(general, result=kind)
 
 
 def _canonical(name: str) -> str:
@@ -95,9 +104,14 @@ def check_standard_call(
 ) -> Expression:
     """The call of a standard function, with its arguments converted and complete."""
     key = _canonical(name)
-    function = STANDARD_FUNCTIONS.get(key) or DATE_FUNCTIONS.get(key)
+    if key in RENAMED:
+        key, names = RENAMED[key]
+        node = _with_names(node, names)
+    function = _function_named(key)
     if function is not None:
         return _call_function(ctx, node, function, expected)
+    if key in CHAINED_COMPARISONS and len(node.arguments) > 2:
+        return _call_function(ctx, node, CHAINED_COMPARISONS[key], None)
     if key in OPERATORS_BY_NAME:
         return _operator(ctx, node, key, expected)
     if key in MAKERS:
@@ -106,13 +120,24 @@ def check_standard_call(
         return check_is_valid(ctx, node)
     if key in BOUNDS:
         return check_bound(ctx, node, key)
-    if key in ("MOVE", "NOT", "NEG"):
-        return _one_operand(ctx, node, key, expected)
+    if key in _SPECIAL:
+        return _SPECIAL[key](ctx, node, key, expected)
+    if key in ROUNDED_TO_REAL:
+        return _call_function(ctx, node, ROUNDED_TO_REAL[key], elementary_named(key[-4:]))
     if rounded := _ROUNDED.match(key):
         return _rounded(ctx, node, key, rounded, expected)
-    types = _conversion_types(key)
+    types = conversion_types(key)
     assert types is not None
     return _conversion(ctx, node, key, *types)
+
+
+def _with_names(node: ast.Call, names: Mapping[str, str]) -> ast.Call:
+    """The call with the parameter names of the standard."""
+    arguments = tuple(
+        replace(argument, name=names.get(argument.name.upper(), argument.name))
+        for argument in node.arguments
+    )
+    return replace(node, arguments=arguments)
 
 
 def _arguments(
@@ -153,10 +178,17 @@ def _extended(function: Function, node: ast.Call) -> Sequence[tuple[str, Paramet
         return parameters
     last, kind = parameters[-1]
     number = int(last[2:])
-    while len(parameters) < len(node.arguments):
+    has_else = function.name == "MUX" and _has_else(node)
+    while len(parameters) < len(node.arguments) - has_else:
         number += 1
         parameters.append((f"IN{number}", kind))
+    if has_else:
+        parameters.append(("INELSE", kind))
     return parameters
+
+
+def _has_else(node: ast.Call) -> bool:
+    return any(argument.name.upper() == "INELSE" for argument in node.arguments)
 
 
 def _call_function(
@@ -175,7 +207,7 @@ def _call_function(
     common: Type | None = None
     if function.common is not Common.NONE:
         operands = [expression for kind, expression in checked if kind is COMMON]
-        common = _common_type(ctx, function, operands, hint)
+        common = common_type_of(ctx, function, operands, hint)
         if common is None:
             types = ", ".join(dict.fromkeys(spelled(as_typed(one).type) for one in operands))
             ctx.findings.error(
@@ -192,9 +224,13 @@ def _call_function(
     )
     if any(expression.type == ERRONEOUS for expression in settled):
         return erroneous(node.span)
+    name = MUX_WITH_ELSE if function.name == "MUX" and _has_else(node) else function.name
     result = common if function.result is COMMON else function.result
+    if result is EXPECTED:
+        result = expected if expected in function.results else function.results[0]
+        result = common if result is COMMON else result
     assert isinstance(result, Elementary | StringType)
-    return StandardCall(node.span, function.name, settled, result)
+    return StandardCall(node.span, name, settled, result)
 
 
 def _hint(kind: ParameterType, hint: Type | None) -> Type | None:
@@ -213,6 +249,8 @@ def _as_parameter(
 ) -> Expression:
     if kind is WHOLE_NUMBER:
         return _whole_number(ctx, expression, where)
+    if kind is FLOATING:
+        return coerce(ctx, expression, LREAL if expression.type == LREAL else REAL, where)
     assert kind is not None
     assert not isinstance(kind, Slot)
     if isinstance(kind, StringType) and isinstance(expression.type, StringType):
@@ -234,75 +272,6 @@ def _whole_number(ctx: Context, expression: Expression, where: str) -> Expressio
         "use a variable of type INT, or convert it",
     )
     return erroneous(expression.span)
-
-
-def _common_type(
-    ctx: Context, function: Function, operands: list[Expression], hint: Type | None
-) -> Type | None:
-    """The type that all operands become by themselves, out of the function's types."""
-    kind: Type | None = None
-    untyped = []
-    for operand in operands:
-        if isinstance(operand, Constant) and is_untyped(operand.type):
-            untyped.append(operand)
-            continue
-        kind = operand.type if kind is None else common_type(kind, operand.type, ctx.rules)
-        if isinstance(operand.type, StringType) and isinstance(kind, StringType):
-            kind = StringType(max(kind.length, _LONGEST_TEXT.length), kind.wide)
-        if kind is None:
-            return None
-    if kind is None:
-        kind = _for_constants(ctx, function, untyped, hint)
-    kind = _within(ctx, function, kind)
-    if kind is None or isinstance(kind, StringType):
-        return kind
-    for constant in untyped:
-        if fitted(constant, kind) is None:
-            kind = common_type(kind, as_typed(constant).type, ctx.rules)
-            if kind is None:
-                return None
-    return _within(ctx, function, kind)
-
-
-def _for_constants(
-    ctx: Context, function: Function, constants: list[Constant], hint: Type | None
-) -> Type:
-    """The type of a call that has nothing but untyped constants."""
-    if (
-        hint is not None
-        and _within(ctx, function, hint) == hint
-        and all(fitted(constant, hint) is not None for constant in constants)
-    ):
-        return hint
-    bits = function.common in (Common.SHIFTED, Common.SWAPPED)
-    kinds = [
-        (settled_bits(constant) if bits else as_typed(constant)).type for constant in constants
-    ]
-    kind: Type = kinds[0]
-    for other in kinds[1:]:
-        kind = common_type(kind, other, ctx.rules) or kind
-    return kind
-
-
-def _within(ctx: Context, function: Function, kind: Type) -> Type | None:
-    """The type itself, or the one it becomes, that the function takes."""
-    common = function.common
-    if isinstance(kind, StringType):
-        return kind if common in WITH_TEXT else None
-    if not isinstance(kind, Elementary):
-        return None
-    if isinstance(kind, Enumeration):
-        return kind if common is Common.ANY else None
-    if common is Common.TEXT:
-        text = StringType(wide=kind.bits == 16)
-        return text if is_implicit(kind, text, ctx.rules) else None
-    if kind.family in FAMILIES[common] and not (common is Common.SWAPPED and kind.bits < 16):
-        return kind
-    if common is Common.SHIFTED and kind.is_integer and ctx.rules.shifts_integers:
-        return kind
-    if common is Common.FLOATING:
-        return next((real for real in (REAL, LREAL) if is_implicit(kind, real, ctx.rules)), None)
-    return None
 
 
 # --- operators as functions -------------------------------------------------------------------
@@ -344,23 +313,60 @@ def _one_operand(ctx: Context, node: ast.Call, key: str, expected: Type | None) 
     return result
 
 
+def _maximum_length(ctx: Context, node: ast.Call, key: str, expected: Type | None) -> Expression:
+    """MAX_LEN: how many characters the variable has room for, which its declaration says."""
+    arguments = _arguments(ctx, node, key, (("IN", COMMON),))
+    if arguments is None:
+        return erroneous(node.span)
+    operand = check_expression(ctx, arguments[0][1])
+    if isinstance(operand.type, StringType):
+        return Constant(node.span, operand.type.length, INT)
+    if operand.type != ERRONEOUS:
+        ctx.findings.error(
+            "FB4012",
+            f"{key} takes STRING or WSTRING, not {spelled(as_typed(operand).type)}",
+            node.span,
+            "give it a text",
+        )
+    return erroneous(node.span)
+
+
+def _date_and_time(ctx: Context, node: ast.Call, key: str, expected: Type | None) -> Expression:
+    """T_COMBINE: a DATE and a time of day of either width."""
+    arguments = _arguments(ctx, node, key, (("IN1", DATE), ("IN2", COMMON)))
+    if arguments is None:
+        return erroneous(node.span)
+    time = as_typed(check_expression(ctx, arguments[1][1], TIME_OF_DAY))
+    name = "CONCAT_DATE_LTOD" if time.type == LTIME_OF_DAY else "CONCAT_DATE_TOD"
+    return _call_function(ctx, node, STANDARD_FUNCTIONS[name], expected)
+
+
+def _to_expected(ctx: Context, node: ast.Call, key: str, expected: Type | None) -> Expression:
+    """T_CONV and S_CONV: to the type that the place asks for."""
+    if isinstance(expected, Elementary | StringType) and expected != ERRONEOUS:
+        return _conversion(ctx, node, key, None, expected)
+    ctx.findings.error(
+        "FB4012",
+        f"it does not show which type {key} converts to",
+        node.span,
+        "assign the result to a variable, or use a conversion with both types in its name",
+    )
+    return erroneous(node.span)
+
+
+_SPECIAL: dict[str, Callable[[Context, ast.Call, str, Type | None], Expression]] = {
+    "MOVE": _one_operand,
+    "NOT": _one_operand,
+    "NEG": _one_operand,
+    "MAX_LEN": _maximum_length,
+    "T_COMBINE": _date_and_time,
+    "T_CONV": _to_expected,
+    "S_CONV": _to_expected,
+}
+"""What is neither in a table nor a conversion by its name."""
+
+
 # --- conversions ------------------------------------------------------------------------------
-
-
-def _conversion_types(key: str) -> tuple[Type | None, Type] | None:
-    """What `X_TO_Y` or `TO_Y` converts; None if it is no conversion."""
-    source_name, middle, target_name = key.rpartition("_TO_")
-    if not middle:
-        if not key.startswith("TO_"):
-            return None
-        target = elementary_named(key[3:])
-        return None if target is None else (None, target)
-    source, target = elementary_named(source_name), elementary_named(target_name)
-    if source is None or target is None:
-        return None
-    if is_convertible(source, target) or key in TEXT_CONVERSIONS:
-        return source, target
-    return None
 
 
 def _conversion(
@@ -377,61 +383,7 @@ def _conversion(
         operand = as_typed(operand)
     if operand.type == ERRONEOUS:
         return erroneous(node.span)
-    return _to_type(ctx, node.span, key, operand, target)
-
-
-def _to_type(
-    ctx: Context,
-    span: Span,
-    key: str,
-    operand: Expression,
-    target: Type,
-    *,
-    rounding: str = "nearest",
-) -> Expression:
-    source = operand.type
-    if isinstance(source, Enumeration | Subrange):
-        operand = converted(operand, source.base)
-        source = source.base
-    if source == DTL and target != DTL:
-        operand = as_stamp(operand)
-        source = operand.type
-    parts = in_parts(operand) if target == DTL else None
-    if parts is not None:
-        return parts
-    by_name = f"{_short(source)}_TO_{_short(target)}"
-    if by_name in TEXT_CONVERSIONS:
-        return StandardCall(span, by_name, (operand,), target)
-    if by_name in STANDARD_FUNCTIONS:
-        return StandardCall(span, by_name, (operand,), target)
-    if not is_convertible(source, target):
-        ctx.findings.error(
-            "FB4010",
-            f"{key} cannot convert {spelled(source)} to {spelled(target)}",
-            operand.span,
-            "convert in two steps, over a type that both sides know",
-        )
-        return erroneous(span)
-    if source == target:
-        return operand
-    if target == BOOL and not ctx.rules.lowest_bit_is_bool and _is_integer(source):
-        assert isinstance(source, Elementary)
-        return Binary(span, "<>", operand, Constant(span, 0, source), BOOL)
-    if isinstance(operand, Constant):
-        value = fold_conversion(operand, target, rounding)
-        if value is not None:
-            return Constant(span, value, target)
-    return Convert(span, operand, target, rounding=rounding)
-
-
-def _is_integer(kind: Type) -> bool:
-    return isinstance(kind, Elementary) and kind.is_integer
-
-
-def _short(kind: Type) -> str:
-    if isinstance(kind, StringType):
-        return "WSTRING" if kind.wide else "STRING"
-    return kind.name
+    return convert_to_type(ctx, node.span, key, operand, target)
 
 
 def _rounded(
@@ -442,9 +394,9 @@ def _rounded(
     target: Type | None = DINT
     if target_name:
         target = elementary_named(target_name)
-    elif how == "TRUNC" and _is_integer(expected or BOOL):
+    elif how == "TRUNC" and is_integer(expected or BOOL):
         target = expected
-    if target is None or not _is_integer(target):
+    if target is None or not is_integer(target):
         ctx.findings.error(
             "FB4004",
             f"there is no function {key}",
@@ -462,6 +414,6 @@ def _rounded(
     if not isinstance(call, StandardCall):
         return call
     if how in ROUNDED_UP_OR_DOWN:
-        return _to_type(ctx, node.span, key, call, target)
+        return convert_to_type(ctx, node.span, key, call, target)
     rounding = "truncate" if how == "TRUNC" else "nearest"
-    return _to_type(ctx, node.span, key, call.arguments[0], target, rounding=rounding)
+    return convert_to_type(ctx, node.span, key, call.arguments[0], target, rounding=rounding)

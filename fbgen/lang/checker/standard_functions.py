@@ -1,172 +1,96 @@
 """The standard functions: names, parameters, results. An engine implements every one of them.
 
-A parameter typed `COMMON` has the function's common type: all such arguments are brought to one
-type out of `common`, and a result typed `COMMON` has it too. The arguments of a `StandardCall` are
-positional, in the order written here, all of the types written here. A `WholeNumber` argument keeps
-whatever integer type (or, on S7, bit string type) it has.
-Sources: IEC 61131-3 third edition, tables 22 to 36; TIA Portal help, "Instructions (SCL)".
+The tables stand in `numeric_functions`, `text_functions`, `date_functions` and `bcd_functions`; how
+to read them in `function_signatures`. Functions with several outputs: `routines`.
 """
 
-from dataclasses import dataclass
-from enum import Enum
-from typing import TypeAlias
-
-from fbgen.lang.types import (
-    BOOL,
-    CHAR,
-    DATE,
-    DATE_AND_TIME,
-    DINT,
-    INT,
-    LDT,
-    LTIME,
-    LTIME_OF_DAY,
-    S5TIME,
-    TIME,
-    TIME_OF_DAY,
-    WORD,
-    Elementary,
-    Family,
-    StringType,
+from fbgen.lang.checker.bcd_functions import BCD_ALIASES, BCD_FUNCTIONS, UNSIGNED_BCD
+from fbgen.lang.checker.date_functions import CALENDAR_FUNCTIONS, DATE_ARITHMETIC, DATE_FUNCTIONS
+from fbgen.lang.checker.function_signatures import COMMON, Common, Function
+from fbgen.lang.checker.numeric_functions import (
+    CHAINED_COMPARISONS,
+    NUMERIC_FUNCTIONS,
+    RANKED,
+    SELECTION_FUNCTIONS,
 )
+from fbgen.lang.checker.text_functions import TEXT_CONVERSIONS, TEXT_FUNCTIONS
+from fbgen.lang.types import DINT, LREAL, REAL
 
+__all__ = [
+    "ALIASES",
+    "CHAINED",
+    "CHAINED_COMPARISONS",
+    "DATE_ARITHMETIC",
+    "DATE_FUNCTIONS",
+    "OPERATORS_BY_NAME",
+    "RANKED",
+    "RENAMED",
+    "ROUNDED_UP_OR_DOWN",
+    "ROUNDED_TO_REAL",
+    "STANDARD_FUNCTIONS",
+    "TEXT_CONVERSIONS",
+    "UNSIGNED_BCD",
+    "canonical_names",
+]
 
-class Common(Enum):
-    """Which types the common type of a function may be."""
-
-    NUMBER = "a number"
-    FLOATING = "REAL or LREAL"
-    SHIFTED = "a bit string"
-    SWAPPED = "WORD, DWORD or LWORD"
-    ORDERED = "a number, bit string, time, date or text"
-    ANY = "any elementary type or text"
-    TEXT = "STRING or WSTRING"
-    NONE = "none"
-
-
-class Slot(Enum):
-    """Parameter types that depend on the arguments."""
-
-    COMMON = "the common type"
-    WHOLE_NUMBER = "any integer"
-
-
-COMMON = Slot.COMMON
-WHOLE_NUMBER = Slot.WHOLE_NUMBER
-
-ParameterType: TypeAlias = Slot | Elementary | StringType
-
-
-@dataclass(frozen=True, slots=True)
-class Function:
-    """A standard function. `repeats`: further arguments follow the last parameter, numbered on."""
-
-    name: str
-    parameters: tuple[tuple[str, ParameterType], ...]
-    result: ParameterType
-    common: Common = Common.NONE
-    repeats: bool = False
-
-
-def _mathematical(name: str) -> Function:
-    return Function(name, (("IN", COMMON),), COMMON, Common.FLOATING)
-
-
-def _shift(name: str) -> Function:
-    return Function(name, (("IN", COMMON), ("N", WHOLE_NUMBER)), COMMON, Common.SHIFTED)
-
-
-_TWO_TEXTS = (("IN1", COMMON), ("IN2", COMMON))
-
-_FUNCTIONS = (
-    Function("ABS", (("IN", COMMON),), COMMON, Common.NUMBER),
-    *map(_mathematical, ("SQRT", "LN", "LOG", "EXP", "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN")),
-    _mathematical("SQR"),
-    _mathematical("FRAC"),
-    *map(_shift, ("SHL", "SHR", "ROL", "ROR")),
-    Function("MIN", (("IN1", COMMON), ("IN2", COMMON)), COMMON, Common.ORDERED, repeats=True),
-    Function("MAX", (("IN1", COMMON), ("IN2", COMMON)), COMMON, Common.ORDERED, repeats=True),
-    Function("LIMIT", (("MN", COMMON), ("IN", COMMON), ("MX", COMMON)), COMMON, Common.ORDERED),
-    Function("SEL", (("G", BOOL), ("IN0", COMMON), ("IN1", COMMON)), COMMON, Common.ANY),
-    Function(
-        "MUX",
-        (("K", WHOLE_NUMBER), ("IN0", COMMON), ("IN1", COMMON)),
-        COMMON,
-        Common.ANY,
-        repeats=True,
-    ),
-    Function("SWAP", (("IN", COMMON),), COMMON, Common.SWAPPED),
-    Function("LEN", (("IN", COMMON),), INT, Common.TEXT),
-    Function("LEFT", (("IN", COMMON), ("L", WHOLE_NUMBER)), COMMON, Common.TEXT),
-    Function("RIGHT", (("IN", COMMON), ("L", WHOLE_NUMBER)), COMMON, Common.TEXT),
-    Function(
-        "MID", (("IN", COMMON), ("L", WHOLE_NUMBER), ("P", WHOLE_NUMBER)), COMMON, Common.TEXT
-    ),
-    Function("CONCAT", _TWO_TEXTS, COMMON, Common.TEXT, repeats=True),
-    Function("INSERT", (*_TWO_TEXTS, ("P", WHOLE_NUMBER)), COMMON, Common.TEXT),
-    Function(
-        "DELETE", (("IN", COMMON), ("L", WHOLE_NUMBER), ("P", WHOLE_NUMBER)), COMMON, Common.TEXT
-    ),
-    Function(
-        "REPLACE",
-        (*_TWO_TEXTS, ("L", WHOLE_NUMBER), ("P", WHOLE_NUMBER)),
-        COMMON,
-        Common.TEXT,
-    ),
-    Function("FIND", _TWO_TEXTS, INT, Common.TEXT),
-    Function("CONCAT_DATE_TOD", (("IN1", DATE), ("IN2", TIME_OF_DAY)), DATE_AND_TIME),
-    Function("S5TIME_TO_TIME", (("IN", S5TIME),), TIME),
-    Function("TIME_TO_S5TIME", (("IN", TIME),), S5TIME),
-    Function("BCD16_TO_INT", (("IN", WORD),), INT),
-    Function("INT_TO_BCD16", (("IN", INT),), WORD),
-    Function("STRING_TO_CHAR", (("IN", StringType()),), CHAR),
-)
-
-STANDARD_FUNCTIONS: dict[str, Function] = {function.name: function for function in _FUNCTIONS}
+STANDARD_FUNCTIONS: dict[str, Function] = {
+    function.name: function
+    for function in (
+        *NUMERIC_FUNCTIONS,
+        *SELECTION_FUNCTIONS,
+        *TEXT_FUNCTIONS,
+        *CALENDAR_FUNCTIONS,
+        *BCD_FUNCTIONS,
+    )
+}
 """What can be called by name."""
 
-ALIASES = {"WORD_BCD_TO_INT": "BCD16_TO_INT", "INT_TO_BCD_WORD": "INT_TO_BCD16"}
+ALIASES = {
+    **BCD_ALIASES,
+    "CONCAT_DATE_LT": "CONCAT_DATE_LTOD",
+    "DT_DATE": "DATE_AND_TIME_TO_DATE",
+    "DT_TOD": "DATE_AND_TIME_TO_TIME_OF_DAY",
+    "S5TI_TIM": "S5TIME_TO_TIME",
+    "TIM_S5TI": "TIME_TO_S5TIME",
+    "DT_TO_STRING": "DATE_AND_TIME_TO_STRING",
+    "DT_TO_WSTRING": "DATE_AND_TIME_TO_WSTRING",
+    "TOD_TO_STRING": "TIME_OF_DAY_TO_STRING",
+    "TOD_TO_WSTRING": "TIME_OF_DAY_TO_WSTRING",
+    "LTOD_TO_STRING": "LTIME_OF_DAY_TO_STRING",
+    "LTOD_TO_WSTRING": "LTIME_OF_DAY_TO_WSTRING",
+}
 """Other spellings of canonical names."""
+
+RENAMED: dict[str, tuple[str, dict[str, str]]] = {
+    "AD_DT_TM": ("ADD_DT_TIME", {"T": "IN1", "D": "IN2"}),
+    "SB_DT_TM": ("SUB_DT_TIME", {"T": "IN1", "D": "IN2"}),
+    "SB_DT_DT": ("SUB_DT_DT", {"DT1": "IN1", "DT2": "IN2"}),
+    "D_TOD_DT": ("CONCAT_DATE_TOD", {}),
+    "I_STRNG": ("INT_TO_STRING", {"I": "IN"}),
+    "DI_STRNG": ("DINT_TO_STRING", {"I": "IN"}),
+    "R_STRNG": ("REAL_TO_STRING", {"IN": "IN"}),
+    "STRNG_I": ("STRING_TO_INT", {"S": "IN"}),
+    "STRNG_DI": ("STRING_TO_DINT", {"S": "IN"}),
+    "STRNG_R": ("STRING_TO_REAL", {"S": "IN"}),
+    **{
+        f"{name}_{suffix}": (name, {f"{prefix}1": "IN1", f"{prefix}2": "IN2"})
+        for name in ("EQ", "NE", "GT", "GE", "LT", "LE")
+        for suffix, prefix in (("DT", "DT"), ("STRNG", "S"))
+    },
+}
+"""The blocks of STEP 7's IEC library: the standard function, and what its parameters are called."""
 
 ROUNDED_UP_OR_DOWN: dict[str, Function] = {
     name: Function(name, (("IN", COMMON),), DINT, Common.FLOATING) for name in ("CEIL", "FLOOR")
 }
 """To whole numbers like ROUND and TRUNC (which are `Convert`), as StandardCalls giving DINT."""
 
-DATE_ARITHMETIC: dict[tuple[str, Elementary, Elementary], tuple[str, Elementary]] = {
-    ("+", TIME_OF_DAY, TIME): ("ADD_TOD_TIME", TIME_OF_DAY),
-    ("+", LTIME_OF_DAY, LTIME): ("ADD_LTOD_LTIME", LTIME_OF_DAY),
-    ("+", DATE_AND_TIME, TIME): ("ADD_DT_TIME", DATE_AND_TIME),
-    ("+", LDT, LTIME): ("ADD_LDT_LTIME", LDT),
-    ("-", TIME_OF_DAY, TIME): ("SUB_TOD_TIME", TIME_OF_DAY),
-    ("-", LTIME_OF_DAY, LTIME): ("SUB_LTOD_LTIME", LTIME_OF_DAY),
-    ("-", DATE_AND_TIME, TIME): ("SUB_DT_TIME", DATE_AND_TIME),
-    ("-", LDT, LTIME): ("SUB_LDT_LTIME", LDT),
-    ("-", TIME_OF_DAY, TIME_OF_DAY): ("SUB_TOD_TOD", TIME),
-    ("-", LTIME_OF_DAY, LTIME_OF_DAY): ("SUB_LTOD_LTOD", LTIME),
-    ("-", DATE, DATE): ("SUB_DATE_DATE", TIME),
-    ("-", DATE_AND_TIME, DATE_AND_TIME): ("SUB_DT_DT", TIME),
-    ("-", LDT, LDT): ("SUB_LDT_LDT", LTIME),
+ROUNDED_TO_REAL: dict[str, Function] = {
+    f"{name}_{kind.name}": Function(f"{name}_REAL", (("IN", COMMON),), COMMON, Common.FLOATING)
+    for name in ("ROUND", "TRUNC", "CEIL", "FLOOR")
+    for kind in (REAL, LREAL)
 }
-"""Dates and times of different types: the standard function that calculates, and its result."""
-
-DATE_FUNCTIONS: dict[str, Function] = {
-    name: Function(name, (("IN1", left), ("IN2", right)), result)
-    for (_, left, right), (name, result) in DATE_ARITHMETIC.items()
-}
-"""Dates and times of day with durations: by name, and what + and - on these types become."""
-
-_TEXT_NUMBERS = (
-    *("SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT", "ULINT"),
-    *("REAL", "LREAL"),
-)
-TEXT_CONVERSIONS: dict[str, tuple[str, str]] = {
-    f"{source}_TO_{target}": (source, target)
-    for number in _TEXT_NUMBERS
-    for text in ("STRING", "WSTRING")
-    for source, target in ((number, text), (text, number))
-}
-"""Numbers to text and back: StandardCalls with one argument and a result of these types."""
+"""To a floating point number without fraction: StandardCalls ROUND_REAL, TRUNC_REAL ..."""
 
 OPERATORS_BY_NAME: dict[str, str] = {
     "ADD": "+",
@@ -184,43 +108,35 @@ OPERATORS_BY_NAME: dict[str, str] = {
     "GT": ">",
     "LE": "<=",
     "GE": ">=",
+    "T_ADD": "+",
+    "T_SUB": "-",
+    "T_DIFF": "-",
+    "ADD_LTIME": "+",
+    "SUB_LTIME": "-",
+    "MUL_LTIME": "*",
+    "DIV_LTIME": "/",
     "ADD_TIME": "+",
     "SUB_TIME": "-",
     "MUL_TIME": "*",
     "MULTIME": "*",
     "DIV_TIME": "/",
     "DIVTIME": "/",
-    "T_ADD": "+",
-    "T_SUB": "-",
-    "T_DIFF": "-",
 }
 """Functions that are operators; their calls become `Binary`."""
 
 CHAINED = ("ADD", "MUL", "AND", "OR", "XOR")
 """Those that take more than two arguments."""
 
-FAMILIES: dict[Common, tuple[Family, ...]] = {
-    Common.NUMBER: (Family.SIGNED, Family.UNSIGNED, Family.REAL),
-    Common.FLOATING: (Family.REAL,),
-    Common.SHIFTED: (Family.BITS,),
-    Common.SWAPPED: (Family.BITS,),
-    Common.ORDERED: (
-        *(Family.SIGNED, Family.UNSIGNED, Family.REAL, Family.BITS),
-        *(Family.DURATION, Family.DATE, Family.CHAR),
-    ),
-    Common.ANY: (
-        *(Family.SIGNED, Family.UNSIGNED, Family.REAL, Family.BITS, Family.BOOL),
-        *(Family.DURATION, Family.DATE, Family.CHAR),
-    ),
-    Common.TEXT: (),
-    Common.NONE: (),
-}
-"""The families of elementary types that a common type may come from."""
-
-WITH_TEXT = (Common.ORDERED, Common.ANY, Common.TEXT)
-"""The common types that may be STRING or WSTRING."""
+MUX_WITH_ELSE = "MUX_ELSE"
+"""MUX with INELSE: the last argument is what is taken for any other selector."""
 
 
 def canonical_names() -> frozenset[str]:
     """Every name that a `StandardCall` can carry."""
-    return frozenset((*STANDARD_FUNCTIONS, *ROUNDED_UP_OR_DOWN, *DATE_FUNCTIONS, *TEXT_CONVERSIONS))
+    rounded = (function.name for function in ROUNDED_TO_REAL.values())
+    return frozenset(
+        (
+            *(STANDARD_FUNCTIONS | ROUNDED_UP_OR_DOWN | DATE_FUNCTIONS),
+            *(*TEXT_CONVERSIONS, *RANKED, MUX_WITH_ELSE, *rounded),
+        )
+    )

@@ -14,6 +14,8 @@ from fbgen.lang.checker.calls import (
     function_call,
     instance_call,
     is_built_in,
+    is_routine,
+    routine,
     system_call,
     unknown_callee,
 )
@@ -26,7 +28,7 @@ from fbgen.lang.checker.jumps import check_goto, check_label
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.memory_access import check_poke, memory_access_named
 from fbgen.lang.checker.places import names_block
-from fbgen.lang.checker.standard_calls import check_standard_call
+from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.system_instructions import instruction_named
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.types import BOOL, Elementary, Family, counting_type
@@ -79,10 +81,13 @@ def _plain_call(ctx: Context, node: ast.CallStatement, call: ast.Call) -> Sequen
     if instruction is not None:
         result, place = system_call(ctx, call, instruction)
         return _system_statement(ctx, node.span, result, place)
-    if is_built_in(name):
+    if is_standard_function(name):
         if check_standard_call(ctx, call, name, None).type != ERRONEOUS:
             _unused(ctx, node.span, name)
         return ()
+    if is_routine(ctx, name):
+        found = routine(ctx, call, name, None)
+        return () if found is None else (checked.Evaluate(node.span, found),)
     unknown_callee(ctx, call, name)
     return ()
 

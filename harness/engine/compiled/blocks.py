@@ -12,6 +12,7 @@ from harness.engine.compiled import (
     operators,
     places,
     references,
+    routines,
     standard_functions,
 )
 from harness.engine.compiled.code import Listing
@@ -30,7 +31,7 @@ from harness.engine.compiled.procedure import (
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.statements import write_long
 
-for module in (places, references, operators, standard_functions, calls, attempts):
+for module in (places, references, operators, standard_functions, calls, attempts, routines):
     enter(module.EXPRESSIONS)
 
 

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from fbgen.lang.checked import (
     AddressRef,
     Block,
-    Evaluate,
     Expression,
     FunctionCall,
     Place,
@@ -248,12 +247,12 @@ def instruction_statement(procedure: Procedure, node: SystemCall) -> Code:
     return code._replace(text=result, depth=1, simple=True)
 
 
-def evaluate(procedure: Procedure, node: Evaluate) -> None:
+def evaluate(procedure: Procedure, node: FunctionCall | SystemCall) -> None:
     """Write a call whose result is dropped."""
-    if isinstance(node.call, FunctionCall):
-        function_statement(procedure, node.call)
+    if isinstance(node, FunctionCall):
+        function_statement(procedure, node)
     else:
-        instruction_statement(procedure, node.call)
+        instruction_statement(procedure, node)
 
 
 EXPRESSIONS: dict[type, Write] = {FunctionCall: _function, SystemCall: _instruction}

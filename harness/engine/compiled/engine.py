@@ -27,6 +27,7 @@ from harness.engine.compiled.outside_calls import write_keyword_call
 from harness.engine.compiled.passes import may_exceed
 from harness.engine.compiled.placement import Bytes
 from harness.engine.compiled.procedure import Probe
+from harness.engine.compiled.routines import Routines, unmodelled_classes
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.stopping import Stopper
 from harness.engine.environment import Environment, StandaloneEnvironment
@@ -58,19 +59,9 @@ class CompiledEngine:
     """One program on one controller. `probe` adds lines to the generated code, for coverage."""
 
     __slots__ = (
-        *(
-            "_bytes",
-            "_cpu",
-            "_environment",
-            "_facts",
-            "_globals",
-            "_initial",
-            "_listings",
-            "_located",
-            "_makers",
-        ),
-        *("_memory", "_model", "_namespace", "_program", "_programs", "_records", "_runs"),
-        "_stopper",
+        *("_bytes", "_cpu", "_environment", "_facts", "_globals", "_initial", "_listings"),
+        *("_located", "_makers", "_memory", "_model", "_namespace", "_program", "_programs"),
+        *("_records", "_routines", "_runs", "_stopper"),
     )
 
     def __init__(
@@ -86,6 +77,7 @@ class CompiledEngine:
         library: dict[str, type] = {
             **timer_classes(_clock(environment), program.dialect),
             **counter_classes(program.dialect),
+            **unmodelled_classes(program),
         }
         self._model = Model(program, library)
         self._facts = Facts(program, limits.call_depth)
@@ -111,6 +103,8 @@ class CompiledEngine:
         self._bytes = Bytes(self._model, self._namespace, image_sizes)
         self._memory = Memory(self._model, self._facts, self._namespace)
         self._namespace |= hardware(self._memory, self._bytes, environment)
+        self._routines = Routines(program, environment, self._memory, self._cpu.retrigger)
+        self._namespace["_routine"] = self._routines.call
         self._listings: dict[str, Listing] = {}
         self._stopper = Stopper(self._listings, limits)
         self._located = {
@@ -462,6 +456,7 @@ class CompiledEngine:
         return (
             self._memory.snapshot(self._model.global_record, self._globals),
             *(self._memory.snapshot(record, data) for record, data in self._programs.values()),
+            self._routines.counters.snapshot(),
         )
 
     def restore(self, state: State) -> None:
@@ -474,6 +469,8 @@ class CompiledEngine:
 
     def _restore(self, state: State, *, remanent_too: bool) -> None:
         assert isinstance(state, tuple)
+        *contents, counters = state
+        self._routines.counters.restore(counters)
         records = [(self._model.global_record, self._globals), *self._programs.values()]
-        for (record, data), content in zip(records, state, strict=True):
+        for (record, data), content in zip(records, contents, strict=True):
             self._memory.restore(record, data, content, remanent_too=remanent_too)

@@ -23,6 +23,7 @@ from fbgen.lang.checked import (
     Program,
     ReferenceTo,
     Repeat,
+    RoutineCall,
     SliceRef,
     Statement,
     SystemCall,
@@ -141,7 +142,7 @@ class Facts:
             callee = _callee(node)
             if callee is not None and any(_has_blocks(v.type) for v in self._found[callee].globals):
                 return set()
-            if isinstance(node, FunctionCall):
+            if isinstance(node, FunctionCall | RoutineCall):
                 # A call inside of an expression may write in a function of its own.
                 private -= {
                     one.variable for one in written_places(node) if isinstance(one, VariableRef)

@@ -12,6 +12,7 @@ from fbgen.lang.checked import (
     Constant,
     Expression,
     FunctionCall,
+    RoutineCall,
     Statement,
     SystemCall,
     Unary,
@@ -71,7 +72,10 @@ def _compare(term: Binary, is_true: bool, result: dict[Variable, tuple[int, int]
 
 def calls_anything(condition: Expression) -> bool:
     """True if evaluating the condition may itself change what it speaks of."""
-    return any(isinstance(node, FunctionCall | SystemCall) for node in every_node((condition,)))
+    return any(
+        isinstance(node, FunctionCall | SystemCall | RoutineCall)
+        for node in every_node((condition,))
+    )
 
 
 def written_inside(statement: Statement) -> set[Variable | None]:

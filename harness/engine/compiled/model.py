@@ -28,6 +28,9 @@ from harness.engine.layout import layout_of
 GLOBALS = "_globals"
 """The object with the global variables that are single values."""
 
+STUB_SLOT = "_stub"
+"""The slot with the Python object of a stubbed block, which is no part of the program's state."""
+
 MEMORY_KINDS = (BlockKind.FUNCTION_BLOCK, BlockKind.PROGRAM)
 """The kinds of block that keep their variables."""
 
@@ -223,7 +226,7 @@ def _standard_record(block: StandardBlock, python_class: type) -> Record:
     ]
     known = {part.slot for part in parts}
     slots = [slot for base in python_class.__mro__ for slot in getattr(base, "__slots__", ())]
-    hidden = tuple(slot for slot in slots if slot not in known)
+    hidden = tuple(slot for slot in slots if slot not in known and slot != STUB_SLOT)
     return _record(block.name, parts, block, hidden)
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from math import inf, nan
+from math import atan2, inf, isfinite, nan
 from typing import Any
 
 from fbgen.diagnostics import DiagnosticError
@@ -12,7 +12,17 @@ from fbgen.lang.types import Scalar
 from harness.engine.compiled.areas import VariableArea
 from harness.engine.compiled.cells import AttributeCell, Cell, ElementCell, ValueCell, same, target
 from harness.engine.compiled.instructions import areas
-from harness.engine.compiled.library import calendar, dates, decimals, reals, stops, texts, wholes
+from harness.engine.compiled.library import (
+    calendar,
+    dates,
+    decimals,
+    dtl,
+    reals,
+    stops,
+    texts,
+    time_texts,
+    wholes,
+)
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.memory_access import access
 from harness.engine.compiled.memory_instructions import BlockPokes, move_area, move_elements
@@ -34,6 +44,10 @@ class Cpu:
         self.most_passes = limits.loop_passes
         self.passes = limits.loop_passes
         self.depth = 0
+
+    def retrigger(self) -> None:
+        """The cycle monitoring time begins anew."""
+        self.passes = self.most_passes
 
 
 def _chosen(which: bool, zero: object, one: object) -> object:
@@ -102,11 +116,34 @@ LIBRARY: dict[str, Any] = {
     "_limited": wholes.limited,
     "_runaway": wholes.runaway,
     "_no_step": wholes.no_step,
-    "_stamp_of_dtl": calendar.stamp_of,
-    "_dtl": calendar.in_parts,
+    "_stamp_of_dtl": dtl.stamp_of,
+    "_dtl": dtl.in_parts,
     "_cut_to_ms": dates.cut_to_ms,
     "_bcd16_to_int": decimals.bcd_to_int,
     "_int_to_bcd16": decimals.int_to_bcd,
+    "_bcd32_to_dint": decimals.long_bcd_to_int,
+    "_dint_to_bcd32": decimals.int_to_long_bcd,
+    "_from_bcd": decimals.from_bcd,
+    "_to_bcd": decimals.to_bcd,
+    "_is_valid_bcd": decimals.is_bcd,
+    "_lowest_one": wholes.lowest_one,
+    "_swapped_signed": wholes.swapped_signed,
+    "_select_or_else": wholes.select_or_else,
+    "_atan2": atan2,
+    "_isfinite": isfinite,
+    "_norm_x": reals.normalized,
+    "_scale_x": reals.scaled,
+    "_scale_x_whole": reals.scaled_to_whole,
+    "_concat_date": calendar.concat_date,
+    "_concat_tod": calendar.ms_of,
+    "_concat_ltod": calendar.concat_ltod,
+    "_concat_dt": calendar.concat_stamp,
+    "_concat_ldt": calendar.concat_stamp,
+    "_weekday_of_days": calendar.weekday_of_days,
+    "_weekday_of_stamp": calendar.weekday_of_stamp,
+    "_text_of_truth": texts.of_truth,
+    "_text_to_truth": texts.to_truth,
+    "_wstring_to_wchar": texts.first_character,
     "_s5time_to_time": decimals.s5time_to_time,
     "_time_to_s5time": decimals.time_to_s5time,
     "_left": texts.left,
@@ -125,6 +162,9 @@ LIBRARY: dict[str, Any] = {
     "_no_block": _no_block,
     "_outside": _outside,
     **{f"_{name.lower()}": function for name, function in reals.FUNCTIONS.items()},
+    **{f"_{name.lower()}": function for name, function in reals.WHOLE_REALS.items()},
+    **{f"_in_order_{name}": function for name, function in wholes.CHAINS.items()},
+    **{f"_show_{name.lower()}": function for name, function in time_texts.FUNCTIONS.items()},
     **{f"_{name.lower()}": function for name, function in dates.FUNCTIONS.items()},
 }
 """Everything that does not depend on the program."""
@@ -174,7 +214,10 @@ def hardware(
             return move_area(node, source, target)
         return environment.instruction(node.name, by_name, node.span)
 
-    return {"_instruction": instruction, **access(data, environment)}
+    def fill(place: Place, data: Any, value: Any) -> None:
+        memory.fill(place.span.text, place.type, data, value)
+
+    return {"_instruction": instruction, "_fill": fill, **access(data, environment)}
 
 
 def _check_layout(place: Place) -> None:

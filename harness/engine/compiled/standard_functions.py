@@ -5,42 +5,20 @@ tables 28 to 36; TIA Portal help.
 """
 
 import re
-from collections.abc import Callable
 
 from fbgen.lang.checked import StandardCall
-from fbgen.lang.types import LREAL, REAL, Elementary, Family, StringType, Type
-from harness.engine.compiled.code import Code, Level, deepest
+from fbgen.lang.types import BOOL, LREAL, REAL, Elementary, Family, StringType, Type
+from harness.engine.compiled.code import Code, Level
 from harness.engine.compiled.conversions import cut
 from harness.engine.compiled.evaluation import Write, named, value
-from harness.engine.compiled.library import dates, reals
+from harness.engine.compiled.function_code import Writer, all_of, called, failing
+from harness.engine.compiled.further_functions import WRITERS
+from harness.engine.compiled.library import dates, reals, time_texts
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import is_counted, limits, masked
 
-_Writer = Callable[[Procedure, StandardCall, list[Code]], Code]
-_TEXT = re.compile(r"(W?STRING)_TO_([A-Z]+)|([A-Z]+)_TO_(W?STRING)\Z")
+_TEXT = re.compile(r"(W?STRING)_TO_([A-Z]+)|([A-Z_]+)_TO_(W?STRING)\Z")
 _LONGEST_TEXT = 1 << 16
-
-
-def _all(codes: list[Code], text: str, level: Level = Level.ATOM, more_depth: int = 1) -> Code:
-    """A piece made of others, all of which are evaluated."""
-    return Code(
-        text,
-        level,
-        depth=deepest(codes) + more_depth,
-        safe=all(code.safe for code in codes),
-        pure=all(code.pure for code in codes),
-    )
-
-
-def _called(function: str, node: StandardCall, codes: list[Code], *more: object) -> Code:
-    low, high = limits(node.type)
-    texts = ", ".join((*(code.text for code in codes), *(str(one) for one in more)))
-    return _all(codes, f"{function}({texts})").within(low, high)
-
-
-def _failing(procedure: Procedure, node: StandardCall, code: Code) -> Code:
-    procedure.site(code.text, node)
-    return code._replace(safe=False)
 
 
 def _hull(codes: list[Code]) -> tuple[int, int]:
@@ -62,8 +40,8 @@ def _extreme(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Cod
         if one.simple or two.simple or one.safe:
             # In Python's order the second operand is evaluated first: nobody can tell.
             text = f"{two_again} if {second} {sign} {first} else {one_again}"
-            return _all(codes, text, Level.CONDITIONAL, 3).within(*ends)
-    return _called(node.name.lower(), node, codes).within(*ends)
+            return all_of(codes, text, Level.CONDITIONAL, 3).within(*ends)
+    return called(node.name.lower(), node, codes).within(*ends)
 
 
 def _limit(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
@@ -73,24 +51,24 @@ def _limit(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
         first, again = named(procedure, code)
         text = f"{low.text} if {first} < {low.text} else {high.text} if {again} > {high.text} "
         text += f"else {again}"
-        result = _all(codes, text, Level.CONDITIONAL, 3)
+        result = all_of(codes, text, Level.CONDITIONAL, 3)
         return result.within(low.low, high.high)
-    return _called("_limit", node, codes)
+    return called("_limit", node, codes)
 
 
 def _selected(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
     which, zero, one = codes
     if zero.safe and one.safe:
         text = f"{one.at(Level.OR)} if {which.at(Level.OR)} else {zero.text}"
-        return _all(codes, text, Level.CONDITIONAL, 2).within(*_hull([zero, one]))
+        return all_of(codes, text, Level.CONDITIONAL, 2).within(*_hull([zero, one]))
     text = f"_chosen({which.text}, {zero.text}, {one.text})"
-    return _all(codes, text).within(*_hull([zero, one]))
+    return all_of(codes, text).within(*_hull([zero, one]))
 
 
 def _multiplexed(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
     inputs = codes[1:]
     text = f"_select({codes[0].text}, ({', '.join(code.text for code in inputs)}))"
-    return _failing(procedure, node, _all(codes, text, more_depth=2).within(*_hull(inputs)))
+    return failing(procedure, node, all_of(codes, text, more_depth=2).within(*_hull(inputs)))
 
 
 # --- shifts -------------------------------------------------------------------------------------
@@ -107,8 +85,8 @@ def _shift(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
             count = places.low if 0 <= places.low < bits else bits - 1
             text = f"{operand.at(Level.SHIFT)} >> {count}"
             ends = (operand.low >> count, operand.high >> count)
-            return _all([operand], text, Level.SHIFT).within(*ends)
-        return _called("_shift_right_signed", node, codes, bits)
+            return all_of([operand], text, Level.SHIFT).within(*ends)
+        return called("_shift_right_signed", node, codes, bits)
     operand = masked(operand, bits)
     if places.low == places.high:
         return _constant_shift(procedure, node, operand, places.low)
@@ -118,7 +96,7 @@ def _shift(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
         "ROL": "_rotate_left",
         "ROR": "_rotate_right",
     }[node.name]
-    result = _called(function, node, [operand, places], bits)
+    result = called(function, node, [operand, places], bits)
     return result.within(0, (1 << bits) - 1)
 
 
@@ -132,23 +110,23 @@ def _constant_shift(procedure: Procedure, node: StandardCall, code: Code, places
         if bits == 8:
             table = tuple(byte << left & 255 | byte >> 8 - left for byte in range(256))
             name = procedure.context.shared_table(f"_rotated_left_{left}", table)
-            return _all([code], f"{name}[{code.text}]", more_depth=2).within(0, 255)
+            return all_of([code], f"{name}[{code.text}]", more_depth=2).within(0, 255)
         first, again = named(procedure, code)
         text = f"({first} << {left} | {again} >> {bits - left}) & {(1 << bits) - 1}"
-        result = _all([code], text, Level.BIT_AND, 3)
+        result = all_of([code], text, Level.BIT_AND, 3)
         return result.within(0, (1 << bits) - 1)
     if not 0 <= places < bits:
-        return _all([code], "0")._replace(simple=True) if code.safe else _zero(code)
+        return all_of([code], "0")._replace(simple=True) if code.safe else _zero(code)
     if places == 0:
         return code
     sign = "<<" if name == "SHL" else ">>"
     shifted = code.high << places if name == "SHL" else code.high >> places
-    result = _all([code], f"{code.at(Level.SHIFT)} {sign} {places}", Level.SHIFT)
+    result = all_of([code], f"{code.at(Level.SHIFT)} {sign} {places}", Level.SHIFT)
     return result.within(0, shifted)
 
 
 def _zero(code: Code) -> Code:
-    return _all([code], f"{code.at(Level.PRODUCT)} * 0", Level.PRODUCT)
+    return all_of([code], f"{code.at(Level.PRODUCT)} * 0", Level.PRODUCT)
 
 
 def _swapped(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
@@ -156,8 +134,8 @@ def _swapped(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Cod
     if node.type.bits == 16:
         first, again = named(procedure, codes[0])
         text = f"({first} << 8 | {again} >> 8) & 65535"
-        return _all(codes, text, Level.BIT_AND, 3).within(0, 65535)
-    return _called("_rotated_bytes", node, codes, node.type.bits // 8)
+        return all_of(codes, text, Level.BIT_AND, 3).within(0, 65535)
+    return called("_rotated_bytes", node, codes, node.type.bits // 8)
 
 
 # --- numbers ------------------------------------------------------------------------------------
@@ -168,11 +146,11 @@ def _absolute(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Co
     if is_counted(node.type) and code.low >= 0:
         return code
     high = max(abs(code.low), abs(code.high))
-    return _called("abs", node, codes).within(0, high)
+    return called("abs", node, codes).within(0, high)
 
 
 def _mathematical(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
-    code = _called(f"_{node.name.lower()}", node, codes)
+    code = called(f"_{node.name.lower()}", node, codes)
     if node.type == REAL:
         return code._replace(text=f"_rounded({code.text})", depth=code.depth + 1)
     return code
@@ -180,15 +158,11 @@ def _mathematical(procedure: Procedure, node: StandardCall, codes: list[Code]) -
 
 def _to_next_whole(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
     function = "_ceiling" if node.name == "CEIL" else "_floor"
-    return _failing(procedure, node, _called(function, node, codes, *limits(node.type)))
-
-
-def _decimal(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
-    return _failing(procedure, node, _called(f"_{node.name.lower()}", node, codes))
+    return failing(procedure, node, called(function, node, codes, *limits(node.type)))
 
 
 def _date(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
-    code = _called(f"_{node.name.lower()}", node, codes)
+    code = called(f"_{node.name.lower()}", node, codes)
     # The functions leave the wrapping to us, and their results can be of any size.
     return code.within(-(1 << 70), 1 << 70)
 
@@ -197,15 +171,15 @@ def _date(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
 
 
 def _length(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
-    return _called("len", node, codes).within(0, _LONGEST_TEXT)
+    return called("len", node, codes).within(0, _LONGEST_TEXT)
 
 
 def _concatenated(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
     text = " + ".join(code.at(Level.SUM) for code in codes[:1] + codes[1:])
     if len(codes) > 20:
         text = f'"".join(({", ".join(code.text for code in codes)}))'
-        return _fitted(_all(codes, text), node.type)
-    return _fitted(_all(codes, text, Level.SUM, len(codes)), node.type)
+        return _fitted(all_of(codes, text), node.type)
+    return _fitted(all_of(codes, text, Level.SUM, len(codes)), node.type)
 
 
 def _fitted(code: Code, kind: Type) -> Code:
@@ -214,7 +188,7 @@ def _fitted(code: Code, kind: Type) -> Code:
 
 
 def _text_function(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
-    code = _called(f"_{node.name.lower()}", node, codes)
+    code = called(f"_{node.name.lower()}", node, codes)
     if isinstance(node.type, StringType):
         return _fitted(code, node.type)
     return code
@@ -225,20 +199,26 @@ def _number_and_text(procedure: Procedure, node: StandardCall, codes: list[Code]
     assert match is not None
     kind = node.type
     if match[1]:
+        if kind == BOOL:
+            return failing(procedure, node, called("_text_to_truth", node, codes))
         if isinstance(kind, Elementary) and kind.family is Family.REAL:
-            code = _called("_text_to_real", node, codes, kind.bits)
+            code = called("_text_to_real", node, codes, kind.bits)
         else:
-            code = _called("_text_to_whole", node, codes, *limits(kind))
-        return _failing(procedure, node, code)
+            code = called("_text_to_whole", node, codes, *limits(kind))
+        return failing(procedure, node, code)
     source = node.arguments[0].type
     assert isinstance(kind, StringType)
     if source in (REAL, LREAL):
         digits = 6 if source == REAL else 14
-        return cut(_called("_text_of_real", node, codes, digits), 25, kind)
-    return cut(_called("str", node, codes), 20, kind)
+        return cut(called("_text_of_real", node, codes, digits), 25, kind)
+    if source == BOOL:
+        return cut(called("_text_of_truth", node, codes), 5, kind)
+    if source.name in time_texts.FUNCTIONS:
+        return cut(called(f"_show_{source.name.lower()}", node, codes), 40, kind)
+    return cut(called("str", node, codes), 20, kind)
 
 
-_WRITERS: dict[str, _Writer] = {
+_WRITERS: dict[str, Writer] = {
     "MIN": _extreme,
     "MAX": _extreme,
     "LIMIT": _limit,
@@ -253,9 +233,12 @@ _WRITERS: dict[str, _Writer] = {
     **dict.fromkeys(("SHL", "SHR", "ROL", "ROR"), _shift),
     **dict.fromkeys(reals.FUNCTIONS, _mathematical),
     **dict.fromkeys(dates.FUNCTIONS, _date),
-    **dict.fromkeys(("BCD16_TO_INT", "INT_TO_BCD16", "S5TIME_TO_TIME", "TIME_TO_S5TIME"), _decimal),
+    **WRITERS,
     **dict.fromkeys(
-        ("LEFT", "RIGHT", "MID", "INSERT", "DELETE", "REPLACE", "FIND", "STRING_TO_CHAR"),
+        (
+            *("LEFT", "RIGHT", "MID", "INSERT", "DELETE", "REPLACE", "FIND", "STRING_TO_CHAR"),
+            "WSTRING_TO_WCHAR",
+        ),
         _text_function,
     ),
 }

@@ -16,6 +16,7 @@ from fbgen.lang.checked import (
     InstanceCall,
     Repeat,
     Return,
+    RoutineCall,
     Statement,
     SystemCall,
     While,
@@ -35,6 +36,7 @@ from harness.engine.compiled.loops import write_for, write_repeat, write_while
 from harness.engine.compiled.model import has_memory
 from harness.engine.compiled.places import assign
 from harness.engine.compiled.procedure import DEEPEST_INDENT, DEEPEST_LOOPS, Procedure
+from harness.engine.compiled.routines import routine_statement
 from harness.engine.compiled.selection import write_case, write_if
 from harness.engine.compiled.walk import every_node, root_of, written_places
 
@@ -129,7 +131,10 @@ def write_statement(procedure: Procedure, statement: Statement) -> None:
         case Repeat():
             write_repeat(procedure, statement, write_body)
         case Evaluate():
-            evaluate(procedure, statement)
+            if isinstance(statement.call, RoutineCall):
+                routine_statement(procedure, statement.call)
+            else:
+                evaluate(procedure, statement.call)
         case Exit():
             _exit(procedure)
         case Continue():
@@ -145,6 +150,8 @@ def _assignment(procedure: Procedure, node: Assignment) -> None:
         assert code is not None
     elif isinstance(node.value, SystemCall):
         code = instruction_statement(procedure, node.value)
+    elif isinstance(node.value, RoutineCall):
+        code = routine_statement(procedure, node.value)
     else:
         code = value(procedure, node.value)
     assign(procedure, node.target, code, node.value.type)

@@ -37,7 +37,7 @@ class Stopper:
     def diagnostic(self, exception: Exception) -> DiagnosticError | None:
         """The diagnostic for an exception; None if generated code did not cause it."""
         frames = self._frames(exception.__traceback__)
-        if not frames:
+        if not frames or not self._is_ours(exception.__traceback__):
             return None
         if isinstance(exception, stops.TooDeep):
             # The innermost frame is the counting one of the callee; the call is in the one before.
@@ -80,6 +80,14 @@ class Stopper:
         span = self._listings[frame.f_code.co_filename].spans[line - 1]
         assert span is not None
         return span
+
+    def _is_ours(self, traceback: TracebackType | None) -> bool:
+        """False if a stub of the user raised it: then it is none of the PLC program."""
+        while traceback is not None and traceback.tb_next is not None:
+            traceback = traceback.tb_next
+        if traceback is None or traceback.tb_frame.f_code.co_filename in self._listings:
+            return True
+        return str(traceback.tb_frame.f_globals.get("__name__", "")).startswith("harness.")
 
     def _frames(self, traceback: TracebackType | None) -> list[_Frame]:
         frames: list[_Frame] = []
@@ -133,6 +141,8 @@ def _of_site(exception: Exception, site: Site, frame: FrameType) -> DiagnosticEr
             return faults.not_a_number(node.span, exception.text, node.type)
         case stops.NoDecimal():
             return faults.not_decimal(node.span, exception.value)
+        case stops.NoSuchDate():
+            return faults.no_such_date(node.span, exception.text)
         case stops.NoInput():
             return faults.selector_out_of_range(node.span, exception.selector, exception.count)
         case stops.NoAddress():

@@ -26,6 +26,7 @@ from fbgen.lang.checked import (
     Place,
     ReferenceTo,
     Repeat,
+    RoutineCall,
     SameReference,
     SliceRef,
     StandardCall,
@@ -64,6 +65,10 @@ _CHILDREN: dict[type, Callable[[Any], Iterable[Node]]] = {
     StandardCall: lambda node: node.arguments,
     FunctionCall: _arguments,
     SystemCall: lambda node: [expression for _, expression in node.arguments],
+    RoutineCall: lambda node: [
+        *([] if node.instance is None else [node.instance]),
+        *(expression for _, expression in (*node.inputs, *node.outputs)),
+    ],
     InstanceCall: lambda node: [node.instance, *_arguments(node)],
     Attempt: lambda node: (node.operand, node.flag),
     Evaluate: lambda node: (node.call,),
@@ -114,6 +119,10 @@ _WRITTEN: dict[type, Callable[[Any], list[Place]]] = {
     InstanceCall: lambda node: [
         node.instance,
         *(place for _, place in (*node.in_outs, *node.outputs)),
+    ],
+    RoutineCall: lambda node: [
+        *([] if node.instance is None else [node.instance]),
+        *(place for _, place in node.outputs),
     ],
     SystemCall: lambda node: list(areas(node).values()),
     Attempt: lambda node: [node.flag],

@@ -17,6 +17,7 @@ from fbgen.lang.checked import (
     Variable,
     VariableKind,
 )
+from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS
 from fbgen.lang.layout import no_layout
 from fbgen.lang.types import (
     DATE_AND_TIME,
@@ -36,6 +37,7 @@ from fbgen.lang.types import (
 )
 from harness.engine.block_memory import BlockLayout
 from harness.engine.layout import layout_of
+from harness.engine.reference.behaviour import Behaviour
 from harness.engine.reference.memory import Memory, MemoryCell
 from harness.engine.reference.placed import ByteCell
 from harness.engine.reference.pointers import ReferenceCell
@@ -50,6 +52,7 @@ from harness.engine.reference.storage import (
     Structure,
     Union,
 )
+from harness.engine.reference.unmodelled import Unmodelled
 
 _WITH_MEMORY = (BlockKind.FUNCTION_BLOCK, BlockKind.PROGRAM, BlockKind.ORGANIZATION_BLOCK)
 _FRAME_KINDS = (VariableKind.TEMP, VariableKind.RESULT)
@@ -182,7 +185,9 @@ class Allocator:
         """A fresh instance; the in-outs are not connected."""
         if isinstance(block, StandardBlock):
             parts = self._own_parts(block)
-            state = new_behaviour(block.name, self._program.dialect)
+            state: Behaviour = Unmodelled()
+            if block.name.casefold() in STANDARD_BLOCKS:
+                state = new_behaviour(block.name, self._program.dialect)
             return InstanceStorage(kind, block, parts, state)
         placement = self._layout.instance(block)
         memory = None

@@ -7,11 +7,12 @@ from fbgen.lang.checked import (
     InstanceCall,
     Place,
     Program,
+    RoutineCall,
     StandardBlock,
     Variable,
     VariableKind,
 )
-from fbgen.lang.types import AnyType, OpenArrayType
+from fbgen.lang.types import VOID, AnyType, OpenArrayType
 from fbgen.source import Span
 from harness.engine.faults import nesting_too_deep
 from harness.engine.interface import Limits, Value
@@ -21,9 +22,12 @@ from harness.engine.reference.expressions import Expressions
 from harness.engine.reference.frames import Frame
 from harness.engine.reference.memory import Memory
 from harness.engine.reference.places import Places
+from harness.engine.reference.routines import Routines, fitted
 from harness.engine.reference.standard_blocks import run_standard_block
 from harness.engine.reference.statements import Statements, Watchdog
 from harness.engine.reference.storage import LIVING_KINDS, InstanceStorage, Storage
+from harness.engine.reference.unmodelled import Unmodelled
+from harness.engine.stubs import StubState
 
 
 class Calls:
@@ -31,7 +35,7 @@ class Calls:
 
     __slots__ = (
         *("_allocator", "_depth", "_environment", "_expressions", "_limits", "_places"),
-        *("_program", "_statements", "_watchdog"),
+        *("_program", "_statements", "_watchdog", "routines"),
     )
 
     def __init__(
@@ -50,13 +54,20 @@ class Calls:
         addresses = Addresses(memory, self._index, allocator.view)
         self._places = Places(memory, addresses, program_globals, self._index)
         self._expressions = Expressions(
-            program.dialect, memory.environment, self._places, self._call_function
+            program.dialect,
+            memory.environment,
+            self._places,
+            self._call_function,
+            self.call_routine,
         )
         self._statements = Statements(
             *(self._expressions, self._places, self._watchdog),
-            *(self._call_function, self._call_instance),
+            call_function=self._call_function,
+            call_instance=self._call_instance,
+            call_routine=self.call_routine,
         )
         self._depth = 0
+        self.routines = Routines(program, memory.environment, self._watchdog)
 
     def begin(self) -> None:
         """A call from outside begins: no loop passes yet, no block inside another."""
@@ -122,6 +133,36 @@ class Calls:
             self._places.find(place, frame).write(value)
         result = call.function.result
         return None if result is None else inner.storages[result].read()
+
+    def call_routine(self, call: RoutineCall, frame: Frame) -> Value | None:
+        """An instruction with several outputs, or a stub; its result if it has one.
+
+        An output that is left out keeps its value, or has that of the instance.
+        """
+        inputs = {
+            name: self._expressions.value(expression, frame) for name, expression in call.inputs
+        }
+        instance: InstanceStorage | None = None
+        state: StubState | None = None
+        if call.instance is not None:
+            found = self._places.find(call.instance, frame)
+            assert isinstance(found, InstanceStorage)
+            assert isinstance(found.standard, Unmodelled)
+            instance, state = found, found.standard.state
+        results = self.routines.run(call, inputs, state)
+        if instance is not None:
+            for key, part in instance.parts.items():
+                if key in results:
+                    part.write(fitted(results[key], part.kind))
+        for name, place in call.outputs:
+            key = name.casefold()
+            value: Value | None = results.get(key)
+            if value is None and instance is not None and key in instance.parts:
+                value = instance.parts[key].read()
+            if value is not None:
+                target = self._places.find(place, frame)
+                target.write(fitted(value, target.kind))
+        return None if call.type == VOID else fitted(results["ret_val"], call.type)
 
     def _argument(self, variable: Variable, expression: Expression, frame: Frame) -> Storage:
         """A cell of its own with the value; an area is passed by reference."""

@@ -1,22 +1,24 @@
-"""Standard functions on dates, times of day and decimal coded words.
+"""Standard functions on dates, times of day and the S5TIME.
 
 A time of day goes on at midnight with zero; everything else wraps around in its width.
 Sources: IEC 61131-3 third edition, tables 35 and 36; STEP 7 help, "Format of the data type S5TIME"
-(three decimal digits and the time base) and "BCD numbers" (three digits, sign in the first one).
+(three decimal digits and the time base).
 """
 
 from collections.abc import Callable, Sequence
 
 from fbgen.lang.types import Elementary, Scalar
+from fbgen.source import Span
 from harness.engine.faults import not_decimal, value_out_of_range
 from harness.engine.reference.arithmetic import divided, wrap
+from harness.engine.reference.calendar import CALENDAR_FUNCTIONS
 from harness.engine.reference.functions import Function, Signature
 
 _NS_PER_MS = 1_000_000
 _MS_PER_DAY = 86_400_000
 _NS_PER_DAY = _MS_PER_DAY * _NS_PER_MS
 _DAYS_1970_TO_1990 = 7305
-_S5_BASES_MS = (10, 100, 1_000, 10_000)
+S5_BASES_MS = (10, 100, 1_000, 10_000)
 
 
 def _two(values: Sequence[Scalar]) -> tuple[int, int]:
@@ -44,15 +46,15 @@ def _stamp_difference(values: Sequence[Scalar], signature: Signature) -> Scalar:
     return _result(signature, divided(later - earlier, _NS_PER_MS, signature.span))
 
 
-def _digits(value: int, signature: Signature) -> int:
+def decimal_digits(value: int, span: Span) -> int:
     """The number in the low three decimal digits. Raises FB6014."""
     digits = [value >> shift & 15 for shift in (8, 4, 0)]
     if max(digits) > 9:
-        raise not_decimal(signature.span, value)
+        raise not_decimal(span, value)
     return digits[0] * 100 + digits[1] * 10 + digits[2]
 
 
-def _coded(number: int) -> int:
+def coded(number: int) -> int:
     """A number below 1000 in three decimal digits."""
     return number // 100 << 8 | number // 10 % 10 << 4 | number % 10
 
@@ -60,33 +62,17 @@ def _coded(number: int) -> int:
 def _s5time_to_time(values: Sequence[Scalar], signature: Signature) -> Scalar:
     value = values[0]
     assert isinstance(value, int)
-    return _digits(value, signature) * _S5_BASES_MS[value >> 12 & 3]
+    return decimal_digits(value, signature.span) * S5_BASES_MS[value >> 12 & 3]
 
 
 def _time_to_s5time(values: Sequence[Scalar], signature: Signature) -> Scalar:
     """The finest base that holds the time; what is below it is cut. Raises FB6006."""
     value = values[0]
     assert isinstance(value, int)
-    for code, base_ms in enumerate(_S5_BASES_MS):
+    for code, base_ms in enumerate(S5_BASES_MS):
         if 0 <= value // base_ms <= 999:
-            return code << 12 | _coded(value // base_ms)
+            return code << 12 | coded(value // base_ms)
     raise value_out_of_range(signature.span, value, signature.result)
-
-
-def _bcd_to_int(values: Sequence[Scalar], signature: Signature) -> Scalar:
-    value = values[0]
-    assert isinstance(value, int)
-    number = _digits(value, signature)
-    return -number if value & 0x8000 else number
-
-
-def _int_to_bcd(values: Sequence[Scalar], signature: Signature) -> Scalar:
-    """-999 to 999. Raises FB6006."""
-    value = values[0]
-    assert isinstance(value, int)
-    if abs(value) > 999:
-        raise value_out_of_range(signature.span, value, signature.result)
-    return (0xF000 if value < 0 else 0) | _coded(abs(value))
 
 
 DATE_FUNCTIONS: dict[str, Function] = {
@@ -108,7 +94,9 @@ DATE_FUNCTIONS: dict[str, Function] = {
     ),
     "S5TIME_TO_TIME": _s5time_to_time,
     "TIME_TO_S5TIME": _time_to_s5time,
-    "BCD16_TO_INT": _bcd_to_int,
-    "INT_TO_BCD16": _int_to_bcd,
+    "CONCAT_DATE_LTOD": _of_two(
+        lambda days, day_ns: (days + _DAYS_1970_TO_1990) * _NS_PER_DAY + day_ns
+    ),
+    **CALENDAR_FUNCTIONS,
 }
 """By canonical name."""

@@ -137,7 +137,8 @@ class ReferenceEngine:
         """Global variables and the variables of PROGRAMs."""
         storages = (*self._globals.values(), *self._runnable.values())
         blocks = tuple(bytes(memory) for memory in self._blocks.values())
-        return blocks, tuple(storage.snapshot() for storage in storages)
+        values = tuple(storage.snapshot() for storage in storages)
+        return blocks, values, self._calls.routines.snapshot()
 
     def restore(self, state: State) -> None:
         """Go back to a snapshot of the same program."""
@@ -147,12 +148,14 @@ class ReferenceEngine:
             storage.restore(saved)
         for memory, data in zip(self._blocks.values(), state[0], strict=True):
             memory[:] = data
+        self._calls.routines.restore(state[2])
 
     def reset(self, warm: bool) -> None:
         """Initial values everywhere in the program; after a warm start remanent variables stay."""
         for variable, storage in self._globals.items():
             if not (warm and variable.remanent):
                 storage.reset(self._fresh(variable, {}), warm)
+        self._calls.routines.reset()
         fresh = self._own_instances()
         for key, instance in self._runnable.items():
             instance.reset(fresh[key], warm)

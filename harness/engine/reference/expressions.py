@@ -14,6 +14,7 @@ from fbgen.lang.checked import (
     FunctionCall,
     Place,
     ReferenceTo,
+    RoutineCall,
     SameReference,
     StandardCall,
     SystemCall,
@@ -26,6 +27,7 @@ from harness.engine.interface import Value
 from harness.engine.reference.areas import StorageArea
 from harness.engine.reference.arithmetic import binary, unary
 from harness.engine.reference.attempts import is_bad_calculation, is_right, nothing
+from harness.engine.reference.bcd import BIT_FUNCTIONS
 from harness.engine.reference.conversion import convert
 from harness.engine.reference.date_functions import DATE_FUNCTIONS
 from harness.engine.reference.frames import Frame
@@ -42,13 +44,14 @@ from harness.engine.reference.stamps import parts_of, stamp_of
 from harness.engine.reference.storage import Storage
 from harness.engine.reference.text_functions import TEXT_FUNCTIONS
 
-_FUNCTIONS = {**NUMERIC_FUNCTIONS, **TEXT_FUNCTIONS, **DATE_FUNCTIONS}
+STANDARD_FUNCTIONS = {**NUMERIC_FUNCTIONS, **BIT_FUNCTIONS, **TEXT_FUNCTIONS, **DATE_FUNCTIONS}
+"""By canonical name."""
 
 
 class Expressions:
     """Evaluates the expressions of one program."""
 
-    __slots__ = ("_call_function", "_environment", "_on_s7", "_places")
+    __slots__ = ("_call_function", "_call_routine", "_environment", "_on_s7", "_places")
 
     def __init__(
         self,
@@ -56,11 +59,13 @@ class Expressions:
         environment: Environment,
         places: Places,
         call_function: Callable[[FunctionCall, Frame], Value | None],
+        call_routine: Callable[[RoutineCall, Frame], Value | None],
     ) -> None:
         self._on_s7 = dialect in ("tia", "step7")
         self._environment = environment
         self._places = places
         self._call_function = call_function
+        self._call_routine = call_routine
 
     def value(self, expression: Expression, frame: Frame) -> Value:
         """The value of any expression; of a structure or an array a copy."""
@@ -70,6 +75,10 @@ class Expressions:
             value = self._call_function(expression, frame)
             assert value is not None
             return value
+        if isinstance(expression, RoutineCall):
+            result = self._call_routine(expression, frame)
+            assert result is not None
+            return result
         return self._calculated(expression, frame)
 
     def scalar(self, expression: Expression, frame: Frame) -> Scalar:
@@ -234,7 +243,7 @@ class Expressions:
         values = [self.scalar(argument, frame) for argument in call.arguments]
         kinds = tuple(argument.type for argument in call.arguments)
         signature = Signature(kinds, call.type, self._on_s7, call.span)
-        result = _FUNCTIONS[call.name](values, signature)
+        result = STANDARD_FUNCTIONS[call.name](values, signature)
         if isinstance(call.type, StringType):
             assert isinstance(result, str)
             return result[: call.type.length]

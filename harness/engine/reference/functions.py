@@ -8,11 +8,12 @@ help, "Shift and rotate", for signed shifts.
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
-from fbgen.lang.types import Elementary, Scalar, Type
+from fbgen.lang.types import Elementary, Family, Scalar, Type
 from fbgen.source import Span
 from harness.engine.faults import selector_out_of_range
-from harness.engine.reference.arithmetic import rounded, whole, wrap
+from harness.engine.reference.arithmetic import compare, real_divided, rounded, whole, wrap
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +88,62 @@ def _towards(function: Callable[[float], int]) -> Function:
     return call
 
 
+def _to_whole_real(function: Callable[[float], int]) -> Function:
+    """A floating-point number without fraction; what is not finite stays as it is."""
+
+    def call(values: Sequence[Scalar], signature: Signature) -> Scalar:
+        operand = values[0]
+        assert isinstance(operand, float)
+        if not math.isfinite(operand):
+            return operand
+        return rounded(signature.number, math.copysign(float(function(operand)), operand))
+
+    return call
+
+
+def _arc_tangent(values: Sequence[Scalar], signature: Signature) -> Scalar:
+    """ATAN2(IN1: y, IN2: x)."""
+    y, x = values
+    assert isinstance(y, float)
+    assert isinstance(x, float)
+    return rounded(signature.number, math.atan2(y, x))
+
+
+def _is_valid(values: Sequence[Scalar], signature: Signature) -> Scalar:
+    return math.isfinite(float(values[0]))
+
+
+def _normalize(values: Sequence[Scalar], signature: Signature) -> Scalar:
+    """NORM_X(MIN, VALUE, MAX): 0 at MIN and 1 at MAX, without limits."""
+    low, value, high = (_number(one) for one in values)
+    assert isinstance(signature.result, Elementary)
+    return rounded(signature.result, real_divided(float(value - low), float(high - low)))
+
+
+def _scale(values: Sequence[Scalar], signature: Signature) -> Scalar:
+    """SCALE_X(MIN, VALUE, MAX): MIN at 0 and MAX at 1, without limits. Raises FB6006."""
+    low, value, high = (_number(one) for one in values)
+    result = value * float(high - low) + float(low)
+    assert isinstance(signature.result, Elementary)
+    if signature.result.family is Family.REAL:
+        return rounded(signature.result, result)
+    return whole(signature.result, result, signature.span)
+
+
+def _number(value: Scalar) -> int | float:
+    assert isinstance(value, int | float)
+    return value
+
+
+def _chain(operator: str) -> Function:
+    """A comparison of each argument with the next one."""
+
+    def call(values: Sequence[Scalar], signature: Signature) -> Scalar:
+        return all(compare(operator, *pair) for pair in pairwise(values))
+
+    return call
+
+
 def _shift_left(values: Sequence[Scalar], signature: Signature) -> Scalar:
     operand, count = _shifted(values)
     width = signature.number.bits
@@ -147,6 +204,13 @@ def _multiplex(values: Sequence[Scalar], signature: Signature) -> Scalar:
     return inputs[selector]
 
 
+def _multiplex_or_else(values: Sequence[Scalar], signature: Signature) -> Scalar:
+    """MUX(K, IN0, IN1, ..., INELSE)."""
+    selector, *inputs, otherwise = values
+    assert isinstance(selector, int)
+    return inputs[selector] if 0 <= selector < len(inputs) else otherwise
+
+
 def _maximum(values: Sequence[Scalar], signature: Signature) -> Scalar:
     result = values[0]
     for value in values[1:]:
@@ -189,6 +253,19 @@ NUMERIC_FUNCTIONS: dict[str, Function] = {
     "ASIN": _real(math.asin),
     "ACOS": _real(math.acos),
     "ATAN": _real(math.atan),
+    "ATAN2": _arc_tangent,
+    "IS_VALID": _is_valid,
+    "NORM_X": _normalize,
+    "SCALE_X": _scale,
+    "ROUND_REAL": _to_whole_real(round),
+    "TRUNC_REAL": _to_whole_real(math.trunc),
+    "CEIL_REAL": _to_whole_real(math.ceil),
+    "FLOOR_REAL": _to_whole_real(math.floor),
+    "GT": _chain(">"),
+    "GE": _chain(">="),
+    "EQ": _chain("="),
+    "LE": _chain("<="),
+    "LT": _chain("<"),
     "FRAC": _real(lambda operand: math.modf(operand)[0]),
     "CEIL": _towards(math.ceil),
     "FLOOR": _towards(math.floor),
@@ -199,6 +276,7 @@ NUMERIC_FUNCTIONS: dict[str, Function] = {
     "SWAP": _swap,
     "SEL": _select,
     "MUX": _multiplex,
+    "MUX_ELSE": _multiplex_or_else,
     "MAX": _maximum,
     "MIN": _minimum,
     "LIMIT": _limit,

@@ -20,6 +20,7 @@ from fbgen.lang.checked import (
     Place,
     Repeat,
     Return,
+    RoutineCall,
     Statement,
     While,
 )
@@ -81,7 +82,8 @@ class Statements:
     """Carries out the statements of one program."""
 
     __slots__ = (
-        *("_call_function", "_call_instance", "_expressions", "_goal", "_places", "_watchdog"),
+        *("_call_function", "_call_instance", "_call_routine", "_expressions", "_goal"),
+        *("_places", "_watchdog"),
     )
 
     def __init__(
@@ -89,14 +91,17 @@ class Statements:
         expressions: Expressions,
         places: Places,
         watchdog: Watchdog,
+        *,
         call_function: Callable[[FunctionCall, Frame], Value | None],
         call_instance: Callable[[InstanceCall, Frame], None],
+        call_routine: Callable[[RoutineCall, Frame], Value | None],
     ) -> None:
         self._expressions = expressions
         self._places = places
         self._watchdog = watchdog
         self._call_function = call_function
         self._call_instance = call_instance
+        self._call_routine = call_routine
         self._goal = ""
 
     def run(self, statements: Sequence[Statement], frame: Frame) -> Flow:
@@ -159,6 +164,8 @@ class Statements:
             case Evaluate():
                 if isinstance(statement.call, FunctionCall):
                     self._call_function(statement.call, frame)
+                elif isinstance(statement.call, RoutineCall):
+                    self._call_routine(statement.call, frame)
                 else:
                     self._expressions.system_call(statement.call, frame)
             case InstanceCall():

@@ -14,9 +14,11 @@ from fbgen.lang.types import Elementary, Family, Scalar
 from harness.engine.faults import not_a_number
 from harness.engine.reference.arithmetic import rounded
 from harness.engine.reference.functions import Function, Signature
+from harness.engine.reference.time_texts import TIME_TEXTS
 
 _WHOLE_NUMBER = re.compile(r"[+-]?[0-9]+")
 _REAL_NUMBER = re.compile(r"[+-]?[0-9]+(\.[0-9]*)?([eE][+-]?[0-9]+)?")
+_TRUTHS = {"TRUE": True, "FALSE": False, "1": True, "0": False}
 _DIGITS = {32: 6, 64: 14}
 
 
@@ -91,6 +93,8 @@ def _first_character(values: Sequence[Scalar], signature: Signature) -> Scalar:
 
 def _number_to_text(values: Sequence[Scalar], signature: Signature) -> Scalar:
     number = values[0]
+    if isinstance(number, bool):
+        return "TRUE" if number else "FALSE"
     if not isinstance(number, float):
         return str(number)
     if math.isnan(number):
@@ -105,6 +109,10 @@ def _text_to_number(values: Sequence[Scalar], signature: Signature) -> Scalar:
     """The whole text must be a number in the range of the type. Raises FB6007."""
     text, target = _text(values[0]).strip(" "), signature.result
     assert isinstance(target, Elementary)
+    if target.family is Family.BOOL:
+        if text.upper() in _TRUTHS:
+            return _TRUTHS[text.upper()]
+        raise not_a_number(signature.span, _text(values[0]), target)
     if target.family is Family.REAL:
         if _REAL_NUMBER.fullmatch(text):
             real = rounded(target, float(text))
@@ -117,7 +125,10 @@ def _text_to_number(values: Sequence[Scalar], signature: Signature) -> Scalar:
     raise not_a_number(signature.span, _text(values[0]), target)
 
 
-_NUMBERS = ("SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT", "ULINT", "REAL", "LREAL")
+_NUMBERS = (
+    *("SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT", "ULINT", "REAL", "LREAL"),
+    *("BOOL", "BYTE", "WORD", "DWORD", "LWORD"),
+)
 
 TEXT_FUNCTIONS: dict[str, Function] = {
     "LEN": _length,
@@ -130,6 +141,8 @@ TEXT_FUNCTIONS: dict[str, Function] = {
     "REPLACE": _replace,
     "FIND": _find,
     "STRING_TO_CHAR": _first_character,
+    "WSTRING_TO_WCHAR": _first_character,
+    **TIME_TEXTS,
     **{f"{kind}_TO_{text}": _number_to_text for kind in _NUMBERS for text in ("STRING", "WSTRING")},
     **{f"{text}_TO_{kind}": _text_to_number for kind in _NUMBERS for text in ("STRING", "WSTRING")},
 }

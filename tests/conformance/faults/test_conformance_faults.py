@@ -31,6 +31,9 @@ PLACES = {
     "FB6014_not_decimal": (7, 15, "16#01A3 is not binary coded decimal"),
     "FB6041_too_many_elements": (4, 3, "FILL_BLK works on 8 elements, the array has 5"),
     "FB6040_unknown_area": (4, 9, "there is no memory area 16#85"),
+    "FB6015_no_such_day": (7, 13, "2023-2-29 is not in the calendar"),
+    "FB6016_stop": (7, 9, "the program stops the CPU"),
+    "FB6070_no_stub": (7, 15, "nobody has said what GET_DIAG(MODE) does"),
 }
 
 

@@ -126,6 +126,7 @@ def _dialect_of(path: Path) -> str:
         ("FB4290_allow_unknown_code.scl", 9, 21),
         ("FB4291_allow_without_finding.scl", 9, 3),
         ("FB4292_allow_error.scl", 9, 21),
+        ("FB4140_without_model.scl", 7, 15),
     ],
 )
 def test_broken_file_is_reported_at_its_place(name: str, line: int, column: int) -> None:

@@ -1,56 +1,93 @@
-"""The calendar: a DTL from the nanoseconds since 1970, and back.
+"""The calendar in whole numbers: days since 1970 to year, month and day, and back.
 
-Days are counted with the year beginning in March, so that leap days come last.
-Source: TIA Portal help, "DTL (date and time)": WEEKDAY 1 is Sunday.
+Years are counted from March on, so that the leap day is the last of its year; eras of 400 years all
+have the same number of days. Source: the rules of the Gregorian calendar; IEC 61131-3 third
+edition, table 36.
 """
 
-from typing import Any
+from harness.engine.compiled.library.dates import DAYS_TO_1990, NS_PER_DAY, NS_PER_MS
+from harness.engine.compiled.library.stops import NoSuchDate
 
-from harness.engine.compiled.library.dates import NS_PER_DAY
-from harness.engine.compiled.library.stops import NoDate
-
+_ERA = 146_097
+"""Days in 400 years."""
+_TO_1970 = 719_468
+"""Days from 0000-03-01 to 1970-01-01."""
 _LENGTHS = (31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
-_TO_MARCH_YEAR_0 = 719_468
-"""Days from 1 March of the year 0 to 1970-01-01."""
-_FIRST_YEAR, _LAST_YEAR = 1970, 2553
-_NS_PER_S = 1_000_000_000
 
 
-def _is_leap(year: int) -> bool:
-    return year % 4 == 0 and (year % 100 != 0 or year % 400 == 0)
+def day_of(days: int) -> tuple[int, int, int]:
+    """Year, month and day of a number of days since 1970-01-01."""
+    era, day = divmod(days + _TO_1970, _ERA)
+    year = (day - day // 1460 + day // 36_524 - day // (_ERA - 1)) // 365
+    day -= 365 * year + year // 4 - year // 100
+    month = (5 * day + 2) // 153
+    day -= (153 * month + 2) // 5
+    month = month + 3 if month < 10 else month - 9
+    return year + 400 * era + (month <= 2), month, day + 1
 
 
-def stamp_of(dtl: Any) -> int:
-    """The nanoseconds of a DTL; its WEEKDAY does not matter."""
-    year, month, day = dtl.YEAR, dtl.MONTH, dtl.DAY
-    if not (_FIRST_YEAR <= year <= _LAST_YEAR and 1 <= month <= 12 and day >= 1):
-        raise NoDate
-    if day > _LENGTHS[month - 1] + (month == 2 and _is_leap(year)):
-        raise NoDate
-    if dtl.HOUR > 23 or dtl.MINUTE > 59 or dtl.SECOND > 59 or dtl.NANOSECOND >= _NS_PER_S:
-        raise NoDate
-    shifted = year - (month < 3)
-    days = 365 * shifted + shifted // 4 - shifted // 100 + shifted // 400
-    days += (153 * ((month - 3) % 12) + 2) // 5 + day - 1 - _TO_MARCH_YEAR_0
-    seconds = (dtl.HOUR * 60 + dtl.MINUTE) * 60 + dtl.SECOND
-    nanoseconds: int = days * NS_PER_DAY + seconds * _NS_PER_S + dtl.NANOSECOND
-    return nanoseconds
+def days_of(year: int, month: int, day: int) -> int:
+    """Days since 1970-01-01."""
+    leap = month == 2 and year % 4 == 0 and (year % 100 != 0 or year % 400 == 0)
+    if not 1 <= year <= 9999 or not 1 <= month <= 12:
+        raise NoSuchDate(f"{year}-{month}-{day}")
+    if not 1 <= day <= _LENGTHS[month - 1] + leap:
+        raise NoSuchDate(f"{year}-{month}-{day}")
+    year -= month <= 2
+    era, year = divmod(year, 400)
+    month = month - 3 if month > 2 else month + 9
+    return (
+        era * _ERA
+        + year * 365
+        + year // 4
+        - year // 100
+        + (153 * month + 2) // 5
+        + day
+        - 1
+        - _TO_1970
+    )
 
 
-def in_parts(make: type, nanoseconds: int) -> Any:
-    """A new DTL; `make` is its class."""
-    dtl = make()
-    days, rest = divmod(nanoseconds, NS_PER_DAY)
-    dtl.WEEKDAY = (days + 4) % 7 + 1
-    days += _TO_MARCH_YEAR_0
-    era, of_era = divmod(days, 146_097)
-    year = (of_era - of_era // 1460 + of_era // 36_524 - of_era // 146_096) // 365
-    of_year = of_era - (365 * year + year // 4 - year // 100)
-    month = (5 * of_year + 2) // 153
-    dtl.DAY = of_year - (153 * month + 2) // 5 + 1
-    dtl.MONTH = month + 3 if month < 10 else month - 9
-    dtl.YEAR = era * 400 + year + (month >= 10)
-    seconds, dtl.NANOSECOND = divmod(rest, _NS_PER_S)
-    minutes, dtl.SECOND = divmod(seconds, 60)
-    dtl.HOUR, dtl.MINUTE = divmod(minutes, 60)
-    return dtl
+def ms_of(hour: int, minute: int, second: int, millisecond: int) -> int:
+    """Milliseconds since midnight."""
+    inside = 0 <= hour < 24 and 0 <= minute < 60 and 0 <= second < 60 and 0 <= millisecond < 1000
+    if not inside:
+        raise NoSuchDate(f"{hour}:{minute}:{second}.{millisecond}")
+    return ((hour * 60 + minute) * 60 + second) * 1000 + millisecond
+
+
+def time_of(milliseconds: int) -> tuple[int, int, int, int]:
+    """Hour, minute, second and millisecond."""
+    seconds, millisecond = divmod(milliseconds, 1000)
+    return seconds // 3600, seconds // 60 % 60, seconds % 60, millisecond
+
+
+def concat_date(year: int, month: int, day: int) -> int:
+    """CONCAT_DATE."""
+    days = days_of(year, month, day) - DAYS_TO_1990
+    if not 0 <= days <= 0xFFFF:
+        raise NoSuchDate(f"{year}-{month}-{day}")
+    return days
+
+
+def concat_ltod(hour: int, minute: int, second: int, millisecond: int) -> int:
+    """CONCAT_LTOD."""
+    return ms_of(hour, minute, second, millisecond) * NS_PER_MS
+
+
+def concat_stamp(year: int, month: int, day: int, *time: int) -> int:
+    """CONCAT_DT and CONCAT_LDT."""
+    stamp = days_of(year, month, day) * NS_PER_DAY + concat_ltod(*time)
+    if not 0 <= stamp < 1 << 64:
+        raise NoSuchDate(f"{year}-{month}-{day}")
+    return stamp
+
+
+def weekday_of_days(days: int) -> int:
+    """DAY_OF_WEEK of a DATE: 1990-01-01 was a Monday."""
+    return (days + 1) % 7
+
+
+def weekday_of_stamp(stamp: int) -> int:
+    """DAY_OF_WEEK of a stamp: 1970-01-01 was a Thursday."""
+    return (stamp // NS_PER_DAY + 4) % 7

@@ -37,5 +37,6 @@ FUNCTIONS: dict[str, Callable[[int, int], int]] = {
     "SUB_DT_DT": lambda one, two: cut_to_ms(one - two),
     "SUB_LDT_LDT": lambda one, two: one - two,
     "CONCAT_DATE_TOD": _days_to_ns,
+    "CONCAT_DATE_LTOD": lambda days, tod: (days + DAYS_TO_1990) * NS_PER_DAY + tod,
 }
 """By canonical name; the results are still to be wrapped around into their type."""

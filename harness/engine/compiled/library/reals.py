@@ -83,12 +83,12 @@ def cut_to_whole(value: float, low: int, high: int) -> int:
 
 def floor(value: float, low: int, high: int) -> int:
     """The next whole number below."""
-    return to_whole(math.floor(value) if value - value == 0 else value, low, high)
+    return to_whole(float(math.floor(value)) if value - value == 0 else value, low, high)
 
 
 def ceiling(value: float, low: int, high: int) -> int:
     """The next whole number above."""
-    return to_whole(math.ceil(value) if value - value == 0 else value, low, high)
+    return to_whole(float(math.ceil(value)) if value - value == 0 else value, low, high)
 
 
 def bits_of_real(value: float) -> int:
@@ -141,6 +141,38 @@ def fraction(value: float) -> float:
     """FRAC: what stands behind the point, with the sign of the number."""
     return math.modf(value)[0]
 
+
+def normalized(low: float, value: float, high: float) -> float:
+    """NORM_X."""
+    return quotient(float(value - low), float(high - low))
+
+
+def scaled(low: float, value: float, high: float) -> float:
+    """SCALE_X."""
+    return float(high - low) * value + float(low)
+
+
+def scaled_to_whole(low: float, value: float, high: float, least: int, most: int) -> int:
+    """SCALE_X to a whole number."""
+    return to_whole(scaled(low, value, high), least, most)
+
+
+def _without_fraction(function: Callable[[float], int]) -> Callable[[float], float]:
+    """What is not finite stays as it is, and -0.5 becomes -0.0."""
+
+    def whole(value: float) -> float:
+        return math.copysign(function(value), value) if value - value == 0 else value
+
+    return whole
+
+
+WHOLE_REALS: dict[str, Callable[[float], float]] = {
+    "ROUND_REAL": _without_fraction(round),
+    "TRUNC_REAL": _without_fraction(int),
+    "CEIL_REAL": _without_fraction(math.ceil),
+    "FLOOR_REAL": _without_fraction(math.floor),
+}
+"""Rounding that stays with floating point, by canonical name."""
 
 FUNCTIONS: dict[str, Callable[[float], float]] = {
     "SQRT": _guarded(math.sqrt),

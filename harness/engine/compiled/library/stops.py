@@ -111,3 +111,11 @@ class NoBlock(Stop):
     def __init__(self, number: int) -> None:
         super().__init__(number)
         self.number = number
+
+
+class NoSuchDate(Stop):
+    """Numbers that make up no date or time of day."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self.text = text

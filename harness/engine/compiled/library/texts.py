@@ -88,3 +88,18 @@ def to_real(text: str) -> float:
 def first_character(text: str) -> str:
     """STRING_TO_CHAR."""
     return text[:1] or "\0"
+
+
+def of_truth(value: bool) -> str:
+    """BOOL_TO_STRING."""
+    return "TRUE" if value else "FALSE"
+
+
+def to_truth(text: str) -> bool:
+    """STRING_TO_BOOL: TRUE, FALSE, 1 or 0."""
+    plain = text.strip(" ").upper()
+    if plain in ("TRUE", "1"):
+        return True
+    if plain in ("FALSE", "0"):
+        return False
+    raise NoNumber(text)

@@ -3,6 +3,8 @@
 Source: IEC 61131-3 third edition, tables 29 to 32; TIA Portal help, "SHL", "SHR", "ROL", "ROR".
 """
 
+import operator
+from collections.abc import Callable
 from typing import TypeVar
 
 from harness.engine.compiled.library.stops import (
@@ -105,6 +107,21 @@ def select(selector: int, values: tuple[_Value, ...]) -> _Value:
     raise NoInput(selector, len(values))
 
 
+def select_or_else(selector: int, values: tuple[_Value, ...], otherwise: _Value) -> _Value:
+    """MUX with INELSE."""
+    return values[selector] if 0 <= selector < len(values) else otherwise
+
+
+def lowest_one(value: int) -> int:
+    """ENCO: the place of the lowest 1; 0 if there is none."""
+    return (value & -value).bit_length() - 1 if value else 0
+
+
+def swapped_signed(value: int, count: int) -> int:
+    """The bytes of a signed number in reverse order."""
+    return int.from_bytes(value.to_bytes(count, "big", signed=True), "little", signed=True)
+
+
 def bad_index(index: int, dimension: int = 1) -> int:
     """What stands where an index turned out to be outside of the array."""
     raise IndexOutside(index, dimension)
@@ -137,3 +154,16 @@ def no_step() -> None:
 def rotated_bytes(value: int, count: int) -> int:
     """SWAP: the bytes in reverse order."""
     return int.from_bytes(value.to_bytes(count, "big"), "little")
+
+
+def _chain(holds: Callable[[object, object], bool]) -> Callable[..., bool]:
+    def in_order(*values: object) -> bool:
+        return all(map(holds, values, values[1:]))
+
+    return in_order
+
+
+CHAINS: dict[str, Callable[..., bool]] = {
+    name: _chain(getattr(operator, name)) for name in ("gt", "ge", "eq", "le", "lt")
+}
+"""Comparisons of each value with the next one."""

@@ -1,0 +1,402 @@
+"""Calls of the controller's instructions with several outputs, and of what a stub stands for.
+
+Sources as for `routines`.
+"""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from fbgen.lang import ast
+from fbgen.lang.checked import (
+    Constant,
+    Evaluate,
+    Expression,
+    Place,
+    RoutineCall,
+    StandardBlock,
+    StandardCall,
+    VariableKind,
+)
+from fbgen.lang.checker.arguments import bind
+from fbgen.lang.checker.coercion import as_typed, coerce, spelled
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.conversions import keeps_representation
+from fbgen.lang.checker.evaluation import check_expression
+from fbgen.lang.checker.literals import ERRONEOUS, is_untyped
+from fbgen.lang.checker.places import is_place, root_variable
+from fbgen.lang.checker.routines import Direction, Parameter, Routine
+from fbgen.lang.checker.routines.signature import ANYTHING, NUMBER, SAME, WHOLE
+from fbgen.lang.checker.targets import check_target
+from fbgen.lang.types import (
+    INT,
+    S5TIME,
+    TIME,
+    UINT,
+    VOID,
+    AnyType,
+    Elementary,
+    Family,
+    StringType,
+    StructType,
+    Type,
+)
+
+RETURN_VALUE = "RET_VAL"
+_ARROW = ast.ArgumentKind.OUTPUT
+_POSITIONAL = ast.ArgumentKind.POSITIONAL
+_NUMBERED = {
+    "TIMER": re.compile(r"%?T(\d+)\Z", re.I),
+    "COUNTER": re.compile(r"%?[CZ](\d+)\Z", re.I),
+}
+_COUNTS = (Family.SIGNED, Family.UNSIGNED, Family.BITS)
+
+
+@dataclass(slots=True)
+class _Arguments:
+    """What the arguments of one call came to; `same` is the type of the SAME parameters."""
+
+    inputs: list[tuple[str, Expression]] = field(default_factory=list)
+    outputs: list[tuple[str, Place]] = field(default_factory=list)
+    same: Type | None = None
+    complete: bool = True
+
+    def add_input(self, name: str, value: Expression) -> None:
+        """One more input, unless it was reported."""
+        if value.type == ERRONEOUS:
+            self.complete = False
+        else:
+            self.inputs.append((name, value))
+
+    def add_output(self, name: str, place: Place | None) -> None:
+        """One more output, unless it was reported."""
+        if place is None:
+            self.complete = False
+        else:
+            self.outputs.append((name, place))
+
+
+def routine_call(
+    ctx: Context, node: ast.Call, routine: Routine, expected: Type | None
+) -> RoutineCall | None:
+    """The call of an instruction; None after reporting errors."""
+    found = _Arguments()
+    rest = []
+    for argument in node.arguments:
+        if argument.name.upper() == RETURN_VALUE and routine.result != VOID:
+            _return_value(ctx, routine, argument, found)
+        else:
+            rest.append(argument)
+    plain = ast.Call(node.span, node.callee, tuple(rest))
+    if routine.open_ended:
+        _free_arguments(ctx, plain, routine.name, found)
+    elif not _bound_arguments(ctx, plain, routine, found):
+        return None
+    if not found.complete:
+        return None
+    kind = routine.result
+    if not routine.modelled:
+        _without_model(ctx, node, routine.name)
+        kind = expected if isinstance(expected, Elementary | StringType) else kind
+    return RoutineCall(node.span, routine.name, tuple(found.inputs), tuple(found.outputs), kind)
+
+
+def stubbed_call(
+    ctx: Context, node: ast.Call, name: str, expected: Type | None
+) -> RoutineCall | None:
+    """The call of a function that only a stub of the user knows; it has the type it is used as."""
+    found = _Arguments()
+    _free_arguments(ctx, node, name, found)
+    if not found.complete:
+        return None
+    kind = expected if expected is not None and expected != ERRONEOUS else INT
+    return RoutineCall(node.span, name, tuple(found.inputs), tuple(found.outputs), kind)
+
+
+def unmodelled_instance_call(
+    ctx: Context, node: ast.Call, place: Place, block: StandardBlock
+) -> Evaluate | None:
+    """The call of an instance of a block without a model."""
+    found = _Arguments()
+    _free_arguments(ctx, node, block.name, found, block)
+    if not found.complete:
+        return None
+    if not ctx.library.is_stubbed(block.name):
+        _without_model(ctx, node, block.name)
+    call = RoutineCall(
+        node.span, block.name, tuple(found.inputs), tuple(found.outputs), VOID, place
+    )
+    return Evaluate(node.span, call)
+
+
+def _without_model(ctx: Context, node: ast.Call, name: str) -> None:
+    if not ctx.library.is_stubbed(name):
+        ctx.findings.warning(
+            "FB4140",
+            f"{name} works on hardware that the simulated controller does not have",
+            node.span,
+            f'to run it, say what it does: program.stub("{name}", function)',
+        )
+
+
+def _return_value(
+    ctx: Context, routine: Routine, argument: ast.Argument, found: _Arguments
+) -> None:
+    if argument.value is None:
+        return
+    where = f"{RETURN_VALUE} of {routine.name}"
+    place = check_target(ctx, argument.value, where)
+    if place is not None and routine.modelled and not _takes_result(routine.result, place.type):
+        _refuse_place(ctx, argument, where, routine.result.name, place.type)
+        place = None
+    found.add_output(RETURN_VALUE, place)
+
+
+def _takes_result(result: Type, kind: Type) -> bool:
+    """A status is WORD or INT, as the user likes it."""
+    if isinstance(result, Elementary) and isinstance(kind, Elementary):
+        both = result.family in _COUNTS and kind.family in _COUNTS
+        if both and result.bits == kind.bits:
+            return True
+    return keeps_representation(result, kind)
+
+
+def _refuse_place(ctx: Context, argument: ast.Argument, where: str, given: str, kind: Type) -> None:
+    ctx.findings.error(
+        "FB4010",
+        f"{where} gives {given}, which {spelled(kind)} cannot take",
+        argument.span,
+        "take it into a variable of that type, then convert it",
+    )
+
+
+# --- parameters of any name -------------------------------------------------------------------
+
+
+def _free_arguments(
+    ctx: Context,
+    node: ast.Call,
+    name: str,
+    found: _Arguments,
+    block: StandardBlock | None = None,
+) -> None:
+    """Outputs take the type of their places; what is given by := may come back changed."""
+    known = {one.name.casefold(): one for one in block.variables} if block is not None else {}
+    for argument in node.arguments:
+        if argument.value is None:
+            continue
+        where = f"parameter {argument.name} of {name}"
+        if argument.kind is _POSITIONAL:
+            ctx.findings.error(
+                "FB4044",
+                f"the parameters of {name} are not known, so their order is not either",
+                argument.span,
+                "give each argument by its name",
+            )
+            found.complete = False
+        elif argument.kind is _ARROW or argument.name.upper() == RETURN_VALUE:
+            place = check_target(ctx, argument.value, where)
+            variable = known.get(argument.name.casefold())
+            if (
+                variable is not None
+                and place is not None
+                and not _takes_result(variable.type, place.type)
+            ):
+                _refuse_place(ctx, argument, where, spelled(variable.type), place.type)
+                place = None
+            found.add_output(argument.name, place)
+        else:
+            value = as_typed(check_expression(ctx, argument.value))
+            found.add_input(argument.name, value)
+            if _may_come_back(ctx, value):
+                found.outputs.append((argument.name, value))  # type: ignore[arg-type]  # a place
+
+
+def _may_come_back(ctx: Context, value: Expression) -> bool:
+    if not is_place(value) or isinstance(value.type, AnyType):
+        return False
+    variable = root_variable(value)
+    return variable is not None and not (
+        variable.kind is VariableKind.INPUT or ctx.is_read_only(variable)
+    )
+
+
+# --- parameters of the tables -----------------------------------------------------------------
+
+
+def _bound_arguments(ctx: Context, node: ast.Call, routine: Routine, found: _Arguments) -> bool:
+    parameters = [(parameter.name, parameter) for parameter in routine.parameters]
+    bound = bind(ctx, node, routine.name, parameters)
+    if bound is None:
+        return False
+    given = {parameter for parameter, argument in bound if argument.value is not None}
+    missing = [one.name for one in routine.parameters if not one.optional and one not in given]
+    if missing:
+        ctx.findings.error(
+            "FB4040",
+            f"the call of {routine.name} leaves out {', '.join(missing)}",
+            node.span,
+            f"its parameters are: {', '.join(_shown(routine.parameters))}",
+        )
+        return False
+    for parameter, argument in bound:
+        if argument.value is None:
+            continue
+        where = f"parameter {parameter.name} of {routine.name}"
+        if _wrong_way(ctx, parameter, argument, where):
+            found.complete = False
+            continue
+        if parameter.direction is Direction.INPUT:
+            found.add_input(parameter.name, _input(ctx, parameter, argument.value, where, found))
+            continue
+        place = _output(ctx, parameter, argument, where, found)
+        found.add_output(parameter.name, place)
+        if parameter.direction is Direction.IN_OUT and place is not None:
+            found.add_input(parameter.name, place)
+    return True
+
+
+def _shown(parameters: Sequence[Parameter]) -> list[str]:
+    arrows = {Direction.INPUT: ":=", Direction.OUTPUT: "=>", Direction.IN_OUT: ":="}
+    shown = [one for one in parameters if not (one.optional and one.name[-1:] in "23456789")]
+    return [f"{one.name} {arrows[one.direction]}" for one in shown]
+
+
+def _wrong_way(ctx: Context, parameter: Parameter, argument: ast.Argument, where: str) -> bool:
+    if argument.kind is _POSITIONAL or parameter.direction is Direction.IN_OUT:
+        return False
+    if (argument.kind is _ARROW) == parameter.is_output:
+        return False
+    if parameter.is_output and ctx.rules.outputs_by_assignment:
+        return False
+    ctx.findings.error(
+        "FB4041",
+        f"{where} is given by {argument.kind.value}",
+        argument.span,
+        f"write {parameter.name} {'=>' if parameter.is_output else ':='} ...",
+    )
+    return True
+
+
+def _input(
+    ctx: Context, parameter: Parameter, node: ast.Expression, where: str, found: _Arguments
+) -> Expression:
+    word = parameter.words[0]
+    if word in _NUMBERED:
+        return _numbered(ctx, node, word, where)
+    types = parameter.types
+    hint = types[0] if types else found.same if word == SAME else None
+    value = check_expression(ctx, node, hint)
+    if value.type == ERRONEOUS:
+        return value
+    if types:
+        return _of_types(ctx, value, parameter, where)
+    if word == SAME and found.same is not None:
+        return coerce(ctx, value, found.same, where)
+    value = as_typed(value)
+    if word == SAME:
+        found.same = value.type
+    if _suits(word, value.type):
+        return value
+    ctx.findings.error(
+        "FB4010",
+        f"{where} takes {_WORDS[word]}, not {spelled(value.type)}",
+        value.span,
+        "convert the value",
+    )
+    return Constant(value.span, 0, ERRONEOUS)
+
+
+_WORDS = {WHOLE: "a whole number", NUMBER: "a number"}
+
+
+def _suits(word: str, kind: Type) -> bool:
+    if word in (ANYTHING, SAME):
+        return True
+    if not isinstance(kind, Elementary):
+        return False
+    return kind.is_integer or (word == NUMBER and kind.family is Family.REAL)
+
+
+def _of_types(ctx: Context, value: Expression, parameter: Parameter, where: str) -> Expression:
+    types = parameter.types
+    kind = value.type
+    if isinstance(kind, StringType) and any(
+        isinstance(one, StringType) and one.wide == kind.wide for one in types
+    ):
+        return value
+    if kind in types or _is_structure(kind, parameter):
+        return value
+    if S5TIME in types and kind == TIME:
+        return StandardCall(value.span, "TIME_TO_S5TIME", (value,), S5TIME)
+    if is_untyped(kind) or len(types) == 1:
+        return coerce(ctx, value, types[0], where)
+    names = " or ".join(parameter.words)
+    ctx.findings.error(
+        "FB4010",
+        f"{where} takes {names}, not {spelled(kind)}",
+        value.span,
+        "use a variable of such a type",
+    )
+    return Constant(value.span, 0, ERRONEOUS)
+
+
+def _is_structure(kind: Type, parameter: Parameter) -> bool:
+    return isinstance(kind, StructType) and kind.name.upper() in parameter.words
+
+
+def _output(
+    ctx: Context,
+    parameter: Parameter,
+    argument: ast.Argument,
+    where: str,
+    found: _Arguments,
+) -> Place | None:
+    assert argument.value is not None
+    place = check_target(ctx, argument.value, where)
+    if place is None:
+        return None
+    word, kind = parameter.words[0], place.type
+    if parameter.types:
+        fits = _is_structure(kind, parameter) or any(
+            _fits_place(one, kind, parameter) for one in parameter.types
+        )
+        given = " or ".join(parameter.words)
+    elif word == SAME:
+        fits = found.same is None or keeps_representation(found.same, kind)
+        given = spelled(found.same) if found.same is not None else ""
+    else:
+        fits, given = _suits(word, kind), _WORDS.get(word, "a value")
+    if fits:
+        return place
+    _refuse_place(ctx, argument, where, given, kind)
+    return None
+
+
+def _fits_place(source: Type, kind: Type, parameter: Parameter) -> bool:
+    if isinstance(source, StringType):
+        return isinstance(kind, StringType) and kind.wide == source.wide
+    if parameter.direction is Direction.IN_OUT:
+        return source == kind
+    return keeps_representation(source, kind)
+
+
+def _numbered(ctx: Context, node: ast.Expression, word: str, where: str) -> Expression:
+    """The number of a timer or counter: T1, C1 (or Z1), %T1, or a whole number."""
+    name = node.name if isinstance(node, ast.Name) else node.span.text
+    match = _NUMBERED[word].match(name)
+    if match is not None and ctx.of_program(name.casefold()) is None:
+        return Constant(node.span, int(match[1]), UINT)
+    value = as_typed(check_expression(ctx, node, UINT))
+    if value.type == ERRONEOUS:
+        return value
+    if isinstance(value.type, Elementary) and value.type.family in _COUNTS:
+        return value
+    letter = "T" if word == "TIMER" else "C"
+    ctx.findings.error(
+        "FB4010",
+        f"{where} is the number of a {word.lower()}, not {spelled(value.type)}",
+        node.span,
+        f"write {letter}1, or give the number",
+    )
+    return Constant(node.span, 0, ERRONEOUS)

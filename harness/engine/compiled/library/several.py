@@ -1,0 +1,75 @@
+"""Calculations with several results: analog values, dates taken apart, DEMUX.
+
+Sources: STEP 7 help, FC105 and FC106; IEC 61131-3 third edition, table 36; TIA Portal help.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from fbgen.lang.types import Type
+from harness.engine.compiled.library import calendar, characters
+from harness.engine.compiled.library.dates import DAYS_TO_1990, NS_PER_DAY, NS_PER_MS
+from harness.engine.compiled.library.reals import quotient
+
+_FULL = 27_648
+"""The raw value of the end of the range."""
+_CLIPPED = 0x0008
+_DAY_NAMES = ("year", "month", "day")
+_TIME_NAMES = ("hour", "minute", "second", "millisecond")
+
+Inputs = Mapping[str, Any]
+Kinds = Mapping[str, Type]
+Results = Mapping[str, Any]
+
+
+def _scale(inputs: Inputs, kinds: Kinds) -> Results:
+    raw, top, bottom = inputs["IN"], inputs["HI_LIM"], inputs["LO_LIM"]
+    lowest = -_FULL if inputs["BIPOLAR"] else 0
+    if lowest <= raw <= _FULL:
+        share = (raw - lowest) / (_FULL - lowest)
+        return {"out": share * (top - bottom) + bottom, "ret_val": 0}
+    return {"out": top if raw > 0 else bottom, "ret_val": _CLIPPED}
+
+
+def _unscale(inputs: Inputs, kinds: Kinds) -> Results:
+    top, bottom = inputs["HI_LIM"], inputs["LO_LIM"]
+    lowest = -_FULL if inputs["BIPOLAR"] else 0
+    share = quotient(inputs["IN"] - bottom, top - bottom)
+    if 0 <= share <= 1:
+        return {"out": round(share * (_FULL - lowest) + lowest), "ret_val": 0}
+    return {"out": _FULL if share > 1 else lowest, "ret_val": _CLIPPED}
+
+
+def _demux(inputs: Inputs, kinds: Kinds) -> Results:
+    chosen = f"OUT{inputs['K']}"
+    for name in (chosen, "OUTELSE"):
+        if name in kinds:
+            return {name.casefold(): inputs["IN"]}
+    return {}
+
+
+def _date(days: int) -> Results:
+    return dict(zip(_DAY_NAMES, calendar.day_of(days), strict=True))
+
+
+def _time(milliseconds: int) -> Results:
+    return dict(zip(_TIME_NAMES, calendar.time_of(milliseconds), strict=True))
+
+
+def _split_stamp(inputs: Inputs, kinds: Kinds) -> Results:
+    days, rest = divmod(inputs["IN"], NS_PER_DAY)
+    return {**_date(days), **_time(rest // NS_PER_MS)}
+
+
+CALCULATIONS: dict[str, Callable[[Inputs, Kinds], Results]] = {
+    "SCALE": _scale,
+    "UNSCALE": _unscale,
+    "DEMUX": _demux,
+    "SPLIT_DATE": lambda inputs, _: _date(inputs["IN"] + DAYS_TO_1990),
+    "SPLIT_TOD": lambda inputs, _: _time(inputs["IN"]),
+    "SPLIT_LTOD": lambda inputs, _: _time(inputs["IN"] // NS_PER_MS),
+    "SPLIT_DT": _split_stamp,
+    "SPLIT_LDT": _split_stamp,
+    **characters.CALCULATIONS,
+}
+"""By canonical name."""

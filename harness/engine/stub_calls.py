@@ -1,0 +1,80 @@
+"""A call that a stub carries out: what it gets, and what it may give."""
+
+from collections.abc import Mapping
+
+from fbgen.lang.checked import Program, RoutineCall
+from fbgen.lang.checker.literals import default_value
+from fbgen.lang.types import VOID, Elementary, StringType, StructType, Type
+from harness.engine.faults import not_modelled, unknown_output, wrong_result
+from harness.engine.interface import Value
+from harness.engine.stubs import Stubs, StubState
+from harness.engine.values import accept
+
+RESULT = "RET_VAL"
+
+
+def call_stub(
+    program: Program,
+    stubs: Stubs,
+    node: RoutineCall,
+    inputs: Mapping[str, Value],
+    state: StubState | None,
+) -> dict[str, Value]:
+    """What the stub gives, by casefolded name and with values of the types asked for.
+
+    Raises FB6070 without a stub, FB6071 and FB6021 for what it gives.
+    """
+    stub = stubs.find(node.name)
+    if stub is None:
+        raise not_modelled(node)
+    action = stub if state is None else state.action_of(stub)
+    given = action(**inputs)
+    key = RESULT.casefold()
+    if isinstance(given, Mapping) and (node.instance is not None or not _is_result(node, given)):
+        results = _by_name(program, node, given)
+    elif given is None:
+        results = {}
+    elif node.type == VOID:
+        raise wrong_result(node, given)
+    else:
+        results = {key: accept(program, node.name, node.type, given)}
+    if isinstance(node.type, Elementary | StringType) and node.type != VOID:
+        results.setdefault(key, default_value(node.type))
+    elif node.type != VOID and key not in results:
+        raise wrong_result(node, given)
+    return results
+
+
+def _is_result(node: RoutineCall, given: Mapping[object, object]) -> bool:
+    """True for a mapping that is a structure, the result of the call itself."""
+    names = {str(name).casefold() for name in given}
+    outputs = {name.casefold() for name, _ in node.outputs} | {RESULT.casefold()}
+    return isinstance(node.type, StructType) and not names & outputs
+
+
+def _by_name(
+    program: Program, node: RoutineCall, given: Mapping[object, object]
+) -> dict[str, Value]:
+    kinds = _kinds(program, node)
+    accepted: dict[str, Value] = {}
+    for name, value in given.items():
+        kind = kinds.get(str(name).casefold())
+        if kind is not None:
+            path = f"{node.name}.{name}"
+            accepted[str(name).casefold()] = accept(program, path, kind, value)
+        elif str(name).upper() != RESULT:
+            known = [one for one, _ in node.outputs]
+            raise unknown_output(node, str(name), known)
+    return accepted
+
+
+def _kinds(program: Program, node: RoutineCall) -> dict[str, Type]:
+    """The types of what the stub may give. A call need not take every output of a block."""
+    kinds: dict[str, Type] = {}
+    if node.instance is not None:
+        block = program.block_of(node.instance.type.name)
+        kinds = {variable.name.casefold(): variable.type for variable in block.variables}
+    if node.type != VOID:
+        kinds[RESULT.casefold()] = node.type
+    kinds |= {name.casefold(): place.type for name, place in node.outputs}
+    return kinds
