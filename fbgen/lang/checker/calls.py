@@ -37,11 +37,11 @@ from fbgen.lang.checker.memory_instructions import (
 )
 from fbgen.lang.checker.places import is_place, names_block
 from fbgen.lang.checker.routine_calls import (
-    routine_call,
-    stubbed_call,
+    is_routine,
     unmodelled_instance_call,
+    value_of_routine,
 )
-from fbgen.lang.checker.routines import MODELLED, is_modelled, routine_named
+from fbgen.lang.checker.routines import MODELLED, is_modelled
 from fbgen.lang.checker.standard_blocks import TIMER_METHODS, standard_block
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.standard_functions import OPERATORS_BY_NAME, STANDARD_FUNCTIONS
@@ -96,41 +96,9 @@ def check_call(ctx: Context, node: ast.Call, expected: Type | None) -> Expressio
     if is_standard_function(name):
         return attempted(ctx, check_standard_call(ctx, node, name, expected))
     if is_routine(ctx, name):
-        return _value_of_routine(ctx, node, name, expected)
+        return value_of_routine(ctx, node, name, expected)
     unknown_callee(ctx, node, name)
     return erroneous(node.span)
-
-
-def is_routine(ctx: Context, name: str) -> bool:
-    """True for instructions with several outputs, and for functions that a stub stands for."""
-    if routine_named(name) is not None:
-        return True
-    return ctx.library.is_stubbed(name) and standard_block(name) is None
-
-
-def routine(
-    ctx: Context, node: ast.Call, name: str, expected: Type | None
-) -> checked.RoutineCall | None:
-    """The call of what `is_routine` says yes to; None after reporting errors."""
-    known = routine_named(name)
-    if known is not None:
-        return routine_call(ctx, node, known, expected)
-    return stubbed_call(ctx, node, ctx.library.stubbed_name(name), expected)
-
-
-def _value_of_routine(ctx: Context, node: ast.Call, name: str, expected: Type | None) -> Expression:
-    call = routine(ctx, node, name, expected)
-    if call is None:
-        return erroneous(node.span)
-    if call.type == VOID:
-        ctx.findings.error(
-            "FB4048",
-            f"{call.name} has no result",
-            node.span,
-            "call it in a statement of its own and take its outputs by =>",
-        )
-        return erroneous(node.span)
-    return call
 
 
 def _called_name(ctx: Context, node: ast.Call) -> str | None:

@@ -23,10 +23,11 @@ from fbgen.lang.checker.coercion import as_typed, coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import keeps_representation
 from fbgen.lang.checker.evaluation import check_expression
-from fbgen.lang.checker.literals import ERRONEOUS, is_untyped
+from fbgen.lang.checker.literals import ERRONEOUS, erroneous, is_untyped
 from fbgen.lang.checker.places import is_place, root_variable
-from fbgen.lang.checker.routines import Direction, Parameter, Routine
+from fbgen.lang.checker.routines import Direction, Parameter, Routine, routine_named
 from fbgen.lang.checker.routines.signature import ANYTHING, NUMBER, SAME, WHOLE
+from fbgen.lang.checker.standard_blocks import standard_block
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.types import (
     INT,
@@ -74,6 +75,36 @@ class _Arguments:
             self.complete = False
         else:
             self.outputs.append((name, place))
+
+
+def is_routine(ctx: Context, name: str) -> bool:
+    """True for instructions with several outputs, and for functions that a stub stands for."""
+    if routine_named(name) is not None:
+        return True
+    return ctx.library.is_stubbed(name) and standard_block(name) is None
+
+
+def routine(ctx: Context, node: ast.Call, name: str, expected: Type | None) -> RoutineCall | None:
+    """The call of what `is_routine` says yes to; None after reporting errors."""
+    known = routine_named(name)
+    if known is not None:
+        return routine_call(ctx, node, known, expected)
+    return stubbed_call(ctx, node, ctx.library.stubbed_name(name), expected)
+
+
+def value_of_routine(ctx: Context, node: ast.Call, name: str, expected: Type | None) -> Expression:
+    call = routine(ctx, node, name, expected)
+    if call is None:
+        return erroneous(node.span)
+    if call.type == VOID:
+        ctx.findings.error(
+            "FB4048",
+            f"{call.name} has no result",
+            node.span,
+            "call it in a statement of its own and take its outputs by =>",
+        )
+        return erroneous(node.span)
+    return call
 
 
 def routine_call(
@@ -304,7 +335,7 @@ def _input(
         value.span,
         "convert the value",
     )
-    return Constant(value.span, 0, ERRONEOUS)
+    return erroneous(value.span)
 
 
 _WORDS = {WHOLE: "a whole number", NUMBER: "a number"}
@@ -338,7 +369,7 @@ def _of_types(ctx: Context, value: Expression, parameter: Parameter, where: str)
         value.span,
         "use a variable of such a type",
     )
-    return Constant(value.span, 0, ERRONEOUS)
+    return erroneous(value.span)
 
 
 def _is_structure(kind: Type, parameter: Parameter) -> bool:
@@ -399,4 +430,4 @@ def _numbered(ctx: Context, node: ast.Expression, word: str, where: str) -> Expr
         node.span,
         f"write {letter}1, or give the number",
     )
-    return Constant(node.span, 0, ERRONEOUS)
+    return erroneous(node.span)

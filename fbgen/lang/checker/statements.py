@@ -14,8 +14,6 @@ from fbgen.lang.checker.calls import (
     function_call,
     instance_call,
     is_built_in,
-    is_routine,
-    routine,
     system_call,
     unknown_callee,
 )
@@ -28,6 +26,7 @@ from fbgen.lang.checker.jumps import check_goto, check_label
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.memory_access import check_poke, memory_access_named
 from fbgen.lang.checker.places import names_block
+from fbgen.lang.checker.routine_calls import is_routine, routine
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.system_instructions import instruction_named
 from fbgen.lang.checker.targets import check_target
