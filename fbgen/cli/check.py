@@ -113,8 +113,9 @@ def check(
     and .db are tia, .st and .xml (PLCopen) are iec, .TcPOU and the like are twincat. Exit status 1
     if there is an error; warnings alone are status 0.
     """
-    from fbgen.cli.checking import Progress, Settings, check_programs
+    from fbgen.cli.checking import Settings, check_programs
     from fbgen.cli.plc_files import expand, programs_of
+    from fbgen.cli.progress import Progress
     from fbgen.diagnostics import Severity
     from fbgen.lang.families import Cpu
 

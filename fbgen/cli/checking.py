@@ -5,22 +5,20 @@ another takes longer than reading the text. So a program is checked in one proce
 programs, or files whose syntax alone is checked, are shared out.
 """
 
-import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
-from time import monotonic
 
 from fbgen.cli.plc_files import ProgramFiles
+from fbgen.cli.progress import Progress
+from fbgen.cli.workers import in_order
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang import ast
 from fbgen.lang.analysis.cpu import missing_on
 from fbgen.lang.checker import check_reporting, rules_for
 from fbgen.lang.containers import read_document
 from fbgen.lang.families import Cpu
-
-_PATIENCE_S = 1.0
-"""How long a person waits before progress is shown."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,39 +30,13 @@ class Settings:
     cpu: Cpu | None = None
 
 
-class Progress:
-    """Says on a terminal how far it is, once it has taken a while."""
-
-    def __init__(self, total: int, shown: bool) -> None:
-        self._total = total
-        self._done = 0
-        self._shown = shown
-        self._begin = monotonic()
-
-    def step(self, what: str) -> None:
-        """One more file, or the step behind the last one."""
-        self._done += 1
-        if self._shown and monotonic() - self._begin > _PATIENCE_S:
-            sys.stderr.write(f"\r\x1b[K{self._done} of {self._total}: {what}")
-            sys.stderr.flush()
-
-    def end(self) -> None:
-        """Clear the line."""
-        if self._shown and monotonic() - self._begin > _PATIENCE_S:
-            sys.stderr.write("\r\x1b[K")
-            sys.stderr.flush()
-
-
 def check_programs(
     programs: Sequence[ProgramFiles], settings: Settings, jobs: int, progress: Progress
 ) -> list[Diagnostic]:
     """Everything that is wrong, in the order of the files and their lines."""
     parts = list(_shares(programs, settings, jobs))
     if jobs > 1 and len(parts) > 1:
-        from concurrent.futures import ProcessPoolExecutor
-
-        with ProcessPoolExecutor(min(jobs, len(parts))) as pool:
-            found = list(pool.map(_check_quietly, parts, [settings] * len(parts)))
+        found = list(in_order(partial(_check_quietly, settings), parts, jobs))
     else:
         found = [_check(part, settings, progress) for part in parts]
     progress.end()
@@ -84,7 +56,7 @@ def _shares(
             yield ProgramFiles(program.dialect, program.paths[start : start + size])
 
 
-def _check_quietly(program: ProgramFiles, settings: Settings) -> list[Diagnostic]:
+def _check_quietly(settings: Settings, program: ProgramFiles) -> list[Diagnostic]:
     return _check(program, settings, Progress(0, shown=False))
 
 

@@ -1,9 +1,11 @@
 """Single files that commands write: whole or not at all, and never over somebody's work."""
 
 import os
+import shutil
+from collections.abc import Mapping
 from pathlib import Path
 
-from fbgen.diagnostics import error
+from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 
 
 def write_file(path: Path, text: str, *, overwrite: bool) -> None:
@@ -13,25 +15,58 @@ def write_file(path: Path, text: str, *, overwrite: bool) -> None:
     DiagnosticError FB9001 if the file is there with another content and `overwrite` is not given,
     FB9002 if it cannot be written.
     """
-    data = text.encode()
-    try:
-        if path.exists() and not overwrite and path.read_bytes() != data:
-            raise error(
+    write_files({path: text.encode()}, overwrite=overwrite)
+
+
+def write_files(contents: Mapping[Path, bytes], *, overwrite: bool) -> None:
+    """As `write_file` for several; if one of them is somebody's work, none is written."""
+    if not overwrite and (theirs := [path for path in contents if _differs(path, contents[path])]):
+        raise DiagnosticError(
+            Diagnostic(
                 "FB9001",
                 f"{path} is already there",
                 help="choose another folder; --force overwrites it",
             )
-        path.parent.mkdir(parents=True, exist_ok=True)
-        temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+            for path in theirs
+        )
+    for path, data in contents.items():
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as problem:
+            raise _not_writable(path, problem) from None
+        replace_file(path, data)
+
+
+def replace_file(path: Path, data: bytes) -> None:
+    """Put this content in a file, whole or not at all; it keeps its rights.
+
+    Links stay links: what they lead to is replaced. Raises DiagnosticError FB9002.
+    """
+    try:
+        target = path.resolve()
+        temporary = target.with_name(f".{target.name}.{os.getpid()}.tmp")
         try:
             temporary.write_bytes(data)
-            temporary.replace(path)
+            if target.exists():
+                shutil.copymode(target, temporary)
+            temporary.replace(target)
         finally:
             temporary.unlink(missing_ok=True)
     except OSError as problem:
-        reason = problem.strerror or type(problem).__name__
-        raise error(
-            "FB9002",
-            f"{path} cannot be written: {reason}",
-            help="choose a place that you may write to",
-        ) from None
+        raise _not_writable(path, problem) from None
+
+
+def _differs(path: Path, data: bytes) -> bool:
+    try:
+        return path.exists() and path.read_bytes() != data
+    except OSError as problem:
+        raise _not_writable(path, problem) from None
+
+
+def _not_writable(path: Path, problem: OSError) -> DiagnosticError:
+    reason = problem.strerror or type(problem).__name__
+    return error(
+        "FB9002",
+        f"{path} cannot be written: {reason}",
+        help="choose a place that you may write to",
+    )

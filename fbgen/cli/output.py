@@ -24,6 +24,11 @@ def result(text: str) -> None:
     _echo(text, err=False)
 
 
+def result_bytes(data: bytes) -> None:
+    """The content of a file, in the encoding that it has."""
+    _echo(data, err=False)
+
+
 def result_json(data: object) -> None:
     """The result of a command as JSON, in ASCII."""
     result(json.dumps(data, indent=2))
@@ -65,10 +70,10 @@ def report_defect(defect: Exception) -> None:
     )
 
 
-def _echo(text: str, *, err: bool) -> None:
+def _echo(text: str | bytes, *, err: bool) -> None:
     colour = False if os.environ.get("NO_COLOR") else None
     try:
-        typer.echo(text, err=err, color=colour)
+        typer.echo(text, err=err, color=colour, nl=isinstance(text, str))
     except BrokenPipeError:
         raise typer.Exit(READER_GONE) from None
 

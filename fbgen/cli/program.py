@@ -12,6 +12,7 @@ from fbgen.cli import (
     demo,
     encode,
     explain,
+    fmt,
     generate,
     init,
     run,
@@ -55,6 +56,6 @@ def _fbgen(
     """
 
 
-for _module in (demo, init, generate, check, run, test, decode, encode, explain, schemas):
+for _module in (demo, init, generate, check, fmt, run, test, decode, encode, explain, schemas):
     _module.register(program)
 catalog.register(program)

@@ -13,7 +13,7 @@ from fbgen.cli import FINDINGS
 from fbgen.cli.dialects import DialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.output import report, result, result_json, say
-from fbgen.cli.plc_files import dialect_of
+from fbgen.cli.plc_files import dialect_of, expand
 from fbgen.cli.table import table
 
 if TYPE_CHECKING:
@@ -55,7 +55,10 @@ def register(program: typer.Typer) -> None:
 def run(
     files: Annotated[
         list[Path],
-        typer.Argument(metavar="FILES", help="The block, and whatever it calls or declares."),
+        typer.Argument(
+            metavar="FILES",
+            help="Files, patterns or folders with the block, and whatever it calls or declares.",
+        ),
     ],
     block: Annotated[
         str,
@@ -103,9 +106,10 @@ def run(
     from harness.engine.loading import load_program
     from harness.trial import Trial, read_duration, read_setting
 
+    paths = expand(files)
     every_ns = read_duration(every)
     wanted = [read_setting(text) for text in settings or ()]
-    program = load_program(files, dialect or dialect_of(files), engine.value)
+    program = load_program(paths, dialect or dialect_of(paths), engine.value)
     trial = Trial(program, block, wanted, watch or ())
     faults: list[DiagnosticError] = []
     rows = _until_fault(trial.rows(cycles, every_ns), faults)

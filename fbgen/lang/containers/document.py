@@ -45,8 +45,14 @@ class Document:
     dialect: str
     file: File
     findings: tuple[Diagnostic, ...]
+    _text: str
     _written: Callable[[File], str]
     _encoding: Encoding
+
+    @property
+    def data(self) -> bytes:
+        """The bytes that were read."""
+        return self._encoding.encode(self._text)
 
     def rewritten(self, file: File) -> bytes:
         """The bytes of the file with this tree, which has the units and members of `self.file`.
@@ -62,11 +68,16 @@ def read_document(path: Path, dialect: str | None = None) -> Document:
     Raises `DiagnosticError`: FB3011 unknown dialect, FB3013, FB3014 no text, FB3016 broken XML,
     FB3018 no code in it.
     """
+    return document_of(path, read_bytes(path), dialect)
+
+
+def document_of(path: Path, data: bytes, dialect: str | None = None) -> Document:
+    """As `read_document`, for a file with these bytes."""
     suffix = path.suffix.lower()
     chosen = dialect or SUFFIXES.get(suffix, "tia")
-    data = read_bytes(path)
     encoding, text = encoding_of(data, str(path))
-    return _document(path, Source(str(path), text), chosen, encoding, suffix in XML_SUFFIXES)
+    source = Source(str(path), text)
+    return _document(path, source, chosen, encoding, suffix in XML_SUFFIXES)
 
 
 def read_text(source: Source, dialect: str, is_xml: bool = False) -> Document:
@@ -86,7 +97,7 @@ def _document(
         text = print_file(tree).text
         return text.replace("\n", "\r\n") if crlf else text
 
-    return Document(path, dialect, file, tuple(findings), written, encoding)
+    return Document(path, dialect, file, tuple(findings), source.text, written, encoding)
 
 
 def _xml_document(path: Path, source: Source, dialect: str, encoding: Encoding) -> Document:
@@ -116,7 +127,7 @@ def _xml_document(path: Path, source: Source, dialect: str, encoding: Encoding) 
     def written(tree: File) -> str:
         return rewritten(source, slots, tree)
 
-    return Document(path, dialect, file, tuple(found), written, encoding)
+    return Document(path, dialect, file, tuple(found), source.text, written, encoding)
 
 
 def _place(finding: Diagnostic) -> tuple[int, int]:

@@ -34,7 +34,12 @@ class BranchParser(SimpleStatementParser):
             start = self.at
             self.at += 1
             condition = self.condition("THEN", "IF condition THEN")
-            branch_leading, trailing = self.finish(branch_leading)
+            if branches:
+                # Comments inside the condition go to its statements: above ELSIF they would
+                # belong to the branch before.
+                trailing = self.take_same_line()
+            else:
+                branch_leading, trailing = self.finish(())
             body = self.inside(ends, self.statements)
             closing = self.take_leading()
             branches.append(
@@ -101,17 +106,17 @@ class BranchParser(SimpleStatementParser):
             except Unexpected:
                 self.recover(start, depth, levels)
                 self.inside({"ELSE", "END_CASE"}, self.arm_statements)
+        if self.extra_at <= self.at and arms:
+            self._close_arm(arms)
         if self.kinds[self.at] == "ELSE":
             otherwise = self._else({"END_CASE"})
-        elif self.extra_at <= self.at and arms:
-            self._close_arm(arms)
         self.end("END_CASE", first)
         place = self.span(first)
         leading, trailing = self.finish(leading)
         return Case(place, selector, tuple(arms), otherwise, leading, trailing, opening)
 
     def _close_arm(self, arms: list[CaseArm]) -> None:
-        """Comments in front of END_CASE belong to the last arm."""
+        """Comments in front of ELSE and END_CASE belong to the last arm."""
         arm = arms[-1]
         closing = (*arm.closing, *self.take_leading())
         arms[-1] = CaseArm(arm.span, arm.labels, arm.body, arm.leading, arm.trailing, closing)

@@ -14,8 +14,15 @@ from tests.unit.cli.running import Fbgen
 COMMAND = [sys.executable, "-m", "fbgen.cli"]
 ROOT = Path(__file__).parents[3]
 COMMANDS = [
-    *[("demo",), ("init",), ("generate",), ("check",), ("run",), ("test",), ("decode",)],
-    *[("encode",), ("explain",), ("schemas",), ("catalog", "list"), ("catalog", "show")],
+    *[("demo",), ("init",), ("generate",), ("check",), ("fmt",), ("run",), ("test",)],
+    *[
+        ("decode",),
+        ("encode",),
+        ("explain",),
+        ("schemas",),
+        ("catalog", "list"),
+        ("catalog", "show"),
+    ],
 ]
 
 
