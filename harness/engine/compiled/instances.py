@@ -45,6 +45,9 @@ def _user_block(procedure: Procedure, instance: str, node: InstanceCall, block: 
         procedure.line(f"{instance}.{slot} = {in_out.text}")
     procedure.line(f"{instance}._run()")
     for in_out, slot in slots.items():
+        if in_out.variable in procedure.context.facts.cells:
+            # From outside, the in-out shows what the call left, whatever the caller does now.
+            procedure.line(f"{instance}.{slot} = _ValueCell({instance}.{slot}.value)")
         if in_out.write_back:
             back = f"{instance}.{slot}" if in_out.write_back == "yes" else in_out.write_back
             assign(procedure, in_out.node, Code(back), in_out.variable.type)
