@@ -295,7 +295,9 @@ class Writer:
         """Statements with a label behind them that they may jump to."""
         label = self._new_label()
         self.labels.append(label)
-        body = self._jump(0, indent) + self.statements(depth, indent)
+        # A label that nobody jumps to would be one of CASE inside of its arms.
+        body = f"{indent}IF {self.expression('BOOL', 1)} THEN GOTO {label}; END_IF;\n"
+        body += self.statements(depth, indent)
         self.labels.remove(label)
         return f"{body}{indent}{label}: ;\n"
 
