@@ -32,6 +32,58 @@ _S7_FUNCTIONS = (
     "    FOR #i := LOWER_BOUND(ARR := #list, DIM := 1) TO UPPER_BOUND(ARR := #list, DIM := 1) DO\n"
     "        #Put := #Put + #list[#i];\n    END_FOR;\nEND_FUNCTION\n"
 )
+_BASE = """\
+FUNCTION_BLOCK Base
+VAR_OUTPUT sum : INT; END_VAR
+VAR factor : INT := 3; END_VAR
+METHOD PROTECTED Scaled : INT
+VAR_INPUT amount : INT; END_VAR
+    Scaled := amount * factor;
+END_METHOD
+METHOD Bump : INT
+VAR_INPUT amount : INT; END_VAR
+VAR_IN_OUT place : INT; END_VAR
+    sum := sum + Scaled(amount := amount);
+    place := place + sum;
+    Bump := place - factor;
+END_METHOD
+END_FUNCTION_BLOCK
+"""
+_INNER_MEMBERS = """\
+METHOD PROTECTED Scaled : INT
+VAR_INPUT amount : INT; END_VAR
+VAR_INST times : INT; END_VAR
+    times := times + 1;
+    Scaled := SUPER^.Scaled(amount := amount) + times;
+END_METHOD
+PROPERTY Total : INT
+GET
+    Total := sum;
+END_GET
+SET
+    sum := Total;
+    factor := factor + 1;
+END_SET
+END_PROPERTY
+ACTION Reset:
+    IF sum < 5 THEN
+        RETURN;
+    END_IF;
+    sum := 0;
+END_ACTION
+"""
+_OUTER_MEMBERS = """\
+METHOD Touch : INT
+VAR_INPUT amount : INT; END_VAR
+VAR_IN_OUT place : INT; END_VAR
+    statInt := statInt + amount;
+    place := place + 1;
+    j := j + 1;
+    outBool := NOT outBool;
+    instInner.Total := place;
+    Touch := statInt;
+END_METHOD
+"""
 
 
 def declarations(mark: str) -> str:
@@ -50,15 +102,18 @@ def declarations(mark: str) -> str:
     structure = "STRUCT\n    intPart : INT := 3;\n    realPart : REAL;\nEND_STRUCT;\nEND_TYPE\n"
     return (
         (f"TYPE {frame}\n" if mark else f"TYPE {frame} :\n") + structure
+        + ("" if mark else _BASE)
         + f"FUNCTION {quote}Twice{quote} : INT\n"
         "VAR_INPUT value : INT; END_VAR\nVAR_IN_OUT total : DINT; END_VAR\n" + begin
         + f"    {mark}total := {mark}total + {mark}value;\n    {mark}Twice := {mark}value * 2;\n"
         + ("    IF #value > 100 THEN ENO := FALSE; END_IF;\n" if mark else "")
         + "END_FUNCTION\n"
         + (_S7_FUNCTIONS if mark else _IEC_TYPES)
-        + f"FUNCTION_BLOCK {quote}Inner{quote}\n"
-        "VAR_INPUT value : INT; END_VAR\nVAR_OUTPUT sum : INT; END_VAR\n"
-        "VAR_IN_OUT place : INT; END_VAR\nVAR calls : UINT; END_VAR\n" + begin
+        + ('FUNCTION_BLOCK "Inner"\n' if mark else "FUNCTION_BLOCK Inner EXTENDS Base\n")
+        + "VAR_INPUT value : INT; END_VAR\n"
+        + ("VAR_OUTPUT sum : INT; END_VAR\n" if mark else "")
+        + "VAR_IN_OUT place : INT; END_VAR\nVAR calls : UINT; END_VAR\n"
+        + ("" if mark else _INNER_MEMBERS) + begin
         + f"    {mark}calls := {mark}calls + 1;\n    {mark}place := {mark}place + {mark}value;\n"
         f"    {mark}sum := {mark}sum + {mark}place;\n"
         + ("    ENO := #sum MOD 3 <> 0;\n" if mark else "")
@@ -71,6 +126,6 @@ def declarations(mark: str) -> str:
         "    instOn : TON;\n    instOff : TOF;\n    instPulse : TP;\n    instRise : R_TRIG;\n"
         f"    instFall : F_TRIG;\n    instCount : CTU;\n    instInner : {quote}Inner{quote};\n"
         + (_S7_VARIABLES if mark else "    statMode : typeMode;\n    statLevel : typeLevel;\n")
-        + "END_VAR\n" + begin + f"    {mark}guard := 0;\n"
+        + "END_VAR\n" + ("" if mark else _OUTER_MEMBERS) + begin + f"    {mark}guard := 0;\n"
         + ("    #toInt := REF(#statInt);\n    #toFrame := REF(#frame);\n" if mark else "")
     )  # fmt: skip

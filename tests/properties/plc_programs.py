@@ -199,7 +199,7 @@ class Writer:
         if self.mark:
             kinds += [self._chain, self._enabled, self._reference, self._open_array]
         else:
-            kinds += [self._named_value, self._limited_value]
+            kinds += [self._named_value, self._limited_value, self._method, self._method]
         if self.mark and depth > 0:
             kinds += [self._labelled, self._repeated_by_jump]
         if depth > 0:
@@ -271,6 +271,28 @@ class Writer:
         middle = self.one_of(self.writable["INT"])
         sign = self.one_of((":=", "+=", "-=", "*="))
         return f"{indent}{first} := {middle} {sign} {last} := {self.expression('INT', 2)};\n"
+
+    def _method(self, depth: int, indent: str) -> str:
+        """Methods, a property and an action, of the block itself and of the inner one."""
+        value, target = self.expression("INT", 1), self.one_of(self.writable["INT"])
+        place = self.one_of(self.writable["INT"])
+        match self.number(0, 5):
+            case 0:
+                return f"{indent}instInner.Total := {value};\n"
+            case 1:
+                return (
+                    f"{indent}{target} := instInner.Total + Touch(amount := 1, place := {place});\n"
+                )
+            case 2:
+                return f"{indent}instInner.Reset();\n"
+            case 3:
+                return f"{indent}{target} := instInner.Bump(amount := {value}, place := {place});\n"
+            case 4:
+                head = f"{indent}IF Touch(amount := {value}, place := {place}) > statInt THEN\n"
+                body = self.statements(0, indent + "    ")
+                return f"{head}{body}{indent}END_IF;\n"
+            case _:
+                return f"{indent}{target} := THIS^.Touch(amount := {value}, place := {place});\n"
 
     def _enabled(self, depth: int, indent: str) -> str:
         """A call with EN and ENO, of the function, the inner block or a conversion."""

@@ -187,7 +187,13 @@ class SameReference:
 
 @node
 class FunctionCall:
-    """A call of a FUNCTION of the user. Every input has a value, every in-out a place."""
+    """A call of a FUNCTION of the user. Every input has a value, every in-out a place.
+
+    A method is a FUNCTION with the instance as first in-out, called THIS. Where derived blocks
+    override it, `overrides` has all that can be meant, by the name of the instance's block, and the
+    type of the instance decides while the program runs. Their parameters have the same names, types
+    and order.
+    """
 
     span: Span
     function: Block
@@ -195,6 +201,7 @@ class FunctionCall:
     in_outs: tuple[tuple[Variable, Place], ...]
     outputs: tuple[tuple[Variable, Place], ...]
     type: Type
+    overrides: tuple[tuple[str, Block], ...] = ()
 
 
 @node

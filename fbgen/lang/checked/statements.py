@@ -36,7 +36,11 @@ class Evaluate:
 
 @node
 class InstanceCall:
-    """A call of a function block instance. Inputs that are not given keep their value."""
+    """A call of a function block instance. Inputs that are not given keep their value.
+
+    `block` is mostly the block of the instance; it may also be one that this extends, or an action,
+    which have the same variables, or the first of them.
+    """
 
     span: Span
     instance: Place

@@ -21,6 +21,7 @@ class VariableKind(Enum):
     TEMP = "temporary"
     RESULT = "result"
     GLOBAL = "global"
+    THIS = "instance"
 
 
 @node
@@ -41,7 +42,8 @@ class Variable:
 
     GLOBAL covers the data blocks of S7 and VAR_GLOBAL: a data block is one global variable whose
     type is its structure, or the function block of which it is the instance. `remanent` is RETAIN.
-    TEMP and RESULT start anew with each call, the others keep their value.
+    TEMP and RESULT start anew with each call, the others keep their value. THIS is the instance in
+    whose body the name stands; it is in the `variables` of no block.
 
     `overlay`: the variable lies in the memory of that one (AT), which is no overlay itself; an
     overlay of a parameter is STATIC or TEMP.

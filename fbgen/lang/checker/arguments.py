@@ -1,14 +1,25 @@
 """Which argument of a call belongs to which parameter."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TypeVar
 
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
+from fbgen.lang.checked import Expression, Place, Variable
 from fbgen.lang.checker.context import Context
 from fbgen.nearest import nearest
 
 _P = TypeVar("_P")
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """The checked arguments of a call, by the direction of their parameters."""
+
+    inputs: tuple[tuple[Variable, Expression], ...] = ()
+    in_outs: tuple[tuple[Variable, Place], ...] = ()
+    outputs: tuple[tuple[Variable, Place], ...] = ()
 
 
 def bind(

@@ -8,12 +8,15 @@ one in a chain takes the value at its right end (CODESYS online help, "Assignmen
 from collections.abc import Sequence
 
 from fbgen.lang import ast, checked
-from fbgen.lang.checked import Constant, Expression, Place, Statement
+from fbgen.lang.checked import Constant, Expression, Place, Statement, VariableKind
+from fbgen.lang.checker.arguments import Bound
 from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enabling import enabled, speaks_of_enable
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.members import Receiver, find_setter, made_call
+from fbgen.lang.checker.objects import Method
 from fbgen.lang.checker.operators import combine
 from fbgen.lang.checker.references import bind_reference
 from fbgen.lang.checker.targets import check_target
@@ -50,6 +53,9 @@ def check_assignment(ctx: Context, node: ast.Assignment) -> Sequence[Statement]:
 
 def _assignment(ctx: Context, node: ast.Assignment, call: ast.Call | None) -> Sequence[Statement]:
     """`call` takes the place of the value, if it is one with EN or ENO."""
+    setter = find_setter(ctx, node.target) if ctx.library.has_members else None
+    if setter is not None:
+        return _set_property(ctx, node, *setter, call or node.value)
     links = [_Link(node.span, check_target(ctx, node.target, _WHERE), node.operator)]
     rest = node.value
     while isinstance(rest, ast.Chained):
@@ -61,6 +67,27 @@ def _assignment(ctx: Context, node: ast.Assignment, call: ast.Call | None) -> Se
         return ()
     found = _written(ctx, links, value)
     return () if found is None else found
+
+
+def _set_property(
+    ctx: Context,
+    node: ast.Assignment,
+    receiver: Receiver,
+    setter: Method,
+    written: ast.Expression,
+) -> Sequence[Statement]:
+    """An assignment that calls SET."""
+    variable = next(one for one in setter.block.variables if one.kind is VariableKind.INPUT)
+    value = check_expression(ctx, written, variable.type)
+    if node.operator != ":=" and value.type != ERRONEOUS:
+        value = combine(
+            ctx, node.span, node.operator[:-1], check_expression(ctx, node.target), value
+        )
+    value = coerce(ctx, value, variable.type, _WHERE)
+    if value.type == ERRONEOUS:
+        return ()
+    call = made_call(ctx, node.span, receiver, setter, Bound(((variable, value),)))
+    return (checked.Evaluate(node.span, call),)
 
 
 def _written(ctx: Context, links: Sequence[_Link], value: Expression) -> list[Statement] | None:

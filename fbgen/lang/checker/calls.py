@@ -3,16 +3,13 @@
 Sources: IEC 61131-3 third edition, section 6.6.1.7; TIA Portal help, "Calling blocks (SCL)".
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from typing import TypeAlias
 
 from fbgen.lang import ast, checked
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import (
-    AnyBlock,
     Block,
-    Constant,
     Evaluate,
     Expression,
     FunctionCall,
@@ -20,60 +17,50 @@ from fbgen.lang.checked import (
     Place,
     StandardBlock,
     SystemCall,
-    Variable,
-    VariableKind,
 )
-from fbgen.lang.checker.arguments import bind
+from fbgen.lang.checker.arguments import Bound, bind
+from fbgen.lang.checker.binding import bind_variables, report_missing, with_defaults
 from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.conversions import keeps_representation
-from fbgen.lang.checker.enabling import ENABLED, attempted
+from fbgen.lang.checker.enabling import attempted
 from fbgen.lang.checker.evaluation import check_expression
-from fbgen.lang.checker.literals import ERRONEOUS, default_value, erroneous
+from fbgen.lang.checker.literals import ERRONEOUS, erroneous
+from fbgen.lang.checker.members import Receiver, called_member, made_call
 from fbgen.lang.checker.memory_access import check_peek, check_whole, memory_access_named
 from fbgen.lang.checker.memory_instructions import (
     check_area_literal,
     check_memory_instruction,
 )
+from fbgen.lang.checker.objects import Method
 from fbgen.lang.checker.places import is_place, names_block
 from fbgen.lang.checker.routine_calls import (
     is_routine,
     unmodelled_instance_call,
     value_of_routine,
 )
-from fbgen.lang.checker.routines import MODELLED, is_modelled
+from fbgen.lang.checker.routines import is_modelled
 from fbgen.lang.checker.standard_blocks import TIMER_METHODS, standard_block
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
-from fbgen.lang.checker.standard_functions import OPERATORS_BY_NAME, STANDARD_FUNCTIONS
 from fbgen.lang.checker.system_instructions import (
-    INSTRUCTIONS,
     RETURN_VALUE,
     Instruction,
     instruction_named,
 )
 from fbgen.lang.checker.targets import check_target
+from fbgen.lang.checker.unknown_callees import (
+    check_arguments_alone,
+    unknown_callee,
+    without_instance,
+)
 from fbgen.lang.types import (
     VOID,
     AnyType,
     BlockType,
     Elementary,
-    OpenArrayType,
-    StringType,
     Type,
 )
-from fbgen.nearest import nearest
 
-_PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)
 _ARROW = ast.ArgumentKind.OUTPUT
-
-
-@dataclass(frozen=True, slots=True)
-class _Bound:
-    """The arguments of a call, by the direction of their parameters."""
-
-    inputs: tuple[tuple[Variable, Expression], ...]
-    in_outs: tuple[tuple[Variable, Place], ...]
-    outputs: tuple[tuple[Variable, Place], ...]
 
 
 CallResult: TypeAlias = FunctionCall | SystemCall
@@ -81,6 +68,9 @@ CallResult: TypeAlias = FunctionCall | SystemCall
 
 def check_call(ctx: Context, node: ast.Call, expected: Type | None) -> Expression:
     """A call whose value is used."""
+    member = called_member(ctx, node)
+    if member is not None:
+        return _value_of_member(ctx, node, *member)
     name = _called_name(ctx, node)
     if name is None:
         return _not_a_value(ctx, node)
@@ -99,6 +89,60 @@ def check_call(ctx: Context, node: ast.Call, expected: Type | None) -> Expressio
         return value_of_routine(ctx, node, name, expected)
     unknown_callee(ctx, node, name)
     return erroneous(node.span)
+
+
+def _value_of_member(
+    ctx: Context, node: ast.Call, receiver: Receiver, member: Method | Block
+) -> Expression:
+    if isinstance(member, Method):
+        call = method_call(ctx, node, receiver, member)
+        if call is None:
+            return erroneous(node.span)
+        if call.type != VOID:
+            return call
+    ctx.findings.error(
+        "FB4048",
+        f"{member.name} has no result",
+        node.span,
+        "call it in a statement of its own",
+    )
+    return erroneous(node.span)
+
+
+def method_call(
+    ctx: Context, node: ast.Call, receiver: Receiver, method: Method
+) -> FunctionCall | None:
+    """The call of a method; None after reporting errors."""
+    block = method.block
+    bound = bind_variables(ctx, node, method.name, block, by_assignment=True)
+    inputs = None if bound is None else with_defaults(ctx, node, block, bound)
+    if bound is None or inputs is None:
+        return None
+    return made_call(ctx, node.span, receiver, method, replace(bound, inputs=inputs))
+
+
+def body_call(
+    ctx: Context, node: ast.Call, receiver: Receiver, block: Block
+) -> InstanceCall | None:
+    """The call of an action, or of the body of the base block; None after reporting errors."""
+    if block is ctx.owner:
+        ctx.findings.error(
+            "FB4051",
+            f"recursive call: {block.name} -> {block.name}",
+            node.span,
+            "call a method or an action",
+        )
+        return None
+    ctx.calls.setdefault(block, node.span)
+    bound = Bound()
+    if node.arguments:
+        given = bind_variables(ctx, node, block.name, block, by_assignment=False)
+        if given is None:
+            return None
+        bound = given
+    return InstanceCall(
+        node.span, receiver.place, block, bound.inputs, bound.in_outs, bound.outputs
+    )
 
 
 def _called_name(ctx: Context, node: ast.Call) -> str | None:
@@ -122,46 +166,6 @@ def is_built_in(name: str) -> bool:
         or instruction_named(name) is not None
         or memory_access_named(name) is not None
         or is_modelled(name)
-    )
-
-
-def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
-    """Report the call of something that does not exist."""
-    if standard_block(name) is not None:
-        _without_instance(ctx, node, name)
-        return
-    ctx.findings.unknown(
-        "FB4004",
-        f"there is no function or block '{name}'",
-        node.callee.span,
-        lambda: nearest(name, _callable_names(ctx)),
-    )
-    check_arguments_alone(ctx, node)
-
-
-def _callable_names(ctx: Context) -> list[str]:
-    return [
-        *ctx.library.block_names(),
-        *STANDARD_FUNCTIONS,
-        *OPERATORS_BY_NAME,
-        *(instruction.name for instruction in INSTRUCTIONS.values()),
-        *MODELLED,
-    ]
-
-
-def check_arguments_alone(ctx: Context, node: ast.Call) -> None:
-    """The arguments of a call of something unknown: their own mistakes are reported."""
-    for argument in node.arguments:
-        if argument.value is not None:
-            check_expression(ctx, argument.value)
-
-
-def _without_instance(ctx: Context, node: ast.Call, name: str) -> None:
-    ctx.findings.error(
-        "FB4045",
-        f"{name} is a function block and is called through an instance",
-        node.span,
-        f"declare one: inst{name} : {name}; and call inst{name}(...)",
     )
 
 
@@ -193,7 +197,7 @@ def _not_callable(ctx: Context, node: ast.Call, callee: Expression) -> None:
 
 def _value_of_block(ctx: Context, node: ast.Call, block: Block) -> Expression:
     if block.kind is BlockKind.FUNCTION_BLOCK:
-        _without_instance(ctx, node, block.name)
+        without_instance(ctx, node, block.name)
         return erroneous(node.span)
     call = function_call(ctx, node, block)
     if call is None:
@@ -223,157 +227,14 @@ def function_call(ctx: Context, node: ast.Call, block: Block) -> FunctionCall | 
         )
         return None
     ctx.calls.setdefault(block, node.span)
-    bound = _bind_variables(ctx, node, block.name, block, by_assignment=True)
+    bound = bind_variables(ctx, node, block.name, block, by_assignment=True)
     if bound is None:
         return None
-    inputs = _with_defaults(ctx, node, block, bound)
+    inputs = with_defaults(ctx, node, block, bound)
     if inputs is None:
         return None
     kind = block.result.type if block.result is not None else VOID
     return FunctionCall(node.span, block, inputs, bound.in_outs, bound.outputs, kind)
-
-
-def _with_defaults(
-    ctx: Context, node: ast.Call, block: Block, bound: _Bound
-) -> tuple[tuple[Variable, Expression], ...] | None:
-    """All inputs in their order, those that were left out with their initial values."""
-    given = dict(bound.inputs)
-    inputs = []
-    missing = []
-    for variable in block.variables:
-        if variable.kind is not VariableKind.INPUT:
-            continue
-        kind = variable.type
-        if variable in given:
-            inputs.append((variable, given[variable]))
-        elif ctx.rules.inputs_complete or not isinstance(kind, Elementary | StringType):
-            missing.append(variable.name)
-        else:
-            value = variable.initial if variable.initial is not None else default_value(kind)
-            assert isinstance(value, bool | int | float | str)
-            inputs.append((variable, Constant(node.span, value, kind)))
-    if not missing:
-        return tuple(inputs)
-    _missing(ctx, node, block.name, missing)
-    return None
-
-
-def _missing(ctx: Context, node: ast.Call, name: str, missing: Sequence[str]) -> None:
-    ctx.findings.error(
-        "FB4040",
-        f"the call of {name} leaves out {', '.join(missing)}",
-        node.span,
-        f"add {', '.join(f'{parameter} := ...' for parameter in missing)}",
-    )
-
-
-def _bind_variables(
-    ctx: Context, node: ast.Call, name: str, block: AnyBlock, by_assignment: bool
-) -> _Bound | None:
-    implicit = ctx.library.implicit
-    own_eno = next((one for one in block.variables if one in implicit), None)
-    parameters = [
-        (variable.name, variable)
-        for variable in block.variables
-        if variable.kind in _PARAMETERS and variable is not own_eno
-    ]
-    status = None
-    if own_eno is not None:
-        # It may stand beside arguments without names.
-        status = next((one for one in node.arguments if one.name.casefold() == ENABLED), None)
-        rest = tuple(one for one in node.arguments if one is not status)
-        node = ast.Call(node.span, node.callee, rest)
-    bound = bind(ctx, node, name, parameters)
-    if bound is None:
-        check_arguments_alone(ctx, node)
-        return None
-    inputs: list[tuple[Variable, Expression]] = []
-    in_outs: list[tuple[Variable, Place]] = []
-    outputs: list[tuple[Variable, Place]] = []
-    complete = True
-    if own_eno is not None and status is not None:
-        bound.append((own_eno, status))
-    for variable, argument in bound:
-        if argument.value is None:
-            continue
-        where = f"parameter {variable.name} of {name}"
-        if _wrong_way(ctx, variable, argument, by_assignment):
-            complete = False
-        elif variable.kind is VariableKind.INPUT:
-            value = check_expression(ctx, argument.value, variable.type)
-            inputs.append((variable, coerce(ctx, value, variable.type, where)))
-        elif variable.kind is VariableKind.IN_OUT:
-            place = _in_out(ctx, argument.value, variable, where)
-            complete = complete and place is not None
-            if place is not None:
-                in_outs.append((variable, place))
-        else:
-            place = _output(ctx, argument.value, variable.type, where)
-            complete = complete and place is not None
-            if place is not None:
-                outputs.append((variable, place))
-    given = {variable for variable, _ in bound}
-    missing = [
-        variable.name
-        for variable in block.variables
-        if variable.kind is VariableKind.IN_OUT and variable not in given
-    ]
-    if missing:
-        _missing(ctx, node, name, missing)
-        return None
-    return _Bound(tuple(inputs), tuple(in_outs), tuple(outputs)) if complete else None
-
-
-def _wrong_way(
-    ctx: Context, variable: Variable, argument: ast.Argument, by_assignment: bool
-) -> bool:
-    if argument.kind is ast.ArgumentKind.POSITIONAL:
-        return False
-    is_output = variable.kind is VariableKind.OUTPUT
-    if (argument.kind is _ARROW) == is_output:
-        return False
-    if is_output and by_assignment and ctx.rules.outputs_by_assignment:
-        return False
-    right = "=>" if is_output else ":="
-    ctx.findings.error(
-        "FB4041",
-        f"{variable.kind.value} '{variable.name}' is given by {argument.kind.value}",
-        argument.span,
-        f"write {variable.name} {right} ...",
-    )
-    return True
-
-
-def _in_out(ctx: Context, node: ast.Expression, variable: Variable, where: str) -> Place | None:
-    place = check_target(ctx, node, where)
-    if place is None:
-        return None
-    kind = variable.type
-    if place.type != kind and not (isinstance(kind, OpenArrayType) and kind.takes(place.type)):
-        ctx.findings.error(
-            "FB4010",
-            f"{where} works on the variable itself and takes exactly {spelled(variable.type)},"
-            f" not {spelled(place.type)}",
-            node.span,
-            "copy the value to a variable of that type before the call, and back behind it",
-        )
-        return None
-    return place
-
-
-def _output(ctx: Context, node: ast.Expression, source: Type, where: str) -> Place | None:
-    place = check_target(ctx, node, where)
-    if place is None:
-        return None
-    if not keeps_representation(source, place.type):
-        ctx.findings.error(
-            "FB4010",
-            f"{where} gives {spelled(source)}, which {spelled(place.type)} cannot take",
-            node.span,
-            "take it into a variable of that type, then convert it",
-        )
-        return None
-    return place
 
 
 # --- instances --------------------------------------------------------------------------------
@@ -410,7 +271,7 @@ def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | Evaluate | Non
         return unmodelled_instance_call(ctx, node, place, block)
     if isinstance(block, Block):
         ctx.calls.setdefault(block, node.span)
-    bound = _bind_variables(ctx, node, block.name, block, by_assignment=False)
+    bound = bind_variables(ctx, node, block.name, block, by_assignment=False)
     if bound is None:
         return None
     return InstanceCall(node.span, place, block, bound.inputs, bound.in_outs, bound.outputs)
@@ -462,7 +323,7 @@ def system_call(
         arguments[parameter.name] = value
     missing = [name for name, _ in parameters if name not in arguments]
     if missing:
-        _missing(ctx, node, instruction.name, missing)
+        report_missing(ctx, node, instruction.name, missing)
     if missing or any(value.type == ERRONEOUS for value in arguments.values()):
         return erroneous(node.span), None
     if instruction.on_memory and not check_memory_instruction(ctx, instruction, arguments):

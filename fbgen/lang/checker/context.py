@@ -34,7 +34,9 @@ class Context:
     other capitals than it is declared with, `labels` and `jumps` what GOTO needs. `loops` are the
     loops around the present statement, the outermost first. `own_eno` is the ENO of a block that
     uses it, `overflow_flag` the same where errors of calculation make it FALSE, and `call_flag`
-    what the ENO of a standard function is collected in.
+    what the ENO of a standard function is collected in. `this` is the instance in the body, the
+    methods and the actions of a block that has members, `owner` that block, and `method` the
+    casefolded name of a method.
     """
 
     __slots__ = (
@@ -47,11 +49,14 @@ class Context:
         "labels",
         "library",
         "loops",
+        "method",
         "overflow_flag",
         "own_eno",
+        "owner",
         "respelled",
         "rules",
         "scope",
+        "this",
         "used",
         "written",
     )
@@ -69,6 +74,9 @@ class Context:
         self.own_eno: Variable | None = None
         self.overflow_flag: Variable | None = None
         self.call_flag: Variable | None = None
+        self.owner: Block | None = None
+        self.this: Variable | None = None
+        self.method = ""
         self.used: set[Symbol] = set()
         self.written: set[Variable] = set()
         self.calls: dict[Block, Span] = {}
@@ -77,6 +85,13 @@ class Context:
     def local(self, key: str) -> Symbol | None:
         """The symbol that the block itself declares under a casefolded name."""
         return self._resolved(self.scope, key)
+
+    def of_owner(self, key: str) -> Symbol | None:
+        """In a method: the symbol that its block declares, or the method in VAR_INST."""
+        if self.owner is None or not self.method:
+            return None
+        around = self.library.context_of(self.owner)
+        return around.local(f"{self.method}.{key}") or around.local(key)
 
     def of_program(self, key: str) -> Symbol | None:
         """The global variable, data block or constant under a casefolded name."""

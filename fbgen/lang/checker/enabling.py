@@ -16,6 +16,7 @@ from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import (
     Attempt,
     Binary,
+    Block,
     Constant,
     Convert,
     Evaluate,
@@ -33,6 +34,7 @@ from fbgen.lang.checker.coercion import coerce, converted, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.members import called_member
 from fbgen.lang.checker.places import names_block
 from fbgen.lang.checker.standard_blocks import TIMER_METHODS
 from fbgen.lang.checker.targets import check_target
@@ -177,6 +179,9 @@ def _own_eno(ctx: Context, call: ast.Call) -> Variable | None:
 
 def _variables(ctx: Context, call: ast.Call) -> tuple[Variable, ...]:
     """What the block that is called declares; nothing for what is no block of the user."""
+    member = called_member(ctx, call)
+    if member is not None:
+        return member[1].variables if isinstance(member[1], Block) else member[1].block.variables
     callee = call.callee
     if isinstance(callee, ast.Name) and names_block(ctx, callee):
         block = ctx.library.user_block(callee.name)

@@ -15,6 +15,7 @@ from fbgen.lang.checker import (
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression, enter
 from fbgen.lang.checker.literals import erroneous
+from fbgen.lang.checker.members import special_receiver
 from fbgen.lang.types import Type
 
 
@@ -38,6 +39,13 @@ def _unsupported(ctx: Context, node: Any, _expected: Type | None) -> Expression:
     return erroneous(node.span)
 
 
+def _dereference(ctx: Context, node: ast.Dereference, expected: Type | None) -> Expression:
+    special = special_receiver(ctx, node)
+    if special is not None:
+        return special.place
+    return references.check_dereference(ctx, node, expected)
+
+
 _UNSUPPORTED = {
     ast.Chained: "an assignment in an assignment",
     ast.IndexedAddress: "an absolute address with an index",
@@ -50,11 +58,11 @@ enter(
         ast.Literal: constants.check_literal,
         ast.Name: places.check_name,
         ast.Member: places.check_member,
+        ast.Dereference: _dereference,
         ast.Index: places.check_index,
         ast.Slice: places.check_slice,
         ast.DirectAddress: places.check_address,
         ast.IndexedAddress: memory_access.check_indexed_address,
-        ast.Dereference: references.check_dereference,
         ast.Call: calls.check_call,
         ast.Unary: operators.check_unary,
         ast.Binary: operators.check_binary,

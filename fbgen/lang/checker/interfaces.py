@@ -153,6 +153,8 @@ class Interfaces:
             initial = self._library.initial(
                 ctx, declaration.initial, resolved.type, resolved.initial
             )
+        if isinstance(resolved.type, BlockType):
+            self._check_instance(ctx, declaration, resolved.type, kind)
         address = self._address(ctx, declaration, resolved.type)
         if isinstance(resolved.type, BlockType) and kind not in _KEEPING:
             ctx.findings.error(
@@ -199,6 +201,25 @@ class Interfaces:
             if root is not None:
                 self._library.memory.overlay(variable, root)
         return variables
+
+    def _check_instance(
+        self, ctx: Context, declaration: ast.Declaration, kind: BlockType, where: VariableKind
+    ) -> None:
+        """What an instance must not be; what is handed over may be of a derived block."""
+        if declaration.arguments:
+            ctx.findings.error(
+                "FB4054",
+                "arguments for FB_init are not supported",
+                declaration.arguments[0].span,
+                "give initial values: inst : Type := (x := 1);",
+            )
+        if where is not VariableKind.IN_OUT and self._library.objects.is_abstract(kind):
+            ctx.findings.error(
+                "FB4089",
+                f"{kind.name} is ABSTRACT and has no instances",
+                declaration.type.span,
+                "declare an instance of a block that extends it",
+            )
 
     def _kind(self, ctx: Context, section: ast.VarSection, block: BlockKind | None) -> VariableKind:
         if block is None:

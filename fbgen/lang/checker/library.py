@@ -5,6 +5,7 @@ order of files and units does not matter; what needs itself is reported as recur
 """
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from types import MappingProxyType
 
 from fbgen.diagnostics import Note
@@ -18,6 +19,7 @@ from fbgen.lang.checker.initials import Initials
 from fbgen.lang.checker.interfaces import Interfaces
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.memory_use import MemoryUse, is_optimized
+from fbgen.lang.checker.objects import RECEIVER, Objects, kept_sections, qualified
 from fbgen.lang.checker.rules import Rules
 from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS, standard_block
 from fbgen.lang.checker.symbols import Scope
@@ -49,9 +51,14 @@ class Library:
         self.types = TypeResolver(self)
         self.implicit: set[Variable] = set()
         """The ENO outputs that nobody declared: no parameters in the order of a call."""
+        self.has_members = False
+        self.receivers: set[Variable] = set()
+        """The in-outs THIS of methods: the caller names them in front of the call."""
+        self.objects = Objects(self)
         self._interfaces = Interfaces(self)
         self._initials = Initials(self)
         self._units: dict[str, tuple[str, Span]] = {}
+        self._qualified: dict[str, list[str]] = {}
         self._syntax: dict[str, ast.Block] = {}
         self._data_blocks: dict[str, ast.DataBlock] = {}
         self._configurations: list[ast.Configuration] = []
@@ -77,19 +84,24 @@ class Library:
             self._sections += unit.sections
             for resource in unit.resources:
                 self._sections += resource.sections
-        elif isinstance(unit, (ast.Using, ast.Namespace, ast.Interface)):
-            self.findings.error(
-                "FB4054",
-                "namespaces and interfaces are not supported",
-                unit.span,
-                "use blocks and types at the top of a file",
-            )
+        elif isinstance(unit, ast.Namespace):
+            for inner in unit.units:
+                self._collect_unit(qualified(inner, unit.name))
+        elif isinstance(unit, ast.Using):
+            pass  # what is unique needs no namespace, see key_of
+        elif isinstance(unit, ast.Interface):
+            if self._is_new(unit.name):
+                self.objects.declare_interface(unit)
         elif self._is_new(unit.name):
             key = unit.name.name.casefold()
             if isinstance(unit, ast.TypeDeclaration):
                 self.types.declare(unit)
             elif isinstance(unit, ast.Block):
+                if unit.kind is BlockKind.CLASS:
+                    # A class is a function block that nobody can call.
+                    unit = replace(unit, kind=BlockKind.FUNCTION_BLOCK)
                 self._syntax[key] = unit
+                self.has_members |= bool(unit.members) or unit.extends is not None
             else:
                 self._data_blocks[key] = unit
 
@@ -99,7 +111,18 @@ class Library:
             self.duplicate(name.name, name.span, self._units[key][1])
             return False
         self._units[key] = (name.name, name.span)
+        if "." in key:
+            self._qualified.setdefault(key.rpartition(".")[2], []).append(key)
         return True
+
+    def key_of(self, name: str) -> str:
+        """The casefolded name of a unit, with the namespace that it may be left out of.
+
+        What two namespaces have needs its namespace.
+        """
+        key = name.casefold()
+        full = self._qualified.get(key)
+        return full[0] if full and len(full) == 1 and key not in self._units else key
 
     def duplicate(self, name: str, span: Span, first: Span) -> None:
         """Report a name that is declared twice, with both places."""
@@ -191,7 +214,7 @@ class Library:
 
     def block_type(self, name: str) -> BlockType | None:
         """The type of instances of a function block; None if there is no such block."""
-        key = name.casefold()
+        key = self.key_of(name)
         node = self._syntax.get(key)
         if node is not None:
             if node.kind is not BlockKind.FUNCTION_BLOCK:
@@ -256,7 +279,7 @@ class Library:
 
     def user_block(self, name: str) -> Block | None:
         """The block of the text with that name, its interface resolved; None if there is none."""
-        key = name.casefold()
+        key = self.key_of(name)
         if key in self._blocks:
             return self._blocks[key]
         node = self._syntax.get(key)
@@ -292,18 +315,78 @@ class Library:
     def _interface(self, node: ast.Block) -> Block:
         kind = node.kind
         ctx = Context(self, Scope())
+        base = self.objects.find_base(node)
+        inherited = self._inherit(ctx, base) if base is not None else []
         result = self._result(ctx, node) if kind is BlockKind.FUNCTION else None
         if result is not None:
             ctx.scope.entries[result.name.casefold()] = result
         self._interfaces.declare_constants(ctx, node.sections, kind)
-        variables = self._interfaces.declare(ctx, node.sections, kind, node.header)
+        sections = (*node.sections, *kept_sections(node))
+        variables = self._interfaces.declare(ctx, sections, kind, node.header)
         variables += self._enable_variables(ctx, node)
         if result is not None:
             variables.append(result)
-        block = Block(node.span, node.name.name, kind, tuple(variables), result, node)
+        every = (*inherited, *variables)
+        block = Block(node.span, node.name.name, kind, every, result, node)
+        ctx.block = block
+        self._contexts[block] = ctx
+        if base is not None:
+            self.objects.extend(block, base)
+        if base is not None or node.members:
+            ctx.owner = block
+            ctx.this = self.objects.instance_of(block)
+        return block
+
+    def _inherit(self, ctx: Context, base: Block) -> list[Variable]:
+        """Names of the base in the scope of a derived block, and its variables."""
+        around = self._contexts[base]
+        inherited = self.objects.inherited(base)
+        for key in list(around.scope.entries):
+            symbol = around.local(key)
+            if symbol is not None and (not isinstance(symbol, Variable) or symbol in inherited):
+                ctx.scope.entries[key] = symbol
+                ctx.used.add(symbol)
+        return inherited
+
+    # --- members of blocks --------------------------------------------------------------------
+
+    def instance_type(self, block: Block) -> BlockType:
+        """The type of the instances of a block, also of one that cannot be declared."""
+        return self._block_types.setdefault(block.name.casefold(), BlockType(block.name))
+
+    def own_blocks(self) -> list[Block]:
+        """The blocks of the text, without their methods and actions."""
+        return list(self._blocks.values())
+
+    def member_block(self, owner: Block, this: Variable, node: ast.Block) -> Block:
+        """The code of a method: a FUNCTION with the instance as its first in-out."""
+        ctx = Context(self, Scope())
+        ctx.owner, ctx.this = owner, this
+        ctx.method = node.name.name.casefold()
+        ctx.scope.entries[RECEIVER.casefold()] = this
+        self.receivers.add(this)
+        variables = [this]
+        result = self._result(ctx, node)
+        if result is not None:
+            ctx.scope.entries[result.name.casefold()] = result
+        sections = [one for one in node.sections if one.keyword != "VAR_INST"]
+        self._interfaces.declare_constants(ctx, sections, node.kind)
+        variables += self._interfaces.declare(ctx, sections, node.kind)
+        if result is not None:
+            variables.append(result)
+        name = f"{owner.name}.{node.name.name}"
+        block = Block(node.span, name, node.kind, tuple(variables), result, node)
         ctx.block = block
         self._contexts[block] = ctx
         return block
+
+    def share_context(self, owner: Block, action: Block) -> None:
+        """An action sees what its block sees."""
+        around = self._contexts[owner]
+        ctx = Context(self, around.scope, action)
+        ctx.owner, ctx.this = owner, self.objects.instance_of(owner)
+        ctx.used, ctx.written = around.used, around.written
+        self._contexts[action] = ctx
 
     def _enable_variables(self, ctx: Context, node: ast.Block) -> list[Variable]:
         """What the block has because it speaks of ENO, if it does not declare that itself."""
@@ -329,9 +412,8 @@ class Library:
         resolved = self.types.resolve(ctx, node.return_type)
         if resolved.type == VOID:
             return None
-        return Variable(
-            node.name.span, node.name.name, VariableKind.RESULT, resolved.type, resolved.initial
-        )
+        name = node.name.name.removesuffix(".GET").rpartition(".")[2]
+        return Variable(node.name.span, name, VariableKind.RESULT, resolved.type, resolved.initial)
 
     def name_of_shared(self, name: str) -> str:
         """The global name of a VAR_STAT of the block whose interface is being resolved.
@@ -344,7 +426,7 @@ class Library:
         """All blocks of the text by casefolded name, their interfaces resolved."""
         for node in self._syntax.values():
             self.user_block(node.name.name)
-        return self._blocks
+        return {**self._blocks, **self.objects.written_blocks()}
 
     def context_of(self, block: Block) -> Context:
         """The context in which the block's statements are checked."""

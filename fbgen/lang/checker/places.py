@@ -26,6 +26,7 @@ from fbgen.lang.checker.enumerations import (
 )
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, NULL, erroneous
+from fbgen.lang.checker.members import of_owner, own_variable, read_property, read_special
 from fbgen.lang.checker.symbols import NamedConstant, Symbol
 from fbgen.lang.types import (
     BOOL,
@@ -69,7 +70,7 @@ def find_symbol(ctx: Context, node: ast.Name) -> Symbol | None:
         return ctx.local(key)
     if node.quoted:
         return ctx.of_program(key) or ctx.local(key)
-    return ctx.local(key) or ctx.of_program(key)
+    return ctx.local(key) or ctx.of_owner(key) or ctx.of_program(key)
 
 
 def names_block(ctx: Context, node: ast.Name) -> bool:
@@ -90,6 +91,10 @@ def names_block(ctx: Context, node: ast.Name) -> bool:
 def check_name(ctx: Context, node: ast.Name, expected: Type | None = None) -> Expression:
     """A variable, or the value of a named constant or enumerator."""
     symbol = find_symbol(ctx, node)
+    if ctx.owner is not None and not node.quoted and ctx.local(node.name.casefold()) is None:
+        found = of_owner(ctx, node) or (read_property(ctx, node) if symbol is None else None)
+        if found is not None:
+            return found
     if symbol is None:
         enumerator = None if node.local else bare_enumerator(ctx, node, expected)
         if enumerator is not None:
@@ -149,7 +154,9 @@ def _near_names(ctx: Context, node: ast.Name) -> str:
 
 
 def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) -> Expression:
-    """A part of a structure, or a variable of an instance."""
+    """A part of a structure, a variable of an instance, or a property of one."""
+    if ctx.this is not None and (own := own_variable(ctx, node) or read_special(ctx, node)):
+        return own
     named = enumeration_named(ctx, node.base)
     if named is not None and isinstance(node.base, ast.Name) and not find_symbol(ctx, node.base):
         return enumerator_value(ctx, node.span, named, node.name)
@@ -166,6 +173,9 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
         found = _instance_variable(ctx, node, kind)
         if found is not None:
             return FieldRef(node.span, as_place(base), found.name, found.type)
+        asked = read_property(ctx, node)
+        if asked is not None:
+            return asked
         known = [part.name for part in ctx.library.variables_of(kind) if part.kind in _PARAMETERS]
     else:
         ctx.findings.error(

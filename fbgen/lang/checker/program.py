@@ -102,6 +102,7 @@ def _check(files: Sequence[ast.File], library: Library) -> tuple[Program, Librar
     library.types.all_user_types()
     library.declare_globals()
     blocks = library.all_blocks()
+    library.objects.check_blocks()
     bodies: dict[Block, tuple[Statement, ...]] = {}
     for block in blocks.values():
         library.context_of(block).resolve_all()

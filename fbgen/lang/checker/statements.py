@@ -11,11 +11,12 @@ from fbgen.lang import ast, checked
 from fbgen.lang.checked import Constant, Expression, Statement
 from fbgen.lang.checker.assignments import check_assignment
 from fbgen.lang.checker.calls import (
+    body_call,
     function_call,
     instance_call,
     is_built_in,
+    method_call,
     system_call,
-    unknown_callee,
 )
 from fbgen.lang.checker.coercion import as_typed, coerce, spelled
 from fbgen.lang.checker.context import Context
@@ -24,12 +25,15 @@ from fbgen.lang.checker.enabling import enabled, speaks_of_enable
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.jumps import check_goto, check_label
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.members import Receiver, called_member
 from fbgen.lang.checker.memory_access import check_poke, memory_access_named
+from fbgen.lang.checker.objects import Method
 from fbgen.lang.checker.places import names_block
 from fbgen.lang.checker.routine_calls import is_routine, routine
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.system_instructions import instruction_named
 from fbgen.lang.checker.targets import check_target
+from fbgen.lang.checker.unknown_callees import unknown_callee
 from fbgen.lang.types import BOOL, Elementary, Family, counting_type
 from fbgen.source import Span
 
@@ -55,6 +59,9 @@ def _call(ctx: Context, node: ast.CallStatement) -> Sequence[Statement]:
 
 
 def _plain_call(ctx: Context, node: ast.CallStatement, call: ast.Call) -> Sequence[Statement]:
+    member = called_member(ctx, call)
+    if member is not None:
+        return _member_statement(ctx, node.span, call, *member)
     callee = call.callee
     if not isinstance(callee, ast.Name) or not names_block(ctx, callee):
         instance = instance_call(ctx, call)
@@ -98,6 +105,16 @@ def _unused(ctx: Context, span: Span, name: str) -> None:
         span,
         f"assign it: x := {name}(...);",
     )
+
+
+def _member_statement(
+    ctx: Context, span: Span, call: ast.Call, receiver: Receiver, member: Method | checked.Block
+) -> Sequence[Statement]:
+    if isinstance(member, Method):
+        function = method_call(ctx, call, receiver, member)
+        return () if function is None else (checked.Evaluate(span, function),)
+    body = body_call(ctx, call, receiver, member)
+    return () if body is None else (body,)
 
 
 def _system_statement(

@@ -47,6 +47,9 @@ def _may_be_written(ctx: Context, place: Place, where: str) -> bool:
     while isinstance(base, FieldRef | IndexRef | SliceRef):
         inner = base.base
         if isinstance(base, FieldRef) and isinstance(inner.type, BlockType):
+            if isinstance(inner, VariableRef) and inner.variable in ctx.library.receivers:
+                own = _member(ctx, base, inner.type)
+                return _variable_may_be_written(ctx, VariableRef(base.span, own, own.type), where)
             return _member_may_be_written(ctx, base, inner.type, where)
         base = inner
     if isinstance(base, Dereference):
@@ -89,8 +92,12 @@ def _report_input(ctx: Context, ref: VariableRef, variable: Variable, where: str
     return False
 
 
+def _member(ctx: Context, field: FieldRef, instance: BlockType) -> Variable:
+    return next(one for one in ctx.library.variables_of(instance) if one.name == field.name)
+
+
 def _member_may_be_written(ctx: Context, field: FieldRef, instance: BlockType, where: str) -> bool:
-    variable = next(one for one in ctx.library.variables_of(instance) if one.name == field.name)
+    variable = _member(ctx, field, instance)
     if variable.kind in (VariableKind.INPUT, VariableKind.IN_OUT):
         return True
     message = f"{where} writes {variable.kind.value} '{field.name}' of {instance.name} from outside"

@@ -171,10 +171,19 @@ class TypeResolver:
         if elementary is not None:
             return Resolved(elementary)
         key = name.casefold()
-        if key in self._declared:
-            return self._user_type(key, span)
+        full = self._library.key_of(name)
+        if full in self._declared:
+            return self._user_type(full, span)
         if key == "dtl" and not quoted and self._library.rules.dialect == "tia":
             return Resolved(DTL)
+        if self._library.objects.interface(name) is not None:
+            self._library.findings.error(
+                "FB4054",
+                f"variables of the interface type '{name}' are not supported",
+                span,
+                "use the type of the function block that implements it",
+            )
+            return Resolved(ERRONEOUS)
         block = self._library.block_type(name)
         if block is not None:
             return Resolved(block)

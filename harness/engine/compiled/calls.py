@@ -125,6 +125,19 @@ def _result_code(procedure: Procedure, text: str, node: FunctionCall, codes: lis
     return Code(text, low=low, high=high, depth=deepest(codes) + 1, safe=False, pure=False)
 
 
+def _callee(procedure: Procedure, node: FunctionCall) -> str:
+    """The function that is called; of several methods the class of the instance says which."""
+    model = procedure.context.model
+    if not node.overrides:
+        return model.name_of(node.function)
+    methods = ", ".join(
+        f"{model.record_named(name).class_name}: {model.name_of(method)}"
+        for name, method in node.overrides
+    )
+    instance = value(procedure, node.in_outs[0][1]).text
+    return f"{{{methods}}}[_type({instance})]"
+
+
 def _function(procedure: Procedure, node: FunctionCall) -> Code:
     """A call inside of an expression."""
     facts = procedure.context.facts
@@ -143,7 +156,7 @@ def _function(procedure: Procedure, node: FunctionCall) -> Code:
     codes = [_input(procedure, variable, one, node.function) for variable, one in node.inputs]
     texts = [code.text for code in codes]
     texts += [in_out.text for in_out in in_out_arguments(procedure, node.in_outs, node.function)]
-    text = f"{procedure.context.model.name_of(node.function)}({', '.join(texts)})"
+    text = f"{_callee(procedure, node)}({', '.join(texts)})"
     if facts.counts_depth(node.function):
         procedure.site(text, node)
     if len(shape.returned) > 1:
@@ -158,7 +171,7 @@ def function_statement(procedure: Procedure, node: FunctionCall) -> Code | None:
     texts = [_input(procedure, variable, one, node.function).text for variable, one in node.inputs]
     in_outs = in_out_arguments(procedure, node.in_outs, node.function)
     texts += [in_out.text for in_out in in_outs]
-    text = f"{procedure.context.model.name_of(node.function)}({', '.join(texts)})"
+    text = f"{_callee(procedure, node)}({', '.join(texts)})"
     if facts.counts_depth(node.function):
         procedure.site(text, node)
     if not shape.returned:

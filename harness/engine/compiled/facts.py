@@ -122,10 +122,10 @@ class Facts:
             return False
         foreign = False
         for node in every_node(body):
+            foreign = foreign or _hands_on_this(node)
             if any(root_of(place) is variable for place in written_places(node)):
                 return False
-            callee = _callee(node)
-            if callee is not None and self._found[callee].globals:
+            if any(self._found[callee].globals for callee in _callees(node)):
                 foreign = True
         return variable.kind in (VariableKind.TEMP, VariableKind.RESULT) or not foreign
 
@@ -139,8 +139,10 @@ class Facts:
             return set()
         private = variables - self.cells - self.referenced - self._in_bytes
         for node in every_node(body):
-            callee = _callee(node)
-            if callee is not None and any(_has_blocks(v.type) for v in self._found[callee].globals):
+            if _hands_on_this(node):
+                return set()
+            touched = [one for callee in _callees(node) for one in self._found[callee].globals]
+            if any(_has_blocks(one.type) for one in touched):
                 return set()
             if isinstance(node, FunctionCall | RoutineCall):
                 # A call inside of an expression may write in a function of its own.
@@ -186,6 +188,9 @@ class Facts:
                 case FunctionCall():
                     found.callees.add(node.function)
                     sites += _sites(block, node.function, node.in_outs, [])
+                    for _, override in node.overrides:
+                        found.callees.add(override)
+                        self.cells |= _single_in_outs(override)
                 case InstanceCall():
                     if isinstance(node.block, Block):
                         found.callees.add(node.block)
@@ -262,6 +267,8 @@ class Facts:
         assert site.callee is not None
         if root in site.other_roots or root in self._in_bytes:
             return True
+        if any(one is not None and one.kind is VariableKind.THIS for one in site.other_roots):
+            return True
         touched = self._found[site.callee].globals
         if root.kind is VariableKind.GLOBAL:
             return root in touched
@@ -278,6 +285,14 @@ def _is_in_bytes(place: Place) -> bool:
         place = place.base
     return isinstance(place, MemoryRef) or (
         isinstance(place, AddressRef) and place.address.area == "DB"
+    )
+
+
+def _hands_on_this(node: Node) -> bool:
+    """True for a call that can write every variable of the instance it stands in."""
+    return isinstance(node, FunctionCall | InstanceCall) and any(
+        root is not None and root.kind is VariableKind.THIS
+        for root in map(root_of, written_places(node))
     )
 
 
@@ -305,12 +320,22 @@ def _sites(
     return sites
 
 
-def _callee(node: Node) -> Block | None:
+def _callees(node: Node) -> list[Block]:
+    """The blocks of the user that a node itself may call."""
     if isinstance(node, FunctionCall):
-        return node.function
+        return [node.function, *(override for _, override in node.overrides)]
     if isinstance(node, InstanceCall) and isinstance(node.block, Block):
-        return node.block
-    return None
+        return [node.block]
+    return []
+
+
+def _single_in_outs(block: Block) -> set[Variable]:
+    """The in-outs that are single values: with several callees all of them are references."""
+    return {
+        variable
+        for variable in block.variables
+        if variable.kind is VariableKind.IN_OUT and is_scalar(variable.type)
+    }
 
 
 def _nests_deeper(calls: Mapping[Block, set[Block]], limit: int) -> bool:

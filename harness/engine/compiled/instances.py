@@ -43,7 +43,10 @@ def _user_block(procedure: Procedure, instance: str, node: InstanceCall, block: 
     slots = {one: record.by_key[one.variable.name.casefold()].slot for one in in_outs}
     for in_out, slot in slots.items():
         procedure.line(f"{instance}.{slot} = {in_out.text}")
-    procedure.line(f"{instance}._run()")
+    if node.instance.type.name.casefold() == block.name.casefold():
+        procedure.line(f"{instance}._run()")
+    else:
+        procedure.line(f"{record.class_name}._run({instance})")
     for in_out, slot in slots.items():
         if in_out.variable in procedure.context.facts.cells:
             # From outside, the in-out shows what the call left, whatever the caller does now.

@@ -158,6 +158,10 @@ class Model:
         if isinstance(kind, StructType):
             self.record_of(kind)
 
+    def record_named(self, name: str) -> Record:
+        """The record of a block that keeps its variables, by name."""
+        return self._records[name.casefold()]
+
     def block_record(self, block: AnyBlock) -> Record:
         """The record of a block that keeps its variables."""
         return self._records[block.name.casefold()]

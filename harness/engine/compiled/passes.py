@@ -57,7 +57,8 @@ def _of_nodes(
                 inside = times * passes
                 total += inside
             case FunctionCall() if times:
-                total += times * _of_block(node.function, program, facts, known)
+                meant = [node.function, *(override for _, override in node.overrides)]
+                total += times * max(_of_block(one, program, facts, known) for one in meant)
             case InstanceCall() if times and isinstance(node.block, Block):
                 total += times * _of_block(node.block, program, facts, known)
             case _:

@@ -208,6 +208,8 @@ class Procedure:
 
     def _storage(self, variable: Variable) -> str:
         context = self.context
+        if variable.kind is VariableKind.THIS:
+            return "self"
         if variable.kind is VariableKind.GLOBAL:
             return context.model.global_name(variable)
         if variable.kind not in (VariableKind.TEMP, VariableKind.RESULT) and has_memory(
@@ -226,6 +228,10 @@ class Procedure:
 
     def forget(self, written: Set[Variable | None]) -> None:
         """What was known of these variables holds no longer."""
+        if any(one is not None and one.kind is VariableKind.THIS for one in written):
+            # A method of the instance may write all that lives on.
+            own = (VariableKind.TEMP, VariableKind.RESULT)
+            self.known = {one: known for one, known in self.known.items() if one.kind in own}
         if not written.isdisjoint(self.known):
             self.known = {
                 variable: interval

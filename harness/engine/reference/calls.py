@@ -87,11 +87,17 @@ class Calls:
                 arguments.storages[variable] = self._allocator.variable(variable)
         self._run_body(block, arguments, span)
 
-    def run_instance(self, instance: InstanceStorage, span: Span | None) -> None:
-        """A block with variables that live on; its inputs and in-outs have been set."""
-        block = instance.block
+    def run_instance(
+        self, instance: InstanceStorage, span: Span | None, body: Block | None = None
+    ) -> None:
+        """A block with variables that live on; its inputs and in-outs have been set.
+
+        `body` is the block whose statements run, if it is not that of the instance.
+        """
+        block = body or instance.block
         assert isinstance(block, Block)
         frame = self.frame(block)
+        frame.instance = instance
         for variable in block.variables:
             key = variable.name.casefold()
             if variable in frame.storages:
@@ -118,20 +124,29 @@ class Calls:
             self._depth -= 1
 
     def _call_function(self, call: FunctionCall, frame: Frame) -> Value | None:
-        inner = self.frame(call.function)
-        for variable, expression in call.inputs:
-            argument = self._argument(variable, expression, frame)
+        inputs = [
+            (variable, self._argument(variable, expression, frame))
+            for variable, expression in call.inputs
+        ]
+        in_outs = [(variable, self._places.find(place, frame)) for variable, place in call.in_outs]
+        function = call.function
+        if call.overrides:
+            function = _meant(call, in_outs[0][1])
+        inner = self.frame(function)
+        own = {variable.name.casefold(): variable for variable in function.variables}
+        for parameter, argument in inputs:
+            variable = own[parameter.name.casefold()]
             if variable in inner.storages:
                 inner.storages[variable].write(argument.read())
             else:
                 inner.storages[variable] = argument
-        for variable, place in call.in_outs:
-            inner.storages[variable] = self._places.find(place, frame)
-        self.run_function(call.function, inner, call.span)
+        for parameter, storage in in_outs:
+            inner.storages[own[parameter.name.casefold()]] = storage
+        self.run_function(function, inner, call.span)
         for variable, place in call.outputs:
-            value = inner.storages[variable].read()
+            value = inner.storages[own[variable.name.casefold()]].read()
             self._places.find(place, frame).write(value)
-        result = call.function.result
+        result = function.result
         return None if result is None else inner.storages[result].read()
 
     def call_routine(self, call: RoutineCall, frame: Frame) -> Value | None:
@@ -195,7 +210,7 @@ class Calls:
         if isinstance(call.block, StandardBlock):
             self.run_standard(instance, call.block)
         else:
-            self.run_instance(instance, call.span)
+            self.run_instance(instance, call.span, call.block)
         self._disconnect(instance)
         for variable, place in call.outputs:
             value = instance.parts[variable.name.casefold()].read()
@@ -213,3 +228,9 @@ class Calls:
 
     def _index(self, expression: Expression, frame: Frame) -> int:
         return self._expressions.integer(expression, frame)
+
+
+def _meant(call: FunctionCall, instance: Storage) -> Block:
+    """The method that the block of the instance has."""
+    assert isinstance(instance, InstanceStorage)
+    return dict(call.overrides)[instance.block.name]

@@ -7,11 +7,15 @@ from harness.engine.reference.storage import Storage
 
 
 class Frame:
-    """The variables of one call of a block: their storages, by declaration."""
+    """The variables of one call of a block: their storages, by declaration.
 
-    __slots__ = ("storages",)
+    `instance` is there in the body of a block that keeps its variables.
+    """
+
+    __slots__ = ("instance", "storages")
 
     def __init__(self) -> None:
+        self.instance: Storage | None = None
         self.storages: dict[Variable, Storage] = {}
 
     def find(self, variable: Variable, span: Span) -> Storage:

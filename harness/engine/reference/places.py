@@ -98,6 +98,9 @@ class Places:
             case VariableRef():
                 if place.variable.kind is VariableKind.GLOBAL:
                     return self._globals[place.variable]
+                if place.variable.kind is VariableKind.THIS:
+                    assert frame.instance is not None
+                    return frame.instance
                 return frame.find(place.variable, place.span)
             case FieldRef():
                 return self._part(self.find(place.base, frame), place)

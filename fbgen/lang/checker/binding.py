@@ -1,0 +1,181 @@
+"""The arguments of a call of a block, checked against its variables."""
+
+from collections.abc import Sequence
+
+from fbgen.lang import ast
+from fbgen.lang.checked import (
+    AnyBlock,
+    Block,
+    Constant,
+    Expression,
+    Place,
+    Variable,
+    VariableKind,
+)
+from fbgen.lang.checker.arguments import Bound, bind
+from fbgen.lang.checker.coercion import coerce, spelled
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.conversions import keeps_representation
+from fbgen.lang.checker.enabling import ENABLED
+from fbgen.lang.checker.evaluation import check_expression
+from fbgen.lang.checker.literals import default_value
+from fbgen.lang.checker.targets import check_target
+from fbgen.lang.checker.unknown_callees import (
+    check_arguments_alone,
+)
+from fbgen.lang.types import (
+    Elementary,
+    OpenArrayType,
+    StringType,
+    Type,
+)
+
+_PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)
+_ARROW = ast.ArgumentKind.OUTPUT
+
+
+def with_defaults(
+    ctx: Context, node: ast.Call, block: Block, bound: Bound
+) -> tuple[tuple[Variable, Expression], ...] | None:
+    """All inputs in their order, those that were left out with their initial values."""
+    given = dict(bound.inputs)
+    inputs = []
+    missing = []
+    for variable in block.variables:
+        if variable.kind is not VariableKind.INPUT:
+            continue
+        kind = variable.type
+        if variable in given:
+            inputs.append((variable, given[variable]))
+        elif ctx.rules.inputs_complete or not isinstance(kind, Elementary | StringType):
+            missing.append(variable.name)
+        else:
+            value = variable.initial if variable.initial is not None else default_value(kind)
+            assert isinstance(value, bool | int | float | str)
+            inputs.append((variable, Constant(node.span, value, kind)))
+    if not missing:
+        return tuple(inputs)
+    report_missing(ctx, node, block.name, missing)
+    return None
+
+
+def report_missing(ctx: Context, node: ast.Call, name: str, missing: Sequence[str]) -> None:
+    ctx.findings.error(
+        "FB4040",
+        f"the call of {name} leaves out {', '.join(missing)}",
+        node.span,
+        f"add {', '.join(f'{parameter} := ...' for parameter in missing)}",
+    )
+
+
+def bind_variables(
+    ctx: Context, node: ast.Call, name: str, block: AnyBlock, by_assignment: bool
+) -> Bound | None:
+    implicit = ctx.library.implicit
+    own_eno = next((one for one in block.variables if one in implicit), None)
+    parameters = [
+        (variable.name, variable)
+        for variable in block.variables
+        if variable.kind in _PARAMETERS
+        and variable is not own_eno
+        and variable not in ctx.library.receivers
+    ]
+    status = None
+    if own_eno is not None:
+        # It may stand beside arguments without names.
+        status = next((one for one in node.arguments if one.name.casefold() == ENABLED), None)
+        rest = tuple(one for one in node.arguments if one is not status)
+        node = ast.Call(node.span, node.callee, rest)
+    bound = bind(ctx, node, name, parameters)
+    if bound is None:
+        check_arguments_alone(ctx, node)
+        return None
+    inputs: list[tuple[Variable, Expression]] = []
+    in_outs: list[tuple[Variable, Place]] = []
+    outputs: list[tuple[Variable, Place]] = []
+    complete = True
+    if own_eno is not None and status is not None:
+        bound.append((own_eno, status))
+    for variable, argument in bound:
+        if argument.value is None:
+            continue
+        where = f"parameter {variable.name} of {name}"
+        if _wrong_way(ctx, variable, argument, by_assignment):
+            complete = False
+        elif variable.kind is VariableKind.INPUT:
+            value = check_expression(ctx, argument.value, variable.type)
+            inputs.append((variable, coerce(ctx, value, variable.type, where)))
+        elif variable.kind is VariableKind.IN_OUT:
+            place = _in_out(ctx, argument.value, variable, where)
+            complete = complete and place is not None
+            if place is not None:
+                in_outs.append((variable, place))
+        else:
+            place = _output(ctx, argument.value, variable.type, where)
+            complete = complete and place is not None
+            if place is not None:
+                outputs.append((variable, place))
+    given = {variable for variable, _ in bound}
+    missing = [
+        variable.name
+        for variable in block.variables
+        if variable.kind is VariableKind.IN_OUT
+        and variable not in given
+        and variable not in ctx.library.receivers
+    ]
+    if missing:
+        report_missing(ctx, node, name, missing)
+        return None
+    return Bound(tuple(inputs), tuple(in_outs), tuple(outputs)) if complete else None
+
+
+def _wrong_way(
+    ctx: Context, variable: Variable, argument: ast.Argument, by_assignment: bool
+) -> bool:
+    if argument.kind is ast.ArgumentKind.POSITIONAL:
+        return False
+    is_output = variable.kind is VariableKind.OUTPUT
+    if (argument.kind is _ARROW) == is_output:
+        return False
+    if is_output and by_assignment and ctx.rules.outputs_by_assignment:
+        return False
+    right = "=>" if is_output else ":="
+    ctx.findings.error(
+        "FB4041",
+        f"{variable.kind.value} '{variable.name}' is given by {argument.kind.value}",
+        argument.span,
+        f"write {variable.name} {right} ...",
+    )
+    return True
+
+
+def _in_out(ctx: Context, node: ast.Expression, variable: Variable, where: str) -> Place | None:
+    place = check_target(ctx, node, where)
+    if place is None:
+        return None
+    kind = variable.type
+    if place.type != kind and not (isinstance(kind, OpenArrayType) and kind.takes(place.type)):
+        ctx.findings.error(
+            "FB4010",
+            f"{where} works on the variable itself and takes exactly {spelled(variable.type)},"
+            f" not {spelled(place.type)}",
+            node.span,
+            "copy the value to a variable of that type before the call, and back behind it",
+        )
+        return None
+    return place
+
+
+def _output(ctx: Context, node: ast.Expression, source: Type, where: str) -> Place | None:
+    place = check_target(ctx, node, where)
+    if place is None:
+        return None
+    if not keeps_representation(source, place.type):
+        ctx.findings.error(
+            "FB4010",
+            f"{where} gives {spelled(source)}, which {spelled(place.type)} cannot take",
+            node.span,
+            "take it into a variable of that type, then convert it",
+        )
+        return None
+    return place

@@ -1,0 +1,59 @@
+"""What to say about calls of what does not exist, or cannot be called like that."""
+
+from fbgen.lang import ast
+from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.evaluation import check_expression
+from fbgen.lang.checker.routines import MODELLED
+from fbgen.lang.checker.standard_blocks import standard_block
+from fbgen.lang.checker.standard_functions import OPERATORS_BY_NAME, STANDARD_FUNCTIONS
+from fbgen.lang.checker.system_instructions import INSTRUCTIONS
+from fbgen.nearest import nearest
+
+_NOT_RUN = ("__NEW", "__DELETE", "__QUERYINTERFACE", "__QUERYPOINTER")
+"""Operators of CODESYS and TwinCAT for memory and interfaces that are made while running."""
+
+
+def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
+    """Report the call of something that does not exist."""
+    if standard_block(name) is not None:
+        without_instance(ctx, node, name)
+        return
+    if name.upper() in _NOT_RUN:
+        message = f"{name.upper()} is read and printed, but cannot run"
+        help_text = "declare the instances that the program needs as variables"
+        ctx.findings.error("FB4054", message, node.callee.span, help_text)
+        return
+    ctx.findings.unknown(
+        "FB4004",
+        f"there is no function or block '{name}'",
+        node.callee.span,
+        lambda: nearest(name, _callable_names(ctx)),
+    )
+    check_arguments_alone(ctx, node)
+
+
+def _callable_names(ctx: Context) -> list[str]:
+    return [
+        *ctx.library.block_names(),
+        *STANDARD_FUNCTIONS,
+        *OPERATORS_BY_NAME,
+        *(instruction.name for instruction in INSTRUCTIONS.values()),
+        *MODELLED,
+    ]
+
+
+def check_arguments_alone(ctx: Context, node: ast.Call) -> None:
+    """The arguments of a call of something unknown: their own mistakes are reported."""
+    for argument in node.arguments:
+        if argument.value is not None:
+            check_expression(ctx, argument.value)
+
+
+def without_instance(ctx: Context, node: ast.Call, name: str) -> None:
+    """Report a function block that is called by its own name."""
+    ctx.findings.error(
+        "FB4045",
+        f"{name} is a function block and is called through an instance",
+        node.span,
+        f"declare one: inst{name} : {name}; and call inst{name}(...)",
+    )
