@@ -67,6 +67,9 @@ def with_values(
 ) -> DiagnosticError:
     """The failure with one note for each place that can still be read, in the order of the text."""
     diagnostic = failure.diagnostics[0]
+    if diagnostic.code == "FB6004":
+        # Which pass was stopped is up to the engine: it may count them before the loop begins.
+        return failure
     notes: dict[str, tuple[tuple[int, int], Note]] = {}
     for place, read in found:
         name = place.span.text
