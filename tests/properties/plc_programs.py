@@ -20,6 +20,7 @@ class Writer:
     mark: str
     loops: int = 0
     labels: list[str] = field(default_factory=list)
+    types: tuple[str, ...] = TYPES
     label_count: int = 0
     writable: dict[str, list[str]] = field(default_factory=dict)
     readable: dict[str, list[str]] = field(default_factory=dict)
@@ -90,7 +91,7 @@ class Writer:
         return f"({left} {operator} {self.expression(kind, depth)})"
 
     def _comparison(self, kind: str, depth: int) -> str:
-        compared = self.one_of(TYPES)
+        compared = self.one_of(self.types)
         operators = ("=", "<>") if compared == "BOOL" else ("=", "<>", "<", ">", "<=", ">=")
         left, right = self.expression(compared, depth), self.expression(compared, depth)
         return f"({left} {self.one_of(operators)} {right})"
@@ -159,18 +160,22 @@ class Writer:
         return f"{name}({operand})"
 
     def _conversion(self, kind: str, depth: int) -> str:
-        whole = (*SIGNED, *UNSIGNED)
+        whole = self._known((*SIGNED, *UNSIGNED))
+        bits, reals = self._known(BITS), self._known(REALS)
         if kind == "BOOL":
-            source = self.one_of(BITS)
+            source = self.one_of(bits)
         elif kind in REALS:
-            source = self.one_of((*whole, *(real for real in REALS if real != kind)))
+            source = self.one_of((*whole, *(real for real in reals if real != kind)))
         elif kind == "TIME":
             source = "DINT"
         elif kind in BITS:
-            source = self.one_of(tuple(one for one in (*whole, *BITS, "BOOL") if one != kind))
+            source = self.one_of(tuple(one for one in (*whole, *bits, "BOOL") if one != kind))
         else:
-            source = self.one_of(tuple(one for one in (*whole, *BITS, *REALS) if one != kind))
+            source = self.one_of(tuple(one for one in (*whole, *bits, *reals) if one != kind))
         return f"{source}_TO_{kind}({self.expression(source, depth)})"
+
+    def _known(self, kinds: Sequence[str]) -> tuple[str, ...]:
+        return tuple(kind for kind in kinds if kind in self.types)
 
     def _text(self, kind: str, depth: int) -> str:
         text = self.expression("STRING", depth)
@@ -207,7 +212,7 @@ class Writer:
         return kinds[self.number(0, len(kinds) - 1)](depth - 1, indent)
 
     def _assignment(self, depth: int, indent: str) -> str:
-        kind = self.one_of(TYPES)
+        kind = self.one_of(self.types)
         target = self.one_of(self.writable[kind])
         return f"{indent}{target} := {self.expression(kind, 3)};\n"
 

@@ -165,6 +165,21 @@ def constant_of(ctx: Context, node: ast.Expression, target: Type, where: str) ->
     return None
 
 
+def untyped_constant(ctx: Context, node: ast.Expression, where: str) -> Constant | None:
+    """A constant with the type that its literals give it, if any; None after reporting."""
+    expression = check_expression(ctx, node)
+    if isinstance(expression, Constant):
+        return expression
+    if expression.type != ERRONEOUS:
+        ctx.findings.error(
+            "FB4017",
+            f"{where} has to be constant",
+            node.span,
+            "use literals and the names of constants only",
+        )
+    return None
+
+
 def whole_number(ctx: Context, node: ast.Expression, where: str) -> int | None:
     """The value of a constant expression of any integer type; None after reporting."""
     expression = check_expression(ctx, node)

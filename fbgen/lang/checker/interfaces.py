@@ -10,7 +10,7 @@ from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Address, Variable, VariableKind
 from fbgen.lang.checker.coercion import spelled
-from fbgen.lang.checker.constants import constant_of
+from fbgen.lang.checker.constants import constant_of, untyped_constant
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.overlays import Home, check_overlay, overlay_kind
@@ -106,6 +106,8 @@ class Interfaces:
         declared: ast.DeclaredName,
         block: BlockKind | None,
     ) -> NamedConstant | Variable:
+        if isinstance(declaration.type, ast.NamedType) and not declaration.type.name:
+            return self._classic_constant(ctx, declaration, declared)
         resolved = self._library.types.resolve(ctx, declaration.type)
         kind = resolved.type
         if declaration.initial is None and kind != ERRONEOUS:
@@ -131,6 +133,17 @@ class Interfaces:
         if block is not None:
             where = VariableKind.TEMP if block in _WITHOUT_MEMORY else VariableKind.STATIC
         return Variable(declared.span, declared.name, where, kind, initial)
+
+    def _classic_constant(
+        self, ctx: Context, declaration: ast.Declaration, declared: ast.DeclaredName
+    ) -> NamedConstant:
+        """A constant of a CONST section: it stands for its value, a number without type too."""
+        assert declaration.initial is not None
+        where = f"the value of constant '{declared.name}'"
+        value = untyped_constant(ctx, declaration.initial, where)
+        if value is None:
+            return NamedConstant(declared.span, declared.name, ERRONEOUS, 0)
+        return NamedConstant(declared.span, declared.name, value.type, value.value)
 
     # --- variables ----------------------------------------------------------------------------
 

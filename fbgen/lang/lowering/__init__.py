@@ -17,6 +17,7 @@ from fbgen.lang.dialects import dialect_named
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.plant import PlantText
 from fbgen.lang.lowering.schedule import Schedule
+from fbgen.lang.lowering.target import TARGETS
 from fbgen.lang.lowering.units import lower_units
 
 __all__ = ["Schedule", "lower", "lower_files"]
@@ -34,22 +35,22 @@ def lower_files(files: Sequence[File], target: str, schedule: Schedule | None = 
     FB3011 unknown dialect, FB3054 no way from one dialect to the other, FB3050 names, FB3051 what
     has no counterpart, FB3052 types, FB3053 functions that would need global data.
     """
-    rules = dialect_named(target)
+    dialect_named(target)
     if not files:
         raise ValueError("no files to lower")
     dialects = {file.dialect for file in files}
     if dialects == {target} and len(files) == 1:
         return files[0]
-    if dialects != {"tia"} or target != "iec":
+    if dialects != {"tia"} or target not in TARGETS:
         raise error(
             "FB3054",
             f"cannot convert from {', '.join(sorted(dialects))} to {target}",
-            help="text is written in dialect tia and converted to iec",
+            help="text is written in dialect tia and lowered to " + " or ".join(TARGETS),
         )
-    findings = Findings()
+    findings = Findings(target)
     plant = PlantText(files)
     with room_for_depth():
-        units = lower_units(plant, rules, schedule or Schedule(), findings)
+        units = lower_units(plant, TARGETS[target], schedule or Schedule(), findings)
     if findings.all:
         raise DiagnosticError(findings.all)
     closing = tuple(trivia for file in files for trivia in file.closing)

@@ -45,7 +45,7 @@ def lower_block(context: Context, block: Block) -> Block:
     result: TypeSpec | None = None
     if is_function and block.return_type is not None:
         result, statements = _result(types, block, name, statements)
-    if is_function and body.used_globals:
+    if is_function and body.used_globals and not context.target.has_free_globals:
         _refuse_global_data(context, block)
     leading, comments = _comments(block)
     kind = BlockKind.PROGRAM if is_program else block.kind
@@ -112,7 +112,7 @@ def _unused(body: StatementLowering, block: Block, is_function: bool) -> list[Va
 
 def _externals(context: Context, body: StatementLowering, block: Block) -> list[VarSection]:
     """The global variables that the block uses."""
-    if not body.used_globals:
+    if not body.used_globals or context.target.has_free_globals:
         return []
     place = block.span
     declarations = tuple(

@@ -11,20 +11,21 @@ from fbgen.lang.ast import (
     TypeDeclaration,
     TypeSpec,
 )
-from fbgen.lang.dialects.dialect import Dialect
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.names import Names
 from fbgen.lang.lowering.plant import PlantText
+from fbgen.lang.lowering.target import Target
 from fbgen.lang.walk import walk
 
 
 class Context:
     """State of one lowering. `new_types` and `located_variables` grow while blocks are lowered."""
 
-    def __init__(self, plant: PlantText, dialect: Dialect, findings: Findings) -> None:
+    def __init__(self, plant: PlantText, target: Target, findings: Findings) -> None:
         self.plant = plant
+        self.target = target
         self.findings = findings
-        self.names = Names(dialect, findings)
+        self.names = Names(target.dialect, findings)
         self.new_types: list[TypeDeclaration] = []
         self.located_variables: dict[str, Declaration] = {}
         self.types_of_globals: dict[str, TypeSpec] = {}
@@ -56,13 +57,17 @@ class Context:
         return key
 
     def _find_programs(self) -> frozenset[str]:
-        """Organization blocks, and functions that reach global data themselves or by calls."""
+        """Organization blocks, and functions that reach global data where only programs may."""
         functions = {
             key: block
             for key, block in self.plant.blocks.items()
             if block.kind is BlockKind.FUNCTION
         }
-        reaching = {key for key, block in functions.items() if self._uses_global_data(block)}
+        reaching = {
+            key
+            for key, block in functions.items()
+            if not self.target.has_free_globals and self._uses_global_data(block)
+        }
         organization = {
             key
             for key, block in self.plant.blocks.items()

@@ -36,7 +36,7 @@ from fbgen.lang.lowering.spelling import (
     literal_text,
 )
 
-_HARDWARE_HINT = "put the access into a template of its own for dialect iec"
+_HARDWARE_HINT = "put the access into a block of its own for each dialect"
 
 
 class ExpressionLowering:
@@ -49,7 +49,11 @@ class ExpressionLowering:
 
     def expression(self, node: Expression) -> Expression:
         """The same in IEC. What cannot be said is reported and comes back as it was."""
-        return _LOWERERS[type(node)](self, node)
+        lowerer = _LOWERERS.get(type(node))
+        if lowerer is None:
+            self.context.findings.refuse(node.span.text, node.span, _HARDWARE_HINT)
+            return node
+        return lowerer(self, node)
 
     def constant(self, node: Expression) -> Expression:
         """An expression where IEC wants a literal: bounds, lengths, labels."""
@@ -79,7 +83,7 @@ class ExpressionLowering:
     # --- one method a kind of node ------------------------------------------------------------
 
     def _literal(self, node: Literal) -> Expression:
-        text = literal_text(node)
+        text = literal_text(node, self.context.target)
         if text is None:
             self.context.findings.refuse(
                 f"the literal {node.text}", node.span, "use a type that IEC has, such as TIME"
@@ -159,7 +163,9 @@ class ExpressionLowering:
             return Call(node.span, Name(callee.span, callee.name), arguments)
         if self.context.plant.is_data_block(callee):
             return Call(node.span, self._name(callee), arguments)
-        if not callee.quoted and (is_standard_function(upper) or upper in RENAMED_FUNCTIONS):
+        if not callee.quoted and (
+            is_standard_function(upper, self.context.target) or upper in RENAMED_FUNCTIONS
+        ):
             name = RENAMED_FUNCTIONS.get(upper, upper)
             return Call(node.span, Name(callee.span, name), arguments)
         self.context.findings.refuse(f"the instruction {callee.name}", callee.span, _HARDWARE_HINT)

@@ -5,9 +5,10 @@ from fbgen.source import Span
 
 
 class Findings:
-    """Collects diagnostics; the same message twice is one finding."""
+    """Collects diagnostics; the same message twice is one finding. `dialect` is the target."""
 
-    def __init__(self) -> None:
+    def __init__(self, dialect: str) -> None:
+        self.dialect = dialect
         self.all: list[Diagnostic] = []
         self._seen: set[tuple[str, str]] = set()
 
@@ -18,5 +19,5 @@ class Findings:
             self.all.append(Diagnostic(code, message, place, hint))
 
     def refuse(self, what: str, place: Span, hint: str) -> None:
-        """Note something that IEC 61131-3 has no counterpart for."""
-        self.report("FB3051", f"{what} has no counterpart in dialect iec", place, hint)
+        """Note something that the target has no counterpart for."""
+        self.report("FB3051", f"{what} has no counterpart in dialect {self.dialect}", place, hint)

@@ -13,6 +13,11 @@ from fbgen.source import Span
 _PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
 
+def is_identifier(name: str) -> bool:
+    """Whether IEC and classic STEP 7 take the name as it stands."""
+    return bool(_PLAIN.fullmatch(name)) and not name.endswith("_") and "__" not in name
+
+
 class Names:
     """Checks names and makes new ones that nobody uses yet."""
 
@@ -64,7 +69,7 @@ class Names:
         if name.startswith("_") or name.endswith("_") or "__" in name:
             return "has an underscore at its edge or two in a row"
         if name.upper() in self._dialect.reserved:
-            return "is a reserved word of dialect iec"
+            return f"is a reserved word of dialect {self._dialect.name}"
         if len(name) > self._dialect.identifier_length:
             return f"is longer than {self._dialect.identifier_length} characters"
         return ""

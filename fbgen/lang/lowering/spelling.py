@@ -8,6 +8,7 @@ import re
 
 from fbgen.lang.ast import Literal, LiteralKind
 from fbgen.lang.dialects.words import words
+from fbgen.lang.lowering.target import Target
 
 TYPES = {
     "TON_TIME": "TON",
@@ -19,10 +20,6 @@ TYPES = {
 }
 """Instances of system blocks that S7 names after their type of time or counter."""
 
-ELEMENTARY = words(
-    "BOOL BYTE WORD DWORD LWORD SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL TIME DATE "
-    "TIME_OF_DAY TOD DATE_AND_TIME DT"
-)
 STANDARD_BLOCKS = words("TON TOF TP CTU CTD CTUD R_TRIG F_TRIG SR RS")
 FUNCTIONS = words(
     "ABS SQRT LN LOG EXP SIN COS TAN ASIN ACOS ATAN EXPT ADD MUL SUB DIV MOD MOVE SHL SHR ROR ROL "
@@ -42,14 +39,13 @@ _UNITS = (
     ("us", 1_000),
     ("ns", 1),
 )
-_CONVERTIBLE = ELEMENTARY | {"STRING"}
 
 
-def is_standard_function(name: str) -> bool:
-    """Whether IEC has this function; the name is upper case."""
+def is_standard_function(name: str, target: Target) -> bool:
+    """Whether the target has this function; the name is upper case."""
     conversion = _CONVERSION.fullmatch(name)
     if conversion:
-        return conversion[1] in _CONVERTIBLE and conversion[2] in _CONVERTIBLE
+        return all(kind in target.elementary or kind == "STRING" for kind in conversion.groups())
     return name in FUNCTIONS
 
 
@@ -65,12 +61,15 @@ def duration_text(nanoseconds: int) -> str:
     return f"T#{sign}{''.join(parts) or '0ms'}"
 
 
-def literal_text(literal: Literal) -> str | None:
-    """How IEC writes a literal; None if it has no such literal."""
+def literal_text(literal: Literal, target: Target) -> str | None:
+    """How the target writes a literal; None if it has no such literal."""
     if literal.kind is LiteralKind.DURATION:
-        return duration_text(int(literal.value)) if literal.type_name == "TIME" else None
+        if literal.type_name not in target.elementary:
+            return None
+        text = duration_text(int(literal.value))
+        return text if literal.type_name == "TIME" else f"L{text}"
     if literal.type_name and literal.kind is not LiteralKind.STRING:
-        if literal.type_name not in ELEMENTARY:
+        if literal.type_name not in target.elementary:
             return None
         rest = literal.text.partition("#")[2]
         if rest.startswith("(") or literal.text[:2] in ("C#", "c#"):

@@ -31,9 +31,12 @@ from fbgen.lang.ast import (
     While,
 )
 from fbgen.lang.lowering.build import comment
+from fbgen.lang.lowering.chains import links
 from fbgen.lang.lowering.expressions import ExpressionLowering
 from fbgen.lang.lowering.slices import can_be_sliced, read_slice, write_slice
 from fbgen.lang.lowering.types import TypeLowering
+
+_SIMPLE = frozenset({":=", "+=", "-=", "*=", "/="})
 
 
 class StatementLowering(ExpressionLowering):
@@ -74,9 +77,11 @@ class StatementLowering(ExpressionLowering):
                 if statement.trailing:
                     waiting.append(statement.trailing)
             else:
-                leading = (*waiting, *statement.leading)
-                waiting.clear()
-                result.append(_LOWERERS[type(statement)](self, statement, leading))
+                pieces = links(statement) if isinstance(statement, Assignment) else (statement,)
+                for piece in pieces:
+                    leading = (*waiting, *piece.leading)
+                    waiting.clear()
+                    result.append(_LOWERERS[type(piece)](self, piece, leading))
 
     # --- simple statements --------------------------------------------------------------------
 
@@ -84,6 +89,11 @@ class StatementLowering(ExpressionLowering):
         if node.operator == "?=":
             self.context.findings.refuse(
                 "the assignment attempt ?=", node.span, "hand the variable over with its own type"
+            )
+            return node
+        if node.operator not in _SIMPLE:
+            self.context.findings.refuse(
+                f"the assignment {node.operator}", node.span, "hand the variable over as VAR_IN_OUT"
             )
             return node
         value = self.expression(node.value)
@@ -113,7 +123,7 @@ class StatementLowering(ExpressionLowering):
         if not isinstance(call, Call):
             return node
         result_type = self._result_of(node.call)
-        if not result_type:
+        if not result_type or self.context.target.drops_results:
             return CallStatement(node.span, call, leading, node.trailing)
         name = self.unused_results.setdefault(result_type, self._free(f"unused{result_type}"))
         target = Name(node.span, name)
@@ -147,15 +157,19 @@ class StatementLowering(ExpressionLowering):
         return "BOOL" if spec.name.upper() == "VOID" else spec.name.upper()
 
     def _jump(self, node: Jump, leading: TriviaList) -> Statement:
-        if node.keyword == "CONTINUE":
+        if node.keyword == "CONTINUE" and not self.context.target.has_continue:
             self.context.findings.refuse(
                 "CONTINUE", node.span, "put the rest of the loop into an IF"
             )
         return Jump(node.span, node.keyword, leading, node.trailing)
 
     def _goto(self, node: Goto | Label, leading: TriviaList) -> Statement:
-        self.context.findings.refuse("GOTO", node.span, "use IF, CASE, loops with EXIT, or RETURN")
-        return node
+        if not self.context.target.has_jumps:
+            hint = "use IF, CASE, loops with EXIT, or RETURN"
+            self.context.findings.refuse("GOTO", node.span, hint)
+        if isinstance(node, Goto):
+            return Goto(node.span, node.label, leading, node.trailing)
+        return Label(node.span, node.name, leading, node.trailing)
 
     # --- compound statements ------------------------------------------------------------------
 

@@ -18,7 +18,7 @@ from fbgen.lang.ast import (
 from fbgen.lang.lowering.context import Context
 from fbgen.lang.lowering.expressions import ExpressionLowering
 from fbgen.lang.lowering.plant import BlockScope
-from fbgen.lang.lowering.spelling import ELEMENTARY, STANDARD_BLOCKS, TYPES
+from fbgen.lang.lowering.spelling import STANDARD_BLOCKS, TYPES
 
 
 class TypeLowering:
@@ -86,11 +86,11 @@ class TypeLowering:
             return NamedType(spec.span, self.context.plant.blocks[key].name.name)
         if not spec.quoted:
             upper = TYPES.get(upper, upper)
-            if upper in ELEMENTARY or upper in STANDARD_BLOCKS:
+            if upper in self.context.target.elementary or upper in STANDARD_BLOCKS:
                 return NamedType(spec.span, upper)
         self.context.findings.report(
             "FB3052",
-            f"the type {spec.name} has no counterpart in dialect iec",
+            f"the type {spec.name} has no counterpart in dialect {self.context.findings.dialect}",
             spec.span,
             "use an elementary type of IEC 61131-3, or convert the file that declares it as well",
         )
@@ -100,7 +100,7 @@ class TypeLowering:
         if spec.wide:
             self.context.findings.report(
                 "FB3052",
-                "the type WSTRING has no counterpart in dialect iec",
+                f"the type WSTRING has no counterpart in dialect {self.context.findings.dialect}",
                 spec.span,
                 "use STRING",
             )

@@ -9,14 +9,15 @@ from fbgen.lang.ast import (
     Configuration,
     DataBlock,
     Declaration,
+    Globals,
     Name,
     NamedType,
     StructSpec,
     TypeDeclaration,
     TypeSpec,
     Unit,
+    VarSection,
 )
-from fbgen.lang.dialects.dialect import Dialect
 from fbgen.lang.lowering.blocks import header_comments, lower_block
 from fbgen.lang.lowering.configuration import configuration
 from fbgen.lang.lowering.context import Context
@@ -24,6 +25,7 @@ from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.globals import lower_data_block
 from fbgen.lang.lowering.plant import PlantText
 from fbgen.lang.lowering.schedule import Schedule
+from fbgen.lang.lowering.target import Target
 from fbgen.lang.lowering.types import TypeLowering
 from fbgen.lang.walk import walk
 
@@ -31,10 +33,10 @@ _KIND_ORDER = (BlockKind.FUNCTION, BlockKind.FUNCTION_BLOCK, BlockKind.PROGRAM)
 
 
 def lower_units(
-    plant: PlantText, dialect: Dialect, schedule: Schedule, findings: Findings
+    plant: PlantText, target: Target, schedule: Schedule, findings: Findings
 ) -> tuple[Unit, ...]:
     """Types, functions, function blocks, programs and, if there is need of one, a configuration."""
-    context = Context(plant, dialect, findings)
+    context = Context(plant, target, findings)
     types = [_type(context, one) for one in plant.types.values()]
     variables = [
         lower_data_block(context, unit) for unit in plant.units if isinstance(unit, DataBlock)
@@ -45,7 +47,10 @@ def lower_units(
     for kind in _KIND_ORDER:
         units += _ordered_blocks([block for block in blocks if block.kind is kind])
     programs = [block for block in blocks if block.kind is BlockKind.PROGRAM]
-    if programs or variables:
+    if target.has_free_globals:
+        if variables:
+            units.insert(_behind_types(units), _globals(variables))
+    elif programs or variables:
         units.append(_configuration(plant, schedule, variables, programs))
     return tuple(units)
 
@@ -56,6 +61,15 @@ def _configuration(
     place = programs[0].span if programs else plant.units[0].span
     names = [block.name.name for block in programs]
     return configuration(place._replace(end=place.start), schedule, variables, names)
+
+
+def _behind_types(units: list[Unit]) -> int:
+    return sum(isinstance(unit, TypeDeclaration) for unit in units)
+
+
+def _globals(variables: list[Declaration]) -> Globals:
+    place = variables[0].span._replace(end=variables[0].span.start)
+    return Globals(place, VarSection(place, "VAR_GLOBAL", (), tuple(variables)))
 
 
 def _type(context: Context, declaration: TypeDeclaration) -> TypeDeclaration:

@@ -1,0 +1,88 @@
+"""From one dialect of the PLC language to another.
+
+    step7 = convert([parse(source, "tia")], "step7")
+
+Text goes from dialect to dialect in steps, each of which is a module here or next door in
+`lowering`; every dialect has a way to and from `tia`. What the other dialect cannot say is refused
+by name, all findings together. Comments, layout and spans survive.
+"""
+
+from collections import deque
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from typing import TypeAlias
+
+from fbgen.diagnostics import DiagnosticError, error
+from fbgen.lang.ast import File
+from fbgen.lang.conversion.from_step7 import from_step7
+from fbgen.lang.conversion.iec_to_tia import iec_to_tia
+from fbgen.lang.conversion.to_step7 import to_step7
+from fbgen.lang.depth import room_for_depth
+from fbgen.lang.dialects import dialect_named
+from fbgen.lang.lowering import Schedule, lower_files
+from fbgen.lang.lowering.findings import Findings
+
+__all__ = ["Schedule", "convert", "way"]
+
+Step: TypeAlias = Callable[[Sequence[File], Findings], list[File]]
+
+_STEPS: dict[tuple[str, str], Step] = {
+    ("tia", "step7"): to_step7,
+    ("step7", "tia"): from_step7,
+    ("tia", "iec"): lambda files, _: [lower_files(files, "iec")],
+    ("iec", "tia"): iec_to_tia,
+    ("twincat", "tia"): iec_to_tia,
+    ("tia", "twincat"): lambda files, _: [lower_files(files, "twincat")],
+}
+
+
+def way(source: str, target: str) -> tuple[str, ...]:
+    """The dialects on the shortest way, both ends included; empty if there is none."""
+    ways: deque[tuple[str, ...]] = deque([(source,)])
+    seen = {source}
+    while ways:
+        so_far = ways.popleft()
+        if so_far[-1] == target:
+            return so_far
+        for first, second in _STEPS:
+            if first == so_far[-1] and second not in seen:
+                seen.add(second)
+                ways.append((*so_far, second))
+    return ()
+
+
+def convert(files: Sequence[File], target: str) -> list[File]:
+    """The files in the dialect `target`; they are one program and of one dialect.
+
+    Dialect `iec` comes as one file, in an order that compiles. Raises `DiagnosticError`: FB3011
+    unknown dialect, FB3054 no way between the dialects, FB3050 names, FB3051 what has no
+    counterpart, FB3052 types, FB3053 functions that would need global data.
+    """
+    dialect_named(target)
+    sources = sorted({file.dialect for file in files})
+    if len(sources) != 1:
+        raise error(
+            "FB3054",
+            f"the files are in different dialects: {', '.join(sources)}",
+            help="convert those of each dialect on their own",
+        )
+    dialects = way(sources[0], target)
+    if not dialects:
+        raise error(
+            "FB3054",
+            f"there is no way from dialect {sources[0]} to {target}",
+            help="choose another target: " + ", ".join(_reachable(sources[0])),
+        )
+    result = list(files)
+    for first, second in pairwise(dialects):
+        findings = Findings(second)
+        with room_for_depth():
+            result = _STEPS[first, second](result, findings)
+        if findings.all:
+            raise DiagnosticError(findings.all)
+    return result
+
+
+def _reachable(source: str) -> list[str]:
+    targets = dict.fromkeys(second for _, second in _STEPS)
+    return [target for target in targets if target != source and way(source, target)]

@@ -1,0 +1,153 @@
+"""What an IEC program has and S7 has not: global variables, enumerations, PROGRAMs and tasks.
+
+Global variables become one data block, PROGRAMs function blocks with an instance each that OB1
+calls. Enumerations become INT, and their names the numbers that they stand for.
+"""
+
+from collections.abc import Iterator, Sequence
+
+from fbgen.lang.ast import (
+    Block,
+    BlockKind,
+    Call,
+    CallStatement,
+    Configuration,
+    DataBlock,
+    Declaration,
+    DirectAddress,
+    EnumSpec,
+    Expression,
+    File,
+    Globals,
+    Literal,
+    LiteralKind,
+    Name,
+    NamedType,
+    StructSpec,
+    Task,
+    TypeDeclaration,
+    Unary,
+    VarSection,
+)
+from fbgen.lang.lowering.findings import Findings
+from fbgen.source import Span
+
+GLOBALS = "Globals"
+"""The data block that takes the global variables."""
+
+
+class IecProgram:
+    """The declarations of all files that concern more than one unit."""
+
+    def __init__(self, files: Sequence[File], findings: Findings) -> None:
+        self.files = files
+        self.sections: list[VarSection] = []
+        self.addresses: dict[str, DirectAddress] = {}
+        self.variables: dict[str, str] = {}
+        self.enumerations: dict[str, dict[str, int]] = {}
+        self.programs: list[Block] = []
+        self.blocks: dict[str, Block] = {}
+        self._findings = findings
+        for file in files:
+            for unit in file.units:
+                self._collect(unit)
+        for section in self.sections:
+            for declaration in section.declarations:
+                self._declare(declaration)
+
+    def _collect(self, unit: object) -> None:
+        if isinstance(unit, Globals):
+            self.sections.append(unit.section)
+        elif isinstance(unit, Configuration):
+            self.sections += unit.sections
+            tasks: list[Task] = []
+            for resource in unit.resources:
+                self.sections += resource.sections
+                tasks += resource.tasks
+            for task in tasks[1:]:
+                self._findings.refuse(
+                    f"the second task {task.name}",
+                    task.span,
+                    "call its programs from a cyclic interrupt OB by hand",
+                )
+        elif isinstance(unit, TypeDeclaration) and isinstance(unit.type, EnumSpec):
+            self.enumerations[unit.name.name.casefold()] = dict(self._values(unit.type))
+        elif isinstance(unit, Block):
+            self.blocks[unit.name.name.casefold()] = unit
+            if unit.kind is BlockKind.PROGRAM:
+                self.programs.append(unit)
+
+    def _declare(self, declaration: Declaration) -> None:
+        for name in declaration.names:
+            key = name.name.casefold()
+            if isinstance(declaration.at, DirectAddress):
+                self.addresses[key] = declaration.at
+            else:
+                self.variables[key] = name.name
+
+    def _values(self, spec: EnumSpec) -> Iterator[tuple[str, int]]:
+        """The numbers of an enumeration: as given, or one more than the one before."""
+        number = -1
+        for item in spec.enumerators:
+            given = _whole(item.value)
+            if item.value is not None and given is None:
+                self._findings.refuse(
+                    f"the value of {item.name}", item.span, "write it as a number"
+                )
+            number = number + 1 if given is None else given
+            yield item.name.casefold(), number
+
+    def enumerator(self, type_name: str, name: str) -> int | None:
+        """The number of `Colour.red` or `Colour#red`; of `red` with an empty type name."""
+        key = name.casefold()
+        if type_name:
+            return self.enumerations.get(type_name.casefold(), {}).get(key)
+        found = {values[key] for values in self.enumerations.values() if key in values}
+        return found.pop() if len(found) == 1 else None
+
+    # --- new units ----------------------------------------------------------------------------
+
+    def new_units(self, declarations: Sequence[Declaration]) -> list[Block | DataBlock]:
+        """The data block with `declarations`, the instances of the programs and OB1."""
+        units: list[Block | DataBlock] = []
+        if declarations:
+            place = declarations[0].span
+            name = Name(place, GLOBALS, True)
+            struct = StructSpec(place, tuple(declarations))
+            units.append(DataBlock(place, name, (), None, struct, (), ()))
+        calls: list[CallStatement] = []
+        for program in self.programs:
+            place = program.span._replace(end=program.span.start)
+            instance = Name(place, f"{program.name.name}_DB", True)
+            kind = NamedType(place, program.name.name, True)
+            units.append(DataBlock(place, instance, (), kind, None, (), ()))
+            calls.append(CallStatement(place, Call(place, instance, ())))
+        if calls:
+            place = calls[0].span
+            units.append(
+                Block(
+                    place,
+                    BlockKind.ORGANIZATION_BLOCK,
+                    Name(place, "OB1", True),
+                    None,
+                    (),
+                    (),
+                    tuple(calls),
+                )
+            )
+        return units
+
+
+def number(place: Span, value: int) -> Expression:
+    """A whole number as an expression."""
+    literal = Literal(place, LiteralKind.INTEGER, abs(value), str(abs(value)))
+    return literal if value >= 0 else Unary(place, "-", literal)
+
+
+def _whole(value: Expression | None) -> int | None:
+    if isinstance(value, Unary) and value.operator == "-":
+        inner = _whole(value.operand)
+        return None if inner is None else -inner
+    if isinstance(value, Literal) and value.kind is LiteralKind.INTEGER:
+        return int(value.value)
+    return None
