@@ -10,6 +10,7 @@ import pytest
 
 from fbgen.diagnostics import DiagnosticError
 from harness import LoadedProgram, load_program
+from harness.engine.interface import Limits
 
 Load = Callable[[str], LoadedProgram]
 
@@ -53,8 +54,12 @@ def test_exit_and_continue_go_with_jumps_in_one_loop(load: Load) -> None:
     assert block.trace == 135678_1245_13
 
 
-def test_jumps_back_count_as_passes_for_the_watchdog(load: Load) -> None:
-    block = load("jumps.scl").instance("Endless")
+def test_jumps_back_count_as_passes_for_the_watchdog(
+    engine_name: str, request: pytest.FixtureRequest
+) -> None:
+    path = request.path.parent / "jumps.scl"
+    limits = Limits(loop_passes=1000)
+    block = load_program([path], engine=engine_name, limits=limits).instance("Endless")
     with pytest.raises(DiagnosticError) as stop:
         block()
     (found,) = stop.value.diagnostics
