@@ -70,8 +70,8 @@ def with_values(
     if diagnostic.code == "FB6004":
         # Which pass was stopped is up to the engine: it may count them before the loop begins.
         return failure
-    notes: dict[str, tuple[tuple[int, int], Note]] = {}
-    for place, read in found:
+    notes: dict[str, Note] = {}
+    for place, read in sorted(found, key=lambda item: item[0].span[1:]):
         name = place.span.text
         if name.casefold() in notes:
             continue
@@ -80,11 +80,10 @@ def with_values(
         except Exception:
             # Whatever stops reading it is most likely what has stopped the program already.
             continue
-        notes[name.casefold()] = (place.span[1:], Note(f"{name} = {text}"))
+        notes[name.casefold()] = Note(f"{name} = {text}")
     if not notes:
         return failure
-    ordered = [note for _, note in sorted(notes.values(), key=lambda item: item[0])]
-    more = replace(diagnostic, notes=(*diagnostic.notes, *ordered[:_MOST_VALUES]))
+    more = replace(diagnostic, notes=(*diagnostic.notes, *list(notes.values())[:_MOST_VALUES]))
     return DiagnosticError([more, *failure.diagnostics[1:]])
 
 
