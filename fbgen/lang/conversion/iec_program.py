@@ -1,12 +1,14 @@
 """What an IEC program has and S7 has not: global variables, enumerations, PROGRAMs and tasks.
 
 Global variables become one data block, PROGRAMs function blocks with an instance each that OB1
-calls. Enumerations become INT, and their names the numbers that they stand for.
+calls. Enumerations become INT, and their names the numbers that they stand for; the other types
+that are no structures are written out where they are used.
 """
 
 from collections.abc import Iterator, Sequence
 
 from fbgen.lang.ast import (
+    ArraySpec,
     Block,
     BlockKind,
     Call,
@@ -24,13 +26,20 @@ from fbgen.lang.ast import (
     Name,
     NamedType,
     StructSpec,
+    SubrangeSpec,
     Task,
     TypeDeclaration,
+    TypeSpec,
     Unary,
+    UnionSpec,
     VarSection,
 )
 from fbgen.lang.lowering.findings import Findings
+from fbgen.lang.walk import walk
 from fbgen.source import Span
+
+_OWN_TYPES = (StructSpec, UnionSpec)
+"""Types of the user that TIA has, too, or that are refused."""
 
 GLOBALS = "Globals"
 """The data block that takes the global variables."""
@@ -45,12 +54,17 @@ class IecProgram:
         self.addresses: dict[str, DirectAddress] = {}
         self.variables: dict[str, str] = {}
         self.enumerations: dict[str, dict[str, int]] = {}
+        self.aliases: dict[str, TypeDeclaration] = {}
         self.programs: list[Block] = []
-        self.blocks: dict[str, Block] = {}
+        self._named: set[EnumSpec] = set()
         self._findings = findings
         for file in files:
             for unit in file.units:
                 self._collect(unit)
+            for node in walk(file):
+                if isinstance(node, EnumSpec) and node not in self._named:
+                    place = f"{node.span.source.name}:{node.span.start}"
+                    self.enumerations[place] = dict(self._values(node))
         for section in self.sections:
             for declaration in section.declarations:
                 self._declare(declaration)
@@ -70,12 +84,13 @@ class IecProgram:
                     task.span,
                     "call its programs from a cyclic interrupt OB by hand",
                 )
-        elif isinstance(unit, TypeDeclaration) and isinstance(unit.type, EnumSpec):
-            self.enumerations[unit.name.name.casefold()] = dict(self._values(unit.type))
-        elif isinstance(unit, Block):
-            self.blocks[unit.name.name.casefold()] = unit
-            if unit.kind is BlockKind.PROGRAM:
-                self.programs.append(unit)
+        elif isinstance(unit, TypeDeclaration) and not isinstance(unit.type, _OWN_TYPES):
+            self.aliases[unit.name.name.casefold()] = unit
+            if isinstance(unit.type, EnumSpec):
+                self._named.add(unit.type)
+                self.enumerations[unit.name.name.casefold()] = dict(self._values(unit.type))
+        elif isinstance(unit, Block) and unit.kind is BlockKind.PROGRAM:
+            self.programs.append(unit)
 
     def _declare(self, declaration: Declaration) -> None:
         for name in declaration.names:
@@ -98,12 +113,38 @@ class IecProgram:
             yield item.name.casefold(), number
 
     def enumerator(self, type_name: str, name: str) -> int | None:
-        """The number of `Colour.red` or `Colour#red`; of `red` with an empty type name."""
+        """The number of `Colour.red` or `Colour#red`; of `red` with an empty type name.
+
+        None if there is no such name, or there are several that stand for different numbers.
+        """
         key = name.casefold()
         if type_name:
             return self.enumerations.get(type_name.casefold(), {}).get(key)
         found = {values[key] for values in self.enumerations.values() if key in values}
         return found.pop() if len(found) == 1 else None
+
+    def is_ambiguous(self, name: str) -> bool:
+        """Whether a name stands for different numbers in different enumerations."""
+        key = name.casefold()
+        return len({values[key] for values in self.enumerations.values() if key in values}) > 1
+
+    def default(self, spec: TypeSpec) -> Expression | None:
+        """What a variable of the type begins with, if that is not what TIA gives to it."""
+        if isinstance(spec, EnumSpec):
+            first = next(iter(dict(self._values(spec)).values()), 0)
+            return number(spec.span, first) if first else None
+        if isinstance(spec, SubrangeSpec):
+            return None if _whole(spec.first) == 0 else spec.first
+        if isinstance(spec, NamedType) and spec.name.casefold() in self.aliases:
+            alias = self.aliases[spec.name.casefold()]
+            return alias.initial if alias.initial is not None else self.default(alias.type)
+        if isinstance(spec, ArraySpec) and self.default(spec.element) is not None:
+            self._findings.refuse(
+                "the default value of the elements",
+                spec.span,
+                "give the array its values where it is declared",
+            )
+        return None
 
     # --- new units ----------------------------------------------------------------------------
 

@@ -40,6 +40,7 @@ from fbgen.lang.ast import (
     Trivia,
     TriviaKind,
     TypeDeclaration,
+    TypeSpec,
     UnionSpec,
     Unit,
     Using,
@@ -71,7 +72,7 @@ def iec_to_tia(files: Sequence[File], findings: Findings) -> list[File]:
     for file in files:
         units: list[Unit] = []
         for unit in file.units:
-            if isinstance(unit, _GONE) or _is_enumeration(unit):
+            if isinstance(unit, _GONE) or unit in program.aliases.values():
                 continue
             units.append(_IecToTia(program, plant, findings, unit).rewrite(unit))
         result.append(File(file.source, "tia", tuple(units), file.closing))
@@ -86,10 +87,6 @@ def iec_to_tia(files: Sequence[File], findings: Findings) -> list[File]:
     units = [*last.units, *program.new_units(declarations)]
     result[-1] = File(last.source, "tia", tuple(units), last.closing)
     return [file for file in result if file.units]
-
-
-def _is_enumeration(unit: Unit) -> bool:
-    return isinstance(unit, TypeDeclaration) and isinstance(unit.type, EnumSpec)
 
 
 class _IecToTia(Rewriter):
@@ -177,6 +174,8 @@ class _IecToTia(Rewriter):
     def _declaration(self, node: Declaration) -> Declaration:
         if isinstance(node.at, DirectAddress) and self._scope is not None:
             return replaced(self.inside(node), at=None)
+        if node.initial is None and (default := self._program.default(node.type)) is not None:
+            node = replaced(node, initial=default)
         if node.arguments:
             self._findings.refuse("an argument of FB_init", node.span, "set the input in a call")
         declaration: Declaration = self.inside(node)
@@ -199,15 +198,16 @@ class _IecToTia(Rewriter):
 
     # --- types --------------------------------------------------------------------------------
 
-    def _type(self, node: NamedType) -> NamedType:
+    def _type(self, node: NamedType) -> TypeSpec:
         key, upper = node.name.casefold(), node.name.upper()
-        if key in self._program.enumerations:
-            return NamedType(node.span, "Int")
+        if key in self._program.aliases:
+            spec: TypeSpec = self.rewrite(self._program.aliases[key].type)
+            return spec
         if key in self._plant.types or key in self._plant.blocks:
             return NamedType(node.span, node.name, True)
         return NamedType(node.span, _BLOCKS[upper]) if upper in _BLOCKS else node
 
-    def _subrange(self, node: SubrangeSpec) -> NamedType:
+    def _subrange(self, node: SubrangeSpec) -> TypeSpec:
         return self._type(node.base)
 
     def _enumeration(self, node: EnumSpec) -> NamedType:
@@ -253,6 +253,12 @@ class _IecToTia(Rewriter):
         if key in self._program.variables:
             base = Name(node.span, GLOBALS, True)
             return Member(node.span, base, self._program.variables[key])
+        if self._program.is_ambiguous(node.name):
+            self._findings.refuse(
+                f"the name {node.name} of several enumerations",
+                node.span,
+                "write the type in front of it: Colour#red",
+            )
         value = self._program.enumerator("", node.name)
         if value is not None:
             return number(node.span, value)

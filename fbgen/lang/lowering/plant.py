@@ -61,11 +61,14 @@ class BlockScope:
         self.block = block
         self.declared: dict[str, TypeSpec] = {}
         self.constants: dict[str, Expression] = {}
+        self.inputs: set[str] = set()
         for section in block.sections:
             for declaration in section.declarations:
                 for name in declaration.names:
                     key = name.name.casefold()
                     self.declared[key] = declaration.type
+                    if section.keyword == "VAR_INPUT":
+                        self.inputs.add(key)
                     if "CONSTANT" in section.qualifiers and declaration.initial is not None:
                         self.constants[key] = declaration.initial
         if block.return_type is not None:

@@ -17,9 +17,11 @@ from fbgen.lang.ast import (
     For,
     Goto,
     If,
+    Index,
     Jump,
     Label,
     LabelRange,
+    Member,
     Name,
     NamedType,
     Region,
@@ -96,6 +98,7 @@ class StatementLowering(ExpressionLowering):
                 f"the assignment {node.operator}", node.span, "hand the variable over as VAR_IN_OUT"
             )
             return node
+        self._check_writable(node.target)
         value = self.expression(node.value)
         if isinstance(node.target, Slice):
             return self._slice_assignment(node, node.target, value, leading)
@@ -103,6 +106,24 @@ class StatementLowering(ExpressionLowering):
         if node.operator != ":=":
             value = Binary(node.span, node.operator[0], target, value)
         return Assignment(node.span, target, ":=", value, leading, node.trailing)
+
+    def _check_writable(self, target: Expression) -> None:
+        """An input that the block itself changes."""
+        root = target
+        while isinstance(root, (Member, Index, Slice)):
+            root = root.base
+        if (
+            self.scope is not None
+            and not self.context.target.has_writable_inputs
+            and isinstance(root, Name)
+            and self.scope.is_declared(root)
+            and root.name.casefold() in self.scope.inputs
+        ):
+            self.context.findings.refuse(
+                f"an assignment to the input {root.name}",
+                target.span,
+                "copy it to a variable of the block and change that",
+            )
 
     def _slice_assignment(
         self, node: Assignment, part: Slice, value: Expression, leading: TriviaList
@@ -204,6 +225,7 @@ class StatementLowering(ExpressionLowering):
         return self.constant(label)
 
     def _for(self, node: For, leading: TriviaList) -> Statement:
+        self._check_writable(node.variable)
         step = None if node.step is None else self.expression(node.step)
         body, closing = self.body(node.body, node.closing)
         return For(

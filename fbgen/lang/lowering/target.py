@@ -21,13 +21,15 @@ class Target:
 
     `elementary` are the types it has. `has_free_globals`: every block reaches global variables, and
     they need no CONFIGURATION; else only programs and function blocks do, through VAR_EXTERNAL.
-    `has_continue` and `has_jumps`: it knows CONTINUE and jumps to labels. `drops_results`: a
-    function with a result may stand alone as a statement.
+    `has_writable_inputs`: a block may change its own inputs. `has_continue` and `has_jumps`: it
+    knows CONTINUE and jumps to labels. `drops_results`: a function with a result may stand alone as
+    a statement.
     """
 
     dialect: Dialect
     elementary: frozenset[str]
     has_free_globals: bool
+    has_writable_inputs: bool
     has_continue: bool
     has_jumps: bool
     drops_results: bool
@@ -38,6 +40,7 @@ TARGETS = {
         dialect_named("iec"),
         _SECOND_EDITION,
         has_free_globals=False,
+        has_writable_inputs=False,
         has_continue=False,
         has_jumps=False,
         drops_results=False,
@@ -46,6 +49,7 @@ TARGETS = {
         dialect_named("twincat"),
         _SECOND_EDITION | words("LTIME"),
         has_free_globals=True,
+        has_writable_inputs=True,
         has_continue=True,
         has_jumps=True,
         drops_results=True,

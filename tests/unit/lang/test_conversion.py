@@ -249,6 +249,42 @@ def test_what_tia_cannot_say_is_refused_by_name(text: str, message: str) -> None
     assert found == ("FB3051", f"{message} has no counterpart in dialect tia")
 
 
+def test_types_that_are_no_structures_are_written_out_where_they_are_used() -> None:
+    text = (
+        "TYPE Level : INT (10..100); END_TYPE\nTYPE Speed : REAL := 1.5; END_TYPE\n"
+        "TYPE Mode : (off := 3, on); END_TYPE\n"
+        "FUNCTION_BLOCK A\nVAR a : Level; b : Speed; c : Mode; d : (red, green) := green;\n"
+        "END_VAR\nc := on;\nIF d = red THEN a := 20; END_IF;\nEND_FUNCTION_BLOCK\n"
+    )
+    printed = converted(text, "iec", "tia")
+    inside = [line.strip() for line in printed.partition("VAR\n")[2].splitlines()]
+    assert inside[:4] == ["a : INT := 10;", "b : REAL := 1.5;", "c : Int := 3;", "d : Int := 1;"]
+    assert "#c := 4;" in inside
+    assert "IF #d = 0 THEN" in inside
+    assert "TYPE" not in printed
+
+
+def test_a_name_of_two_enumerations_is_refused() -> None:
+    text = (
+        "TYPE A : (red, green); END_TYPE\nTYPE B : (off, red); END_TYPE\n"
+        "FUNCTION_BLOCK F\nVAR a : A; b : B; END_VAR\na := A#red;\nb := red;\n"
+        "END_FUNCTION_BLOCK\n"
+    )
+    ((_, message),) = refused(text, "iec", "tia")
+    assert message == "the name red of several enumerations has no counterpart in dialect tia"
+
+
+def test_a_block_that_changes_its_input_is_refused_by_iec() -> None:
+    text = (
+        'FUNCTION_BLOCK "F"\nVAR_INPUT\n  value : Int;\nEND_VAR\nBEGIN\n#value := 0;\n'
+        "END_FUNCTION_BLOCK\n"
+    )
+    ((code, message),) = refused(text, "tia", "iec")
+    assert code == "FB3051"
+    assert message.startswith("an assignment to the input value")
+    assert "value := 0;" in converted(text, "tia", "twincat")
+
+
 def test_twincat_reaches_globals_everywhere_and_needs_no_configuration() -> None:
     text = (
         'DATA_BLOCK "Plant"\nSTRUCT\n  count : Int;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n'
