@@ -10,6 +10,13 @@ from fbgen.cli import FINDINGS
 from fbgen.cli.dialects import DialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.output import on_error_terminal, report, result, result_json, say
+from fbgen.cli.project_data import (
+    ConstantsOption,
+    NumbersOption,
+    TagsOption,
+    read_constants,
+    read_numbers,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -61,6 +68,7 @@ def register(program: typer.Typer) -> None:
             'fbgen check "blocks/**/*.scl" --strict',
             "fbgen check pump.st --dialect iec --syntax-only",
             "fbgen check out --format sarif > fbgen.sarif",
+            'fbgen check blocks --tags "PLC tags.xml" --constant MAX_PUMPS=8',
         )
     )(check)
 
@@ -106,6 +114,9 @@ def check(
             "--format", help="text for a person; json, sarif, github or gitlab for a program."
         ),
     ] = Format.TEXT,
+    constants: ConstantsOption = None,
+    tags: TagsOption = None,
+    numbers: NumbersOption = None,
 ) -> None:
     """Check PLC text: syntax, names, types, likely mistakes.
 
@@ -125,6 +136,9 @@ def check(
         syntax_only=syntax_only,
         iec_check=None if iec_check is None else iec_check is Switch.ON,
         cpu=None if cpu is None else Cpu(cpu.value),
+        constants=read_constants(constants),
+        tags=tuple(tags or ()),
+        db_numbers=read_numbers(numbers),
     )
     progress = Progress(len(paths) + len(programs), shown=on_error_terminal())
     found = check_programs(programs, settings, jobs, progress)

@@ -5,8 +5,8 @@ another takes longer than reading the text. So a program is checked in one proce
 programs, or files whose syntax alone is checked, are shared out.
 """
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
@@ -19,28 +19,50 @@ from fbgen.lang.analysis.cpu import missing_on
 from fbgen.lang.checker import check_reporting, rules_for
 from fbgen.lang.containers import read_document
 from fbgen.lang.families import Cpu
+from fbgen.lang.tag_files import global_file
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """How to check. `iec_check` None: as the CPU family has it, else as the dialect has it."""
+    """How to check. `iec_check` None: as the CPU family has it, else as the dialect has it.
+
+    `constants` are user constants by name, `tags` files with tag tables, `db_numbers` the numbers
+    of data blocks by name: what the project has besides its sources.
+    """
 
     syntax_only: bool = False
     iec_check: bool | None = None
     cpu: Cpu | None = None
+    constants: Mapping[str, str] = field(default_factory=dict)
+    tags: tuple[str, ...] = ()
+    db_numbers: Mapping[str, int] = field(default_factory=dict)
 
 
 def check_programs(
     programs: Sequence[ProgramFiles], settings: Settings, jobs: int, progress: Progress
 ) -> list[Diagnostic]:
-    """Everything that is wrong, in the order of the files and their lines."""
+    """Everything that is wrong, in the order of the files and their lines.
+
+    Names and types are left alone if the constants or tags cannot be read.
+    """
+    unread = _unread_tables(settings)
+    if unread:
+        settings = replace(settings, syntax_only=True)
     parts = list(_shares(programs, settings, jobs))
     if jobs > 1 and len(parts) > 1:
         found = list(in_order(partial(_check_quietly, settings), parts, jobs))
     else:
         found = [_check(part, settings, progress) for part in parts]
     progress.end()
-    return [one for part in found for one in part]
+    return [*unread, *(one for part in found for one in part)]
+
+
+def _unread_tables(settings: Settings) -> list[Diagnostic]:
+    try:
+        global_file("tia", settings.constants, settings.tags)
+    except DiagnosticError as failure:
+        return list(failure.diagnostics)
+    return []
 
 
 def _shares(
@@ -77,7 +99,11 @@ def _check(program: ProgramFiles, settings: Settings, progress: Progress) -> lis
         rules = rules_for(program.dialect)
         if (iec_check := _iec_check(settings)) is not None:
             rules = replace(rules, iec_check=iec_check)
-        found += check_reporting(trees, program.dialect, rules=rules)[1]
+        tables = global_file(program.dialect, settings.constants, settings.tags)
+        _, more = check_reporting(
+            [*trees, tables], program.dialect, rules=rules, db_numbers=settings.db_numbers
+        )
+        found += more
         if settings.cpu is not None:
             found += missing_on(settings.cpu, trees)
     return _in_order(found, program.paths)

@@ -14,6 +14,13 @@ from fbgen.cli.dialects import DialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.output import report, result, result_json, say
 from fbgen.cli.plc_files import dialect_of, expand
+from fbgen.cli.project_data import (
+    ConstantsOption,
+    NumbersOption,
+    TagsOption,
+    read_constants,
+    read_numbers,
+)
 from fbgen.cli.table import table
 
 if TYPE_CHECKING:
@@ -48,6 +55,7 @@ def register(program: typer.Typer) -> None:
             "fbgen run ramp.st --block Ramp --every 100ms --set target=50.0@3 --changes",
             "fbgen run scaling.scl --block HzToWord --set hz=50.0 --cycles 1",
             "fbgen run pump.scl --cycles 1000 --format csv > pump.csv",
+            'fbgen run blocks --block Main --constant MAX_PUMPS=8 --tags "PLC tags.xml"',
         ),
     )(run)
 
@@ -95,6 +103,9 @@ def run(
     engine: Annotated[
         EngineName, typer.Option("--engine", help="reference is slow and defines what is right.")
     ] = EngineName.COMPILED,
+    constants: ConstantsOption = None,
+    tags: TagsOption = None,
+    numbers: NumbersOption = None,
 ) -> None:
     """Call a block cycle by cycle and print what it does.
 
@@ -109,7 +120,14 @@ def run(
     paths = expand(files)
     every_ns = read_duration(every)
     wanted = [read_setting(text) for text in settings or ()]
-    program = load_program(paths, dialect or dialect_of(paths), engine.value)
+    program = load_program(
+        paths,
+        dialect or dialect_of(paths),
+        engine.value,
+        db_numbers=read_numbers(numbers),
+        constants=read_constants(constants),
+        tags=tags or (),
+    )
     trial = Trial(program, block, wanted, watch or ())
     faults: list[DiagnosticError] = []
     rows = _until_fault(trial.rows(cycles, every_ns), faults)

@@ -11,18 +11,39 @@ exports of these systems; STEP 7 help, "File formats for importing/exporting a s
 
 import csv
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
 from xml.sax.saxutils import unescape
 
 from fbgen.diagnostics import error
+from fbgen.lang import ast
 from fbgen.lang.containers.xml_tree import Element, read_xml
-from fbgen.lang.tags import Tag, TagConstant
+from fbgen.lang.encoding import read_source
+from fbgen.lang.tags import ConstantValue, Tag, TagConstant, as_file, constants_of
 from fbgen.source import Source, Span
 
 _VARIABLE = re.compile(r"%?(P?[EIAQ]|M)[BWDX]?\s*[0-9]+(\.[0-9]+)?", re.IGNORECASE)
 _TAGS = ("Tag", "SW.Tags.PlcTag")
 _CONSTANTS = ("Constant", "SW.Tags.PlcUserConstant")
 _QUOTES = {"&quot;": '"', "&apos;": "'"}
+
+
+def global_file(
+    dialect: str,
+    constants: Mapping[str, ConstantValue],
+    tags: Iterable[str | Path | Source | Tag],
+) -> ast.File:
+    """User constants and PLC tags as a further source; `tags` are tags, or files with tables."""
+    known: list[Tag] = []
+    more = constants_of(constants)
+    for one in tags:
+        if isinstance(one, Tag):
+            known.append(one)
+            continue
+        found, also = read_tags(one if isinstance(one, Source) else read_source(Path(one)))
+        known += found
+        more += also
+    return as_file(known, more, dialect)
 
 
 def read_tags(source: Source) -> tuple[list[Tag], list[TagConstant]]:

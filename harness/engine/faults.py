@@ -110,7 +110,8 @@ def no_data_block(span: Span | None, number: int) -> DiagnosticError:
         "FB6011",
         f"there is no data block DB{number} with standard access",
         span,
-        f"name it DB{number}, or give its number: load_program(..., db_numbers={{name: {number}}})",
+        f"name it DB{number}, or give its number: --db-number NAME={number}, or db_numbers of "
+        "load_program",
     )
 
 

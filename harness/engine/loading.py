@@ -20,10 +20,9 @@ from fbgen.lang import ast
 from fbgen.lang.checked import Program
 from fbgen.lang.checker import check
 from fbgen.lang.containers import read_document
-from fbgen.lang.encoding import read_source
 from fbgen.lang.parser import parse
-from fbgen.lang.tag_files import read_tags
-from fbgen.lang.tags import ConstantValue, Tag, as_file, constants_of
+from fbgen.lang.tag_files import global_file
+from fbgen.lang.tags import ConstantValue, Tag
 from fbgen.source import Source
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.faults import unknown_engine
@@ -97,24 +96,6 @@ def read_program(
     if found:
         raise DiagnosticError(found)
     return check(files, dialect, db_numbers=db_numbers, stubbed=stubbed)
-
-
-def global_file(
-    dialect: str,
-    constants: Mapping[str, ConstantValue],
-    tags: Iterable[str | Path | Source | Tag],
-) -> ast.File:
-    """User constants and PLC tags as a further source; `tags` are tags, or files with tables."""
-    known: list[Tag] = []
-    more = constants_of(constants)
-    for one in tags:
-        if isinstance(one, Tag):
-            known.append(one)
-            continue
-        found, also = read_tags(one if isinstance(one, Source) else read_source(Path(one)))
-        known += found
-        more += also
-    return as_file(known, more, dialect)
 
 
 def _tree(source: str | Path | Source, dialect: str) -> ast.File:

@@ -44,10 +44,11 @@ from fbgen.lang.types import (
     Subrange,
     Type,
 )
-from fbgen.nearest import nearest
+from fbgen.nearest import near_names, nearest
 from fbgen.source import Span
 
 _SIZES = {"X": BOOL, "B": BYTE, "W": WORD, "D": DWORD, "L": LWORD}
+_OUTSIDE = "--tags FILE or --constant NAME=VALUE"
 _PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)
 
 
@@ -150,6 +151,8 @@ def _near_names(ctx: Context, node: ast.Name) -> str:
     known = ctx.scope.names()
     if not node.local:
         known += ctx.library.globals.names()
+    if node.quoted and not node.local and not near_names(node.name, known):
+        return f"a constant or PLC tag is in no source: give it with {_OUTSIDE}"
     return nearest(node.name, known)
 
 

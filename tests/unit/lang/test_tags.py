@@ -5,13 +5,12 @@ import re
 import pytest
 
 from fbgen.diagnostics import DiagnosticError
-from fbgen.lang.tag_files import read_tags
+from fbgen.lang.tag_files import global_file, read_tags
 from fbgen.lang.tags import Tag
 from fbgen.resources import shipped
 from fbgen.source import Source
 from harness import load_program
 from harness.engine.interface import Value
-from harness.engine.loading import global_file
 
 _BLOCK = Source(
     "start.scl",
