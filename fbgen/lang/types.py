@@ -292,7 +292,7 @@ class ReferenceType:
     @property
     def name(self) -> str:
         """The type as it is declared."""
-        return f"{self.keyword} {self.target_name}"
+        return f"{self.keyword} {self.target_name}".strip()
 
     @property
     def is_implicit(self) -> bool:
@@ -326,6 +326,9 @@ VARIANT = AnyType("VARIANT")
 ANY = AnyType("ANY")
 POINTER = AnyType("POINTER")
 
+VARIANT_VALUE = ReferenceType("VARIANT", "", lambda: VOID)
+"""VARIANT in a block of the user: it refers to a variable of a type that the program asks for."""
+
 Type: TypeAlias = (
     Elementary
     | StringType
@@ -336,6 +339,14 @@ Type: TypeAlias = (
     | ReferenceType
     | AnyType
 )
+
+
+def is_of_type(kind: Type, wanted: Type) -> bool:
+    """True for a type and itself; a text without room stands for texts of any length."""
+    if isinstance(wanted, StringType) and not wanted.length:
+        return isinstance(kind, StringType) and kind.wide == wanted.wide
+    return kind == wanted
+
 
 Scalar: TypeAlias = bool | int | float | str
 """A value of an elementary type or a string."""

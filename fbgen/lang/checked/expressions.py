@@ -90,7 +90,11 @@ class BoundOf:
 
 @node
 class Dereference:
-    """What the reference at `base` refers to; the program stops where that is nothing."""
+    """What the reference at `base` refers to; the program stops where that is nothing.
+
+    With a VARIANT as base, which has been asked for its type, `type` is that type; it is VARIANT
+    for a whole area which an instruction gets.
+    """
 
     span: Span
     base: "Place"
@@ -168,7 +172,10 @@ class StandardCall:
 
 @node
 class ReferenceTo:
-    """A new reference to a place, as REF and ADR make it; `place` None is NULL."""
+    """A new reference to a place, as REF and ADR make it; `place` None is NULL.
+
+    A VARIANT refers to a place of any type, also to one that is gone after the call.
+    """
 
     span: Span
     place: Place | None
@@ -182,6 +189,43 @@ class SameReference:
     span: Span
     left: "Expression"
     right: "Expression"
+    type: Elementary
+
+
+@node
+class TypeTest:
+    """BOOL: what a VARIANT refers to has a type (`types.is_of_type`); FALSE for NULL.
+
+    With `of_elements` it is an array, and its elements have the type.
+    """
+
+    span: Span
+    variant: "Expression"
+    of_elements: bool
+    wanted: Type
+    type: Elementary
+
+
+@node
+class SameTypes:
+    """BOOL: what two VARIANTs refer to has the same type; FALSE if one of them is NULL.
+
+    `of_elements` says for each side whether the elements of an array are meant.
+    """
+
+    span: Span
+    left: "Expression"
+    right: "Expression"
+    of_elements: tuple[bool, bool]
+    type: Elementary
+
+
+@node
+class ElementCount:
+    """How many elements the array has that a VARIANT refers to; 0 for what is no array."""
+
+    span: Span
+    variant: "Expression"
     type: Elementary
 
 
@@ -264,6 +308,9 @@ Expression: TypeAlias = (
     | BoundOf
     | ReferenceTo
     | SameReference
+    | TypeTest
+    | SameTypes
+    | ElementCount
     | FunctionCall
     | SystemCall
     | RoutineCall

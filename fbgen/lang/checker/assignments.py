@@ -14,13 +14,14 @@ from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enabling import enabled, speaks_of_enable
 from fbgen.lang.checker.evaluation import check_expression
-from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.literals import ERRONEOUS, NULL
 from fbgen.lang.checker.members import Receiver, find_setter, made_call
 from fbgen.lang.checker.objects import Method
 from fbgen.lang.checker.operators import combine
 from fbgen.lang.checker.references import bind_reference
 from fbgen.lang.checker.targets import check_target
-from fbgen.lang.types import BOOL, BlockType, OpenArrayType
+from fbgen.lang.checker.variants import assignment_attempt
+from fbgen.lang.types import BOOL, VARIANT_VALUE, BlockType, OpenArrayType
 from fbgen.source import Span
 
 _WHERE = "this assignment"
@@ -43,6 +44,8 @@ def check_assignment(ctx: Context, node: ast.Assignment) -> Sequence[Statement]:
     """An assignment with all its targets."""
     if node.operator == "REF=":
         return bind_reference(ctx, node)
+    if node.operator == "?=" and not isinstance(node.value, ast.Chained):
+        return assignment_attempt(ctx, node)
     rest = node.value
     while isinstance(rest, ast.Chained | ast.Parenthesized):
         rest = rest.inner if isinstance(rest, ast.Parenthesized) else rest.value
@@ -113,9 +116,17 @@ def _written(ctx: Context, links: Sequence[_Link], value: Expression) -> list[St
         if link.operator in _UNKNOWN:
             ctx.findings.error(
                 "FB4054",
-                f"the assignment {link.operator} is not supported",
+                f"the assignment {link.operator} in a chain is not supported",
                 link.span,
-                "write ':='",
+                "write it as a statement of its own",
+            )
+            return None
+        if place.type == VARIANT_VALUE and value.type not in (VARIANT_VALUE, NULL):
+            ctx.findings.error(
+                "FB4010",
+                f"{_WHERE} takes VARIANT, not {spelled(value.type)}",
+                link.span,
+                "VariantPut(SRC := ..., DST := ...) writes to what a VARIANT refers to",
             )
             return None
         if link.operator != ":=":

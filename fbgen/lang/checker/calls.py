@@ -10,6 +10,7 @@ from fbgen.lang import ast, checked
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import (
     Block,
+    Dereference,
     Evaluate,
     Expression,
     FunctionCall,
@@ -44,6 +45,7 @@ from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_f
 from fbgen.lang.checker.system_instructions import (
     RETURN_VALUE,
     Instruction,
+    InstructionParameter,
     instruction_named,
 )
 from fbgen.lang.checker.targets import check_target
@@ -52,11 +54,18 @@ from fbgen.lang.checker.unknown_callees import (
     unknown_callee,
     without_instance,
 )
+from fbgen.lang.checker.variants import (
+    is_variant_function,
+    is_variant_name,
+    variant_function,
+)
 from fbgen.lang.types import (
+    VARIANT_VALUE,
     VOID,
     AnyType,
     BlockType,
     Elementary,
+    ReferenceType,
     Type,
 )
 
@@ -77,6 +86,8 @@ def check_call(ctx: Context, node: ast.Call, expected: Type | None) -> Expressio
     block = _user_block(ctx, node.callee, name)
     if block is not None:
         return _value_of_block(ctx, node, block)
+    if is_variant_function(ctx, name):
+        return variant_function(ctx, node, name)
     access = memory_access_named(name)
     if access is not None:
         return check_peek(ctx, node, access)
@@ -166,6 +177,7 @@ def is_built_in(name: str) -> bool:
         or instruction_named(name) is not None
         or memory_access_named(name) is not None
         or is_modelled(name)
+        or is_variant_name(name)
     )
 
 
@@ -299,7 +311,7 @@ def system_call(
     arguments: dict[str, Expression] = {}
     for parameter, argument in bound:
         where = f"parameter {parameter.name} of {instruction.name}"
-        named = argument.kind is not ast.ArgumentKind.POSITIONAL
+        named = argument.kind is not ast.ArgumentKind.POSITIONAL and not parameter.either_way
         allowed = parameter.is_output and ctx.rules.outputs_by_assignment
         if named and (argument.kind is _ARROW) != parameter.is_output and not allowed:
             ctx.findings.error(
@@ -313,6 +325,8 @@ def system_call(
             continue
         if isinstance(parameter.type, AnyType):
             value = _area(ctx, argument.value, parameter.is_output, where)
+        elif isinstance(parameter.type, ReferenceType):
+            value = _any_variable(ctx, argument.value, parameter, where)
         elif parameter.any_integer:
             value = check_whole(ctx, argument.value, where)
         elif parameter.type == VOID:
@@ -342,12 +356,29 @@ def _hardware_address(
     return coerce(ctx, value, target, where)
 
 
+def _any_variable(
+    ctx: Context, node: ast.Expression, parameter: InstructionParameter, where: str
+) -> Expression:
+    if isinstance(node, ast.Literal) and node.kind is ast.LiteralKind.POINTER:
+        value = check_area_literal(ctx, node, where)
+    elif parameter.is_output or parameter.either_way:
+        value = check_target(ctx, node, where) or erroneous(node.span)
+    else:
+        value = check_expression(ctx, node)
+    return coerce(ctx, value, VARIANT_VALUE, where)
+
+
 def _area(ctx: Context, node: ast.Expression, written: bool, where: str) -> Expression:
     if isinstance(node, ast.Literal) and node.kind is ast.LiteralKind.POINTER:
         return check_area_literal(ctx, node, where)
     if written:
-        return check_target(ctx, node, where) or erroneous(node.span)
+        target = check_target(ctx, node, where)
+        if target is not None and target.type == VARIANT_VALUE:
+            return Dereference(node.span, target, VARIANT_VALUE)
+        return target or erroneous(node.span)
     expression = check_expression(ctx, node)
+    if expression.type == VARIANT_VALUE and isinstance(expression, Place):
+        return Dereference(node.span, expression, VARIANT_VALUE)
     if expression.type != ERRONEOUS and not is_place(expression):
         ctx.findings.error(
             "FB4022",

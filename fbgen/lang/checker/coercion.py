@@ -1,6 +1,16 @@
 """Giving an expression the type that its place asks for, or saying why that cannot be."""
 
-from fbgen.lang.checked import Constant, Convert, Expression, ReferenceTo
+from fbgen.lang.checked import (
+    Constant,
+    Convert,
+    Expression,
+    FieldRef,
+    IndexRef,
+    Place,
+    ReferenceTo,
+    SliceRef,
+    VariableRef,
+)
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import conversion_between, is_implicit
 from fbgen.lang.checker.folding import fold_conversion
@@ -15,6 +25,7 @@ from fbgen.lang.checker.literals import (
 )
 from fbgen.lang.types import (
     BOOL,
+    VARIANT_VALUE,
     AnyType,
     ArrayType,
     BlockType,
@@ -66,6 +77,8 @@ def coerce(ctx: Context, expression: Expression, target: Type, where: str) -> Ex
         return expression
     if ERRONEOUS in (source, target):
         return erroneous(expression.span)
+    if target == VARIANT_VALUE:
+        return as_variant(ctx, expression, where)
     if isinstance(target, ReferenceType):
         nothing = as_null(expression, target)
         if nothing is not None:
@@ -91,11 +104,33 @@ def as_null(expression: Expression, target: ReferenceType) -> Expression | None:
         isinstance(expression, Constant)
         and expression.type == UNTYPED_INTEGER
         and expression.value == 0
-        and target.keyword != "REF_TO"
+        and target.keyword not in ("REF_TO", "VARIANT")
     )
     if is_zero or expression.type == NULL:
         return ReferenceTo(expression.span, None, target)
     return None
+
+
+def as_variant(ctx: Context, expression: Expression, where: str) -> Expression:
+    """A variable, a VARIANT or NULL as a VARIANT; reports anything else."""
+    if expression.type in (VARIANT_VALUE, ERRONEOUS):
+        return expression
+    if expression.type == NULL:
+        return ReferenceTo(expression.span, None, VARIANT_VALUE)
+    root = expression
+    while isinstance(root, FieldRef | IndexRef):
+        root = root.base
+    if isinstance(root, VariableRef):
+        ctx.written.add(root.variable)
+    if isinstance(expression, Place) and not isinstance(root, SliceRef):
+        return ReferenceTo(expression.span, expression, VARIANT_VALUE)
+    ctx.findings.error(
+        "FB4022",
+        f"{where} takes a variable, not a value",
+        expression.span,
+        "put the value into a variable and give that",
+    )
+    return erroneous(expression.span)
 
 
 def _limited(ctx: Context, expression: Expression, target: Type, where: str) -> Expression | None:

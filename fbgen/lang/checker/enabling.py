@@ -197,6 +197,13 @@ def _asked(ctx: Context, span: Span, place: Place, statements: list[Statement]) 
     first, *rest = statements
     if isinstance(first, Evaluate) and isinstance(first.call, SystemCall):
         return [checked.Assignment(span, place, _is_good(span, first.call))]
+    if isinstance(first, checked.If):
+        # VariantGet and VariantPut, which do nothing where the types are not the same.
+        yes = checked.Assignment(span, place, Constant(span, True, BOOL))
+        no = checked.Assignment(span, place, Constant(span, False, BOOL))
+        (branch,) = first.branches
+        branch = checked.Branch(branch.span, branch.condition, (*branch.body, yes))
+        return [checked.If(first.span, (branch,), (no,))]
     call = _called(first.value) if isinstance(first, checked.Assignment) else None
     if isinstance(first, checked.Assignment) and isinstance(call, SystemCall):
         return [first, *rest, checked.Assignment(span, place, _is_good(span, first.target))]

@@ -16,6 +16,7 @@ from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.overlays import Home, check_overlay, overlay_kind
 from fbgen.lang.checker.places import address_of
 from fbgen.lang.checker.symbols import NamedConstant, PendingSymbol
+from fbgen.lang.checker.type_names import is_variant
 from fbgen.lang.types import (
     BlockType,
     Elementary,
@@ -158,6 +159,10 @@ class Interfaces:
         bound = kind is VariableKind.IN_OUT or (
             kind is VariableKind.INPUT and block is BlockKind.FUNCTION
         )
+        if is_variant(self._library, declaration.type) and block is not None:
+            bound = kind in (VariableKind.INPUT, VariableKind.IN_OUT, VariableKind.TEMP)
+            # The reference is the value: what it refers to is changed either way.
+            kind = VariableKind.INPUT if kind is VariableKind.IN_OUT else kind
         types = self._library.types
         resolve = types.parameter if bound else types.resolve
         resolved = resolve(ctx, declaration.type)

@@ -7,14 +7,14 @@ of the parameter type ANY".
 import re
 
 from fbgen.lang import ast
-from fbgen.lang.checked import Constant, Expression, IndexRef, MemoryRef
+from fbgen.lang.checked import Constant, Expression, IndexRef, MemoryRef, ReferenceTo
 from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import ERRONEOUS, erroneous
 from fbgen.lang.checker.memory_access import DATA_BLOCK, INPUTS, MARKERS, OUTPUTS, use_block
-from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, Instruction
+from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, ON_VARIANTS, Instruction
 from fbgen.lang.layout import holds_blocks
-from fbgen.lang.types import BYTE, DINT, ELEMENTARY, INT, ArrayType
+from fbgen.lang.types import BYTE, DINT, ELEMENTARY, INT, ArrayType, Elementary
 
 _AREA = re.compile(
     r"(?:DB([0-9]{1,5})\.DB|([IQMEA]))X? ?([0-9]{1,5})\.([0-7]) ([A-Z_]+) ([0-9]{1,5})"
@@ -59,6 +59,8 @@ def check_memory_instruction(
             if not isinstance(area, Constant) or area.value == DATA_BLOCK:
                 use_block(ctx, arguments[f"dbNumber_{end}"])
         return True
+    if instruction.name in ON_VARIANTS:
+        return _counts_in_whole_numbers(ctx, instruction, arguments.get("POS"))
     if instruction.name not in ELEMENT_MOVES:
         return all(_lies_in_bytes(ctx, instruction, name, arguments[name]) for name in arguments)
     fills = "FILL" in instruction.name
@@ -83,6 +85,24 @@ def check_memory_instruction(
         f"{where} has elements of {spelled(source.type)}, OUT of {spelled(target.type)}",
         source.span,
         "both arrays need the same type of elements",
+    )
+    return False
+
+
+def _counts_in_whole_numbers(
+    ctx: Context, instruction: Instruction, position: Expression | None
+) -> bool:
+    if position is None:
+        return True
+    place = position.place if isinstance(position, ReferenceTo) else None
+    kind = None if place is None else place.type
+    if isinstance(kind, Elementary) and kind.is_integer:
+        return True
+    ctx.findings.error(
+        "FB4075",
+        f"parameter POS of {instruction.name} takes a variable that counts bytes",
+        position.span,
+        "give a variable of type DINT",
     )
     return False
 

@@ -34,6 +34,7 @@ from fbgen.lang.checker.operator_help import operator_help
 from fbgen.lang.checker.reference_comparison import compare
 from fbgen.lang.checker.stamps import as_stamp, is_stamp
 from fbgen.lang.checker.standard_functions import DATE_ARITHMETIC
+from fbgen.lang.checker.variants import compares_types, type_comparison
 from fbgen.lang.types import (
     BOOL,
     DTL,
@@ -62,7 +63,9 @@ def check_binary(ctx: Context, node: ast.Binary, expected: Type | None) -> Expre
     spine: list[ast.Binary] = []
     leftmost: ast.Expression = node
     compares = False
-    while isinstance(leftmost, ast.Binary):
+    if compares_types(ctx, node):
+        return type_comparison(ctx, node)
+    while isinstance(leftmost, ast.Binary) and not compares_types(ctx, leftmost):
         spine.append(leftmost)
         compares = compares or leftmost.operator in folding.COMPARISONS
         leftmost = leftmost.left

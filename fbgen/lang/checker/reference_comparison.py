@@ -3,7 +3,7 @@
 from fbgen.lang.checked import Expression, ReferenceTo, SameReference, Unary
 from fbgen.lang.checker.coercion import as_null
 from fbgen.lang.checker.literals import NULL
-from fbgen.lang.types import BOOL, ReferenceType
+from fbgen.lang.types import BOOL, VARIANT_VALUE, ReferenceType
 from fbgen.source import Span
 
 
@@ -17,7 +17,8 @@ def compare(span: Span, operator: str, left: Expression, right: Expression) -> E
     if operator not in ("=", "<>"):
         return None
     if isinstance(left.type, ReferenceType) and left.type != NULL:
-        other = right if right.type == left.type else as_null(right, left.type)
+        same = right.type == left.type and left.type != VARIANT_VALUE
+        other = right if same else as_null(right, left.type)
         return None if other is None else compared(span, operator, left, other)
     if isinstance(right.type, ReferenceType) and right.type != NULL:
         return compare(span, operator, right, left)

@@ -34,6 +34,12 @@ from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_f
 from fbgen.lang.checker.system_instructions import instruction_named
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.checker.unknown_callees import unknown_callee
+from fbgen.lang.checker.variants import (
+    asks_for_type,
+    case_of_type,
+    is_variant_access,
+    variant_access,
+)
 from fbgen.lang.types import BOOL, Elementary, Family, counting_type
 from fbgen.source import Span
 
@@ -76,6 +82,8 @@ def _plain_call(ctx: Context, node: ast.CallStatement, call: ast.Call) -> Sequen
             return ()
         function = function_call(ctx, call, block)
         return () if function is None else (checked.Evaluate(node.span, function),)
+    if is_variant_access(ctx, name):
+        return variant_access(ctx, call, name)
     access = memory_access_named(name)
     if access is not None and access.writes:
         poke = check_poke(ctx, call, access)
@@ -158,6 +166,10 @@ def _if(ctx: Context, node: ast.If) -> Sequence[Statement]:
 
 
 def _case(ctx: Context, node: ast.Case) -> Sequence[Statement]:
+    if asks_for_type(ctx, node.selector):
+        bodies = [check_body(ctx, arm.body) for arm in node.arms]
+        bodies.append(check_body(ctx, node.otherwise.body) if node.otherwise else ())
+        return (case_of_type(ctx, node, bodies),)
     selector = as_typed(check_expression(ctx, node.selector))
     kind: Elementary | None = None
     if isinstance(selector.type, Elementary) and selector.type.family in _SELECTORS:

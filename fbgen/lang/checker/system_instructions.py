@@ -2,25 +2,40 @@
 
 Source: TIA Portal help, "DPRD_DAT" and "DPWR_DAT" (SFC14 and SFC15 on S7-300/400). LADDR is the
 start address of the module as WORD (S7-300/400), or its hardware identifier (S7-1200/1500).
-"BLKMOV", "UBLKMOV" and "FILL" (SFC20, SFC81, SFC21), "MOVE_BLK", "FILL_BLK", "POKE_BLK".
+"BLKMOV", "UBLKMOV" and "FILL" (SFC20, SFC81, SFC21), "MOVE_BLK", "FILL_BLK", "POKE_BLK",
+"MOVE_BLK_VARIANT", "Serialize", "Deserialize".
 """
 
 from dataclasses import dataclass
 
-from fbgen.lang.types import ANY, BYTE, DINT, INT, VARIANT, VOID, WORD, AnyType, Elementary
+from fbgen.lang.types import (
+    ANY,
+    BYTE,
+    DINT,
+    INT,
+    VARIANT,
+    VARIANT_VALUE,
+    VOID,
+    WORD,
+    AnyType,
+    Elementary,
+    ReferenceType,
+)
 
 
 @dataclass(frozen=True, slots=True)
 class InstructionParameter:
     """One parameter. An area (VARIANT) is a place of any type; `is_output`: it is written.
 
-    `any_integer`: whole numbers of all types are taken as they are.
+    `any_integer`: whole numbers of all types are taken as they are. `either_way`: an in-out, which
+    is published with := and with =>. A VARIANT_VALUE arrives as a VARIANT, which may be NULL.
     """
 
     name: str
-    type: Elementary | AnyType
+    type: Elementary | AnyType | ReferenceType
     is_output: bool = False
     any_integer: bool = False
+    either_way: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +84,41 @@ _POKE_BLK = Instruction(
     VOID,
     on_memory=True,
 )
+
+
+def _variant(name: str, is_output: bool = False) -> InstructionParameter:
+    return InstructionParameter(name, VARIANT_VALUE, is_output=is_output)
+
+
+def _in_out(name: str) -> InstructionParameter:
+    return InstructionParameter(name, VARIANT_VALUE, either_way=True)
+
+
+_ON_VARIANTS = (
+    Instruction(
+        "MOVE_BLK_VARIANT",
+        (
+            *(_variant("SRC"), _number("COUNT"), _number("SRC_INDEX"), _number("DEST_INDEX")),
+            _variant("DEST", is_output=True),
+        ),
+        INT,
+        on_memory=True,
+    ),
+    Instruction(
+        "SERIALIZE",
+        (_variant("SRC_VARIABLE"), _in_out("DEST_ARRAY"), _in_out("POS")),
+        INT,
+        on_memory=True,
+    ),
+    Instruction(
+        "DESERIALIZE",
+        (_variant("SRC_ARRAY"), _in_out("DEST_VARIABLE"), _in_out("POS")),
+        INT,
+        on_memory=True,
+    ),
+)
+ON_VARIANTS = tuple(instruction.name for instruction in _ON_VARIANTS)
+"""They get VARIANTs, ask for the types themselves and say in RET_VAL what does not fit."""
 ELEMENT_MOVES = ("MOVE_BLK", "UMOVE_BLK", "FILL_BLK", "UFILL_BLK")
 """They work on elements of arrays from a given one on."""
 
@@ -93,6 +143,7 @@ INSTRUCTIONS: dict[str, Instruction] = {
             INT,
         ),
         *(_moves(name) for name in ELEMENT_MOVES),
+        *_ON_VARIANTS,
         *(_copies("BLKMOV"), _copies("UBLKMOV"), _FILL, _POKE_BLK),
     )
 }

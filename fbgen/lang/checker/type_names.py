@@ -18,6 +18,7 @@ from fbgen.lang.types import (
     DTL,
     ELEMENTARY,
     UINT,
+    VARIANT_VALUE,
     ArrayInitial,
     ArrayType,
     Elementary,
@@ -50,6 +51,13 @@ class Resolved:
 
     type: Type
     initial: Initial | None = None
+
+
+def is_variant(library: "Library", node: ast.TypeSpec) -> bool:
+    """True for VARIANT, which only S7-1200 and S7-1500 have."""
+    if not isinstance(node, ast.NamedType) or node.quoted or library.rules.dialect != "tia":
+        return False
+    return node.name.casefold() == "variant"
 
 
 def elementary_type(name: str) -> Elementary | None:
@@ -119,6 +127,8 @@ class TypeResolver:
 
     def parameter(self, ctx: Context, node: ast.TypeSpec) -> Resolved:
         """What the type of a parameter means that is bound to an argument."""
+        if is_variant(self._library, node):
+            return Resolved(VARIANT_VALUE)
         if not isinstance(node, ast.ArraySpec) or any(one.first for one in node.bounds):
             return self.resolve(ctx, node)
         element = self.resolve(ctx, node.element).type
@@ -188,6 +198,14 @@ class TypeResolver:
         if block is not None:
             return Resolved(block)
         findings = self._library.findings
+        if key == "variant" and self._library.rules.dialect == "tia":
+            findings.error(
+                "FB4095",
+                "VARIANT takes what it refers to from an argument, and there is none here",
+                span,
+                "use it in VAR_INPUT, VAR_IN_OUT or VAR_TEMP of a block",
+            )
+            return Resolved(ERRONEOUS)
         if key in ("variant", "any", "pointer"):
             findings.error(
                 "FB4054",

@@ -13,6 +13,13 @@ _NOT_RUN = ("__NEW", "__DELETE", "__QUERYINTERFACE", "__QUERYPOINTER")
 """Operators of CODESYS and TwinCAT for memory and interfaces that are made while running."""
 
 
+_NOT_MODELLED = (
+    *("VARIANT_TO_DB_ANY", "DB_ANY_TO_VARIANT", "GETSYMBOLNAME", "GETSYMBOLPATH"),
+    *("GETSYMBOLFORREFERENCE", "GETINSTANCENAME", "GETINSTANCEPATH", "GETBLOCKNAME"),
+)
+"""Instructions of TIA for the numbers and names of what a program is made of."""
+
+
 def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
     """Report the call of something that does not exist."""
     if standard_block(name) is not None:
@@ -21,6 +28,10 @@ def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
     if name.upper() in _NOT_RUN:
         message = f"{name.upper()} is read and printed, but cannot run"
         help_text = "declare the instances that the program needs as variables"
+        ctx.findings.error("FB4054", message, node.callee.span, help_text)
+        return
+    if ctx.rules.dialect == "tia" and name.upper() in _NOT_MODELLED:
+        message, help_text = f"{name} is not supported", "hand over what it gives as an input"
         ctx.findings.error("FB4054", message, node.callee.span, help_text)
         return
     ctx.findings.unknown(

@@ -1,8 +1,11 @@
 """Variables as areas of bytes: for instructions, for `DB1.DBW2`, and located variables."""
 
+from typing import Any
+
 from fbgen.lang.checked import Address
 from fbgen.lang.types import Scalar, Type
 from harness.engine.compiled.addresses import spelled
+from harness.engine.compiled.cells import Cell
 from harness.engine.compiled.library.placed import ByteArray, ByteStructure
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.environment import Environment
@@ -45,6 +48,20 @@ class VariableArea:
         content = data + self.read()[len(data) :] if len(data) < self.length else data
         value = decode(self.type, content[: self.length])
         self._memory.load("area", self._location, value)
+
+
+def fixed_location(kind: Type, data: Any) -> Location:
+    """Where a structure, an array or an instance is."""
+    return Location(kind, lambda: data, lambda _: None)
+
+
+def cell_location(kind: Type, cell: Cell) -> Location:
+    """Where a single value is."""
+
+    def write(value: Any) -> None:
+        cell.value = value
+
+    return Location(kind, lambda: cell.value, write)
 
 
 def read_located(environment: Environment, address: Address, kind: Type) -> Scalar:

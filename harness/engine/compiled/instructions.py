@@ -8,7 +8,7 @@ from fbgen.lang.checked import (
     SystemCall,
 )
 from fbgen.lang.checker.system_instructions import instruction_named
-from fbgen.lang.types import AnyType
+from fbgen.lang.types import VARIANT_VALUE, AnyType
 
 
 def areas(node: SystemCall) -> dict[str, Place]:
@@ -17,7 +17,8 @@ def areas(node: SystemCall) -> dict[str, Place]:
     named = {
         parameter.name
         for parameter in (instruction.parameters if instruction else ())
-        if parameter.is_output or isinstance(parameter.type, AnyType)
+        if parameter.type != VARIANT_VALUE
+        and (parameter.is_output or isinstance(parameter.type, AnyType))
     }
     return {
         name: argument for name, argument in node.arguments if name in named and is_place(argument)

@@ -7,10 +7,10 @@ from typing import Any
 
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Place, SystemCall
-from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, INSTRUCTIONS
-from fbgen.lang.types import Scalar
-from harness.engine.compiled.areas import VariableArea
-from harness.engine.compiled.cells import AttributeCell, Cell, ElementCell, ValueCell, same, target
+from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, INSTRUCTIONS, ON_VARIANTS
+from fbgen.lang.types import Scalar, Type
+from harness.engine.compiled.areas import VariableArea, cell_location, fixed_location
+from harness.engine.compiled.cells import AttributeCell, ElementCell, ValueCell, same, target
 from harness.engine.compiled.instructions import areas
 from harness.engine.compiled.library import (
     calendar,
@@ -23,12 +23,15 @@ from harness.engine.compiled.library import (
     time_texts,
     wholes,
 )
-from harness.engine.compiled.memory import Location, Memory
+from harness.engine.compiled.memory import Memory
 from harness.engine.compiled.memory_access import access
 from harness.engine.compiled.memory_instructions import BlockPokes, move_area, move_elements
 from harness.engine.compiled.model import is_scalar
 from harness.engine.compiled.open_arrays import OpenArray
 from harness.engine.compiled.placement import FUNCTIONS, Bytes
+from harness.engine.compiled.variants import FUNCTIONS as VARIANT_FUNCTIONS
+from harness.engine.compiled.variants import Variant
+from harness.engine.compiled.variants import run as run_on_variants
 from harness.engine.environment import Environment
 from harness.engine.interface import Limits
 from harness.engine.layout import size_bits
@@ -85,6 +88,7 @@ LIBRARY: dict[str, Any] = {
     "_OpenArray": OpenArray,
     "_same": same,
     "_target": target,
+    **VARIANT_FUNCTIONS,
     "_rounded": reals.rounded,
     "_real_of_whole": reals.real_of_whole,
     "_real_quotient": reals.quotient,
@@ -195,6 +199,8 @@ def hardware(
             return move_elements(node, *arguments)
         if node.name == "POKE_BLK":
             return block_pokes.run(node, *arguments)
+        if node.name in ON_VARIANTS:
+            return run_on_variants(node, memory, *arguments)
         by_name: dict[str, Scalar | VariableArea] = {}
         places = areas(node)
         for (name, _), argument in zip(node.arguments, arguments, strict=True):
@@ -202,11 +208,15 @@ def hardware(
             if place is None:
                 by_name[name] = argument
                 continue
-            _check_layout(place)
+            if isinstance(argument, Variant):
+                _check_layout(place, argument.kind)
+                by_name[name] = argument.area(memory)
+                continue
+            _check_layout(place, place.type)
             if is_scalar(place.type):
-                by_name[name] = VariableArea(memory, _cell_location(place.type, argument))
+                by_name[name] = VariableArea(memory, cell_location(place.type, argument))
             else:
-                by_name[name] = VariableArea(memory, _fixed(place.type, argument))
+                by_name[name] = VariableArea(memory, fixed_location(place.type, argument))
         if INSTRUCTIONS[node.name.casefold()].on_memory:
             source, target = by_name.values()
             assert isinstance(source, VariableArea)
@@ -220,22 +230,11 @@ def hardware(
     return {"_instruction": instruction, "_fill": fill, **access(data, environment)}
 
 
-def _check_layout(place: Place) -> None:
+def _check_layout(place: Place, kind: Type) -> None:
     """Raises FB6013, with the place, if the variable has no layout in memory."""
     try:
-        size_bits(place.type)
+        size_bits(kind)
     except DiagnosticError as problem:
         raise DiagnosticError(
             replace(diagnostic, span=place.span) for diagnostic in problem.diagnostics
         ) from None
-
-
-def _fixed(kind: Any, data: Any) -> Location:
-    return Location(kind, lambda: data, lambda _: None)
-
-
-def _cell_location(kind: Any, cell: Cell) -> Location:
-    def write(value: Scalar) -> None:
-        cell.value = value
-
-    return Location(kind, lambda: cell.value, write)

@@ -21,6 +21,7 @@ from fbgen.lang.checked import (
 )
 from fbgen.lang.types import (
     BOOL,
+    VARIANT_VALUE,
     ArrayType,
     BlockType,
     Elementary,
@@ -405,6 +406,8 @@ def cell(procedure: Procedure, node: Place) -> Code:
     if isinstance(node, Dereference):
         reference = place(procedure, node.base)
         text = f"_target({reference.text})"
+        if node.base.type == VARIANT_VALUE != node.type:
+            text = f"{reference.text}.target"
         procedure.site(text, node)
         return Code(text, depth=reference.depth + 1, safe=False)
     assert isinstance(node, IndexRef)

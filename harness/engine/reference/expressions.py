@@ -10,18 +10,21 @@ from fbgen.lang.checked import (
     BoundOf,
     Constant,
     Convert,
+    ElementCount,
     Expression,
     FunctionCall,
     Place,
     ReferenceTo,
     RoutineCall,
     SameReference,
+    SameTypes,
     StandardCall,
     SystemCall,
+    TypeTest,
     Unary,
 )
-from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, INSTRUCTIONS
-from fbgen.lang.types import AnyType, ArrayType, Scalar, StringType, StructType
+from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, INSTRUCTIONS, ON_VARIANTS
+from fbgen.lang.types import VARIANT_VALUE, AnyType, ArrayType, Scalar, StringType, StructType
 from harness.engine.environment import Area, Environment
 from harness.engine.interface import Value
 from harness.engine.reference.areas import StorageArea
@@ -43,6 +46,8 @@ from harness.engine.reference.pointers import Pointed
 from harness.engine.reference.stamps import parts_of, stamp_of
 from harness.engine.reference.storage import Storage
 from harness.engine.reference.text_functions import TEXT_FUNCTIONS
+from harness.engine.reference.variants import ON_VARIANTS as ON_VARIANTS_BY_NAME
+from harness.engine.reference.variants import ask
 
 STANDARD_FUNCTIONS = {**NUMERIC_FUNCTIONS, **BIT_FUNCTIONS, **TEXT_FUNCTIONS, **DATE_FUNCTIONS}
 """By canonical name."""
@@ -119,6 +124,16 @@ class Expressions:
         if call.name == "POKE_BLK":
             numbers = [self.integer(argument, frame) for _, argument in call.arguments]
             poke_block(call, numbers, places)
+        elif call.name in ON_VARIANTS:
+            return ON_VARIANTS_BY_NAME[call.name](
+                [
+                    self.pointed(argument, frame)
+                    if argument.type == VARIANT_VALUE
+                    else self.integer(argument, frame)
+                    for _, argument in call.arguments
+                ],
+                call.span,
+            )
         elif call.name in ELEMENT_MOVES:
             (_, source), (_, count), (_, target) = call.arguments
             if "FILL" in call.name:
@@ -141,6 +156,9 @@ class Expressions:
         | BoundOf
         | ReferenceTo
         | SameReference
+        | TypeTest
+        | SameTypes
+        | ElementCount
         | SystemCall
         | Attempt,
         frame: Frame,
@@ -159,9 +177,9 @@ class Expressions:
                 place = expression.place
                 return Pointed(None if place is None else self._places.find(place, frame))
             case SameReference():
-                return self._pointed(expression.left, frame) is self._pointed(
-                    expression.right, frame
-                )
+                return self.pointed(expression.left, frame) is self.pointed(expression.right, frame)
+            case TypeTest() | SameTypes() | ElementCount():
+                return ask(expression, lambda variant: self.pointed(variant, frame))
             case BoundOf():
                 array = self._places.find(expression.base, frame).kind
                 assert isinstance(array, ArrayType)
@@ -206,7 +224,8 @@ class Expressions:
             case StandardCall():
                 return replace(operand, arguments=tuple(map(settle, operand.arguments)))
 
-    def _pointed(self, expression: Expression, frame: Frame) -> Storage | None:
+    def pointed(self, expression: Expression, frame: Frame) -> Storage | None:
+        """What a reference or a VARIANT refers to."""
         value = self.value(expression, frame)
         assert isinstance(value, Pointed)
         return value.storage
