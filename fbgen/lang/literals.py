@@ -62,7 +62,7 @@ _INTEGER = re.compile(r"[+-]?[0-9]+(?:_[0-9]+)*\Z")
 _REAL = re.compile(
     r"[+-]?[0-9]+(?:_[0-9]+)*(?:\.[0-9]+(?:_[0-9]+)*(?:[eE][+-]?[0-9]+)?|[eE][+-]?[0-9]+)\Z"
 )
-_BASED = re.compile(r"([+-]?)(2|8|16)#([0-9A-Fa-f]+(?:_[0-9A-Fa-f]+)*)\Z")
+_BASED = re.compile(r"([+-]?)(2|8|10|16)#([0-9A-Fa-f]+(?:_[0-9A-Fa-f]+)*)\Z")
 _DURATION_PART = re.compile(r"_?([0-9]+(?:_[0-9]+)*)(?:\.([0-9]+))?(ms|us|ns|d|h|m|s)", re.I)
 _DATE = re.compile(r"([0-9]{4})-([0-9]{1,2})-([0-9]{1,2})\Z")
 _CLOCK = re.compile(r"([0-9]{1,2}):([0-9]{1,2})(?::([0-9]{1,2})(?:\.([0-9]{1,9}))?)?\Z")
@@ -212,7 +212,7 @@ def _number(text: str, type_name: str) -> LiteralValue:
         except ValueError:
             raise BadLiteralError(
                 f"'{text}' has digits that base {base} does not have",
-                "base 2 has 0 and 1, base 8 has 0 to 7, base 16 has 0 to 9 and A to F",
+                "base 2 has 0 and 1, 8 has 0 to 7, 10 has 0 to 9, 16 has 0 to 9 and A to F",
             ) from None
         return LiteralValue(
             LiteralKind.INTEGER, -value if sign == "-" else value, type_name, int(base)

@@ -132,7 +132,8 @@ class DeclaredName:
 class Declaration:
     """`a, b AT %IB0 : INT := 5;` `at` is a direct address or the name of an overlaid variable.
 
-    `arguments` are those that CODESYS hands to FB_init: `pump : Pump(11, speed := 50.0);`
+    `arguments` are those that CODESYS hands to FB_init: `pump : Pump(11, speed := 50.0);`, or one
+    list in brackets with those of each element: `pumps : ARRAY[1..2] OF Pump[(11), (12)];`
     `edge` is "R_EDGE" or "F_EDGE" behind the type of an input; `operator` is ":=", or "REF=" where
     a reference is bound: `r : REFERENCE TO INT REF= x;`
     """

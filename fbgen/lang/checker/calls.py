@@ -40,7 +40,7 @@ from fbgen.lang.checker.routine_calls import (
     value_of_routine,
 )
 from fbgen.lang.checker.routines import is_modelled
-from fbgen.lang.checker.standard_blocks import TIMER_METHODS, standard_block
+from fbgen.lang.checker.standard_blocks import COUNTER_METHODS, TIMER_METHODS, standard_block
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.system_instructions import (
     RETURN_VALUE,
@@ -261,6 +261,9 @@ def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | Evaluate | Non
         if isinstance(base.type, BlockType) and standard_block(base.type.name):
             method = callee.name
             callee = callee.base
+    elif isinstance(callee, ast.Member) and callee.name.upper() in COUNTER_METHODS:
+        node = _counter_call(ctx, node, callee)
+        callee = node.callee
     place = check_expression(ctx, callee)
     if place.type == ERRONEOUS:
         check_arguments_alone(ctx, node)
@@ -287,6 +290,20 @@ def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | Evaluate | Non
     if bound is None:
         return None
     return InstanceCall(node.span, place, block, bound.inputs, bound.in_outs, bound.outputs)
+
+
+def _counter_call(ctx: Context, node: ast.Call, callee: ast.Member) -> ast.Call:
+    """`counter.CTU(..., Q => done)` of an IEC_COUNTER as the call of the CTUD that it is."""
+    base = check_expression(ctx, callee.base)
+    if not isinstance(base.type, BlockType) or not standard_block(base.type.name):
+        return node
+    output = COUNTER_METHODS[callee.name.upper()]
+    if not output or not base.type.name.upper().startswith("CTUD"):
+        return replace(node, callee=callee.base)
+    arguments = tuple(
+        replace(one, name=output) if one.name.upper() == "Q" else one for one in node.arguments
+    )
+    return replace(node, callee=callee.base, arguments=arguments)
 
 
 # --- instructions of the controller -----------------------------------------------------------

@@ -36,7 +36,7 @@ from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.members import called_member
 from fbgen.lang.checker.places import names_block
-from fbgen.lang.checker.standard_blocks import TIMER_METHODS
+from fbgen.lang.checker.standard_blocks import COUNTER_METHODS, TIMER_METHODS
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.types import BOOL, INT, BlockType
 from fbgen.lang.walk import walk
@@ -186,7 +186,7 @@ def _variables(ctx: Context, call: ast.Call) -> tuple[Variable, ...]:
     if isinstance(callee, ast.Name) and names_block(ctx, callee):
         block = ctx.library.user_block(callee.name)
         return block.variables if block is not None else ()
-    if isinstance(callee, ast.Member) and callee.name.upper() in TIMER_METHODS:
+    if isinstance(callee, ast.Member) and callee.name.upper() in (*TIMER_METHODS, *COUNTER_METHODS):
         return ()
     kind = check_expression(ctx, callee).type
     return ctx.library.variables_of(kind) if isinstance(kind, BlockType) else ()

@@ -49,8 +49,8 @@ class Initials:
     ) -> Initial | None:
         """The value of an initializer over `base`; `base` itself after reporting errors."""
         node = _bare(node)
-        if kind == ERRONEOUS:
-            return base
+        if kind == ERRONEOUS or (isinstance(node, ast.StructLiteral) and not node.fields):
+            return base  # `()` leaves what is there, as TIA writes it: (1, (), 3)
         if isinstance(kind, ArrayType):
             if isinstance(node, ast.ArrayLiteral):
                 return self._array(ctx, node, kind, base)

@@ -74,7 +74,9 @@ class Interfaces:
                 if section.keyword == "VAR_EXTERNAL":
                     self._externals(ctx, declaration)
                 elif isinstance(declaration.at, ast.Name):
-                    variables += self._overlays(ctx, declaration, Home(block, header))
+                    variables += self._overlays(
+                        ctx, declaration, Home(block, header, "DB_SPECIFIC" in section.qualifiers)
+                    )
                 else:
                     variables += self._variables(ctx, section, declaration, block)
         for key, entry in list(ctx.scope.entries.items()):
@@ -171,6 +173,13 @@ class Interfaces:
             initial = self._library.initial(
                 ctx, declaration.initial, resolved.type, resolved.initial
             )
+        if declaration.arguments:
+            ctx.findings.error(
+                "FB4054",
+                "arguments for FB_init are not supported",
+                declaration.arguments[0].span,
+                "give initial values: inst : Type := (x := 1);",
+            )
         if isinstance(resolved.type, BlockType):
             self._check_instance(ctx, declaration, resolved.type, kind)
         address = self._address(ctx, declaration, resolved.type)
@@ -224,13 +233,6 @@ class Interfaces:
         self, ctx: Context, declaration: ast.Declaration, kind: BlockType, where: VariableKind
     ) -> None:
         """What an instance must not be; what is handed over may be of a derived block."""
-        if declaration.arguments:
-            ctx.findings.error(
-                "FB4054",
-                "arguments for FB_init are not supported",
-                declaration.arguments[0].span,
-                "give initial values: inst : Type := (x := 1);",
-            )
         if where is not VariableKind.IN_OUT and self._library.objects.is_abstract(kind):
             ctx.findings.error(
                 "FB4089",
@@ -261,8 +263,8 @@ class Interfaces:
         return VariableKind.TEMP if block in _WITHOUT_MEMORY else VariableKind.STATIC
 
     def _address(self, ctx: Context, declaration: ast.Declaration, kind: Type) -> Address | None:
-        if not isinstance(declaration.at, ast.DirectAddress):
-            return None
+        if not isinstance(declaration.at, ast.DirectAddress) or declaration.at.byte < 0:
+            return None  # `%I*` is placed where the project links it
         address = address_of(ctx, declaration.at)
         if address is None or kind == ERRONEOUS:
             return None

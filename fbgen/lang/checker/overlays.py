@@ -1,7 +1,8 @@
 """Variables that lie over other ones: `view AT data : ARRAY[0..3] OF BYTE;`.
 
-Sources: TIA Portal help, "Overlaying tags with AT" (standard access only, no initial value, not
-larger than what it overlays, declared behind it); STEP 7 SCL manual, "Views of variables".
+Sources: TIA Portal help, "Overlaying tags with AT" (only with standard access or where the
+retentivity is set in the instance data block, which sources spell DB_SPECIFIC; no initial value,
+not larger than what it overlays, declared behind it); STEP 7 SCL manual, "Views of variables".
 """
 
 from dataclasses import dataclass
@@ -21,10 +22,14 @@ _PLACES = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.STATIC, Variabl
 
 @dataclass(frozen=True, slots=True)
 class Home:
-    """The block that declares variables: its kind (None: global ones) and its header."""
+    """The block that declares variables: its kind (None: global ones) and its header.
+
+    `is_specific`: in a section DB_SPECIFIC, which has standard access in every block.
+    """
 
     block: BlockKind | None
     header: tuple[ast.HeaderItem, ...] = ()
+    is_specific: bool = False
 
 
 def check_overlay(
@@ -74,10 +79,10 @@ def _problem(
     """Why the overlay cannot be, and what to do; empty texts if it can."""
     if ctx.rules.dialect not in ("tia", "step7"):
         return "only S7 lays variables over each other", "use a UNION"
-    if is_optimized(home.header):
+    if is_optimized(home.header) and not home.is_specific:
         return (
             f"'{root.name}' belongs to a block with optimized access, which has no overlays",
-            "write { S7_Optimized_Access := 'FALSE' } in the block's header",
+            "declare both in VAR DB_SPECIFIC, or write { S7_Optimized_Access := 'FALSE' }",
         )
     in_event = home.block is BlockKind.ORGANIZATION_BLOCK and root.kind is VariableKind.INPUT
     if root.address is not None or root.kind not in _PLACES or in_event:

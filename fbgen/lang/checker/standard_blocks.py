@@ -94,11 +94,23 @@ ALIASES: dict[str, str] = {
     "ctu_int": "CTU",
     "ctd_int": "CTD",
     "ctud_int": "CTUD",
+    "iec_counter": "CTUD",
+    "iec_scounter": "CTUD_SINT",
+    "iec_dcounter": "CTUD_DINT",
+    "iec_lcounter": "CTUD_LINT",
+    "iec_uscounter": "CTUD_USINT",
+    "iec_ucounter": "CTUD_UINT",
+    "iec_udcounter": "CTUD_UDINT",
+    "iec_ulcounter": "CTUD_ULINT",
 }
 """Other spellings, casefolded, of canonical names."""
 
 TIMER_METHODS = ("TON", "TOF", "TP", "TONR")
 """`timer.TON(...)`: how TIA calls an instance of IEC_TIMER or of a timer type."""
+
+COUNTER_METHODS = {"CTU": "QU", "CTD": "QD", "CTUD": ""}
+"""`counter.CTU(...)`: how TIA calls an instance of IEC_COUNTER, which has the memory of a CTUD, and
+the output of that which is its Q."""
 
 
 def standard_block(name: str) -> StandardBlock | None:

@@ -63,6 +63,11 @@ from fbgen.lang.types import (
 )
 
 _ROUNDED = re.compile(r"(?:(REAL|LREAL)_)?(ROUND|TRUNC|CEIL|FLOOR)(?:_([A-Z]+))?\Z")
+_TABLES = (STANDARD_FUNCTIONS, DATE_FUNCTIONS, UNSIGNED_BCD, OPERATORS_BY_NAME, RENAMED)
+_OVERLOADED = frozenset(OPERATORS_BY_NAME) | {
+    name for name, function in STANDARD_FUNCTIONS.items() if function.result is not EXPECTED
+}
+_PLAIN_FAMILIES = (Family.BOOL, Family.BITS, Family.SIGNED, Family.UNSIGNED, Family.REAL)
 
 
 def is_standard_function(name: str) -> bool:
@@ -95,8 +100,15 @@ def _function_named(key: str) -> Function | None:
 
 
 def _canonical(name: str) -> str:
+    """`ADD_INT` and `CONCAT_WSTRING` of IEC's second edition are ADD and CONCAT."""
     key = name.upper()
-    return ALIASES.get(key, key)
+    key = ALIASES.get(key, key)
+    general, _, suffix = key.rpartition("_")
+    if general not in _OVERLOADED or any(key in table for table in _TABLES):
+        return key
+    kind = elementary_named(suffix)
+    plain = isinstance(kind, Elementary) and kind.family in _PLAIN_FAMILIES
+    return general if plain or isinstance(kind, StringType) else key
 
 
 def check_standard_call(

@@ -12,13 +12,17 @@ from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enumerations import enumeration, subrange, typed_enumerator
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.references import reference_type
+from fbgen.lang.checker.system_types import system_type
 from fbgen.lang.layout import holds_blocks, holds_values
 from fbgen.lang.types import (
     ALIASES,
     DTL,
+    DWORD,
     ELEMENTARY,
+    INT,
     UINT,
     VARIANT_VALUE,
+    WORD,
     ArrayInitial,
     ArrayType,
     Elementary,
@@ -41,8 +45,27 @@ CELL_LIMIT = 1 << 22
 _LONGEST_STRING = 16382
 _TYPE_NESTING = 60
 
-HARDWARE_TYPES = ("HW_ANY", "HW_IO", "HW_SUBMODULE", "HW_DEVICE", "HW_DPSLAVE", "HW_INTERFACE")
-"""TIA's names for hardware identifiers; all are UINT (TIA Portal help, "Hardware data types")."""
+HARDWARE_TYPES: dict[str, Elementary] = {
+    **dict.fromkeys(
+        (
+            *("HW_ANY", "HW_DEVICE", "HW_DPMASTER", "HW_DPSLAVE", "HW_IO", "HW_IOSYSTEM"),
+            *("HW_SUBMODULE", "HW_MODULE", "HW_INTERFACE", "HW_IEPORT", "HW_HSC", "HW_PWM"),
+            *("HW_PTO", "PORT", "RTM", "PIP", "DB_ANY", "DB_WWW", "DB_DYN"),
+        ),
+        UINT,
+    ),
+    **dict.fromkeys(
+        (
+            *("OB_ANY", "OB_DELAY", "OB_TOD", "OB_CYCLIC", "OB_ATT", "OB_PCYCLE", "OB_HWINT"),
+            *("OB_DIAG", "OB_TIMEERROR", "OB_STARTUP"),
+        ),
+        INT,
+    ),
+    **dict.fromkeys(("CONN_ANY", "CONN_PRG", "CONN_OUC"), WORD),
+    **dict.fromkeys(("AOM_IDENT", "EVENT_ANY", "EVENT_ATT", "EVENT_HWINT", "CONN_R_ID"), DWORD),
+}
+"""TIA's names for identifiers of hardware, events, OBs, connections and data blocks: the types that
+they are (TIA Portal help, "Hardware data types")."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,9 +86,7 @@ def is_variant(library: "Library", node: ast.TypeSpec) -> bool:
 def elementary_type(name: str) -> Elementary | None:
     """The elementary type with that name, whatever its case and spelling."""
     key = name.upper()
-    if key in HARDWARE_TYPES:
-        return UINT
-    return ELEMENTARY.get(ALIASES.get(key, key))
+    return HARDWARE_TYPES.get(key) or ELEMENTARY.get(ALIASES.get(key, key))
 
 
 class TypeResolver:
@@ -184,8 +205,12 @@ class TypeResolver:
         full = self._library.key_of(name)
         if full in self._declared:
             return self._user_type(full, span)
-        if key == "dtl" and not quoted and self._library.rules.dialect == "tia":
-            return Resolved(DTL)
+        if self._library.rules.dialect == "tia" and not quoted:
+            if key == "dtl":
+                return Resolved(DTL)
+            if (system := system_type(name)) is not None:
+                self._declared[full] = system
+                return self._user_type(full, span)
         if self._library.objects.interface(name) is not None:
             self._library.findings.error(
                 "FB4054",
@@ -235,7 +260,7 @@ class TypeResolver:
 
     def all_user_types(self) -> None:
         """Resolve every TYPE, so that errors in unused ones are found too."""
-        for key, node in self._declared.items():
+        for key, node in list(self._declared.items()):
             self._user_type(key, node.name.span)
 
     def _user_type(self, key: str, span: Span) -> Resolved:

@@ -48,6 +48,7 @@ class Feature(Enum):
     CONFIGURATIONS = "CONFIGURATION"
     POWER_FIRST = "** that binds tighter than a sign"
     DIV_OPERATOR = "the operator DIV"
+    EMPTY_ARGUMENTS = "arguments without a value, and ',' behind the last one"
 
 
 @dataclass(frozen=True, slots=True)

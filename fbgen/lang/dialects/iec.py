@@ -35,6 +35,7 @@ IEC = Dialect(
             Feature.ASSIGNMENT_ATTEMPTS,
             Feature.MARKED_ADDRESSES,
             Feature.VAR_CONSTANT,
+            Feature.EMPTY_ARGUMENTS,
         }
     ),
     advice={

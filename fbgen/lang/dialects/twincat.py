@@ -31,6 +31,7 @@ TWINCAT = Dialect(
             Feature.ASSIGNMENT_ATTEMPTS,
             Feature.MARKED_ADDRESSES,
             Feature.VAR_CONSTANT,
+            Feature.EMPTY_ARGUMENTS,
             Feature.OBJECTS,
         }
     ),

@@ -7,6 +7,7 @@ sources for attributes in odd places, END_STRUCT without semicolon and reserved 
 from fbgen.diagnostics import Note
 from fbgen.lang.ast import (
     Argument,
+    ArgumentKind,
     ArraySpec,
     Bounds,
     Declaration,
@@ -343,20 +344,18 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
         )
 
     def _rest_of_type(self, spec: TypeSpec) -> tuple[str, tuple[Argument, ...], str]:
-        """What can stand between a type and its initial value: an edge, the arguments of FB_init,
-        and `REF=` in place of `:=`."""
+        """What can stand between a type and its initial value: an edge, the arguments of FB_init
+        (for each element of an array in brackets), and `REF=` in place of `:=`."""
         edge = ""
         arguments: tuple[Argument, ...] = ()
         if self.kinds[self.at] == "name" and self.texts[self.at].upper() in _EDGES:
             edge = self.texts[self.at].upper()
             self.at += 1
-        if self.kinds[self.at] == "[":
-            raise self.unread(
-                "a list of arguments for the elements of an array",
-                self.token_span(self.at),
-                "give the elements their values by := [...]",
-            )
-        if self.kinds[self.at] == "(" and isinstance(spec, NamedType | ArraySpec):
+        if self.kinds[self.at] == "[" and isinstance(spec, ArraySpec):
+            self.need(Feature.OBJECTS, self.at)
+            each = self.initial_value()
+            arguments = (Argument(each.span, ArgumentKind.POSITIONAL, "", each),)
+        elif self.kinds[self.at] == "(" and isinstance(spec, NamedType | ArraySpec):
             self.need(Feature.OBJECTS, self.at)
             self.at += 1
             arguments = self.arguments()

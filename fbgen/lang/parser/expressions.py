@@ -71,6 +71,7 @@ class ExpressionParser(AddressParser):
         self._local_marks = dialect.has(Feature.LOCAL_MARKS)
         self._power_first = dialect.has(Feature.POWER_FIRST)
         self._bare_arrays = dialect.has(Feature.BARE_ARRAYS)
+        self._has_empty_arguments = dialect.has(Feature.EMPTY_ARGUMENTS)
 
     def expression(self) -> Expression:
         """One expression."""
@@ -266,7 +267,7 @@ class ExpressionParser(AddressParser):
                     argument.quoted,
                 )
             arguments.append(argument)
-            if not more:
+            if not more or (self.kinds[self.at] == ")" and self._has_empty_arguments):
                 break
         self.expect(")", "')' or ','", "arguments are separated by ',' and end with ')'")
         self.depth -= 1
@@ -281,7 +282,8 @@ class ExpressionParser(AddressParser):
             self.at = first + 2
             kind = ArgumentKind.INPUT if following == ":=" else ArgumentKind.OUTPUT
             value: Expression | None = None
-            if following == ":=" or self.kinds[self.at] not in (",", ")"):
+            is_empty = self.kinds[self.at] in (",", ")")
+            if not is_empty or (following == ":=" and not self._has_empty_arguments):
                 value = self.expression()
             span = self.span(first)
             return Argument(span, kind, name.name, value, leading, None, name.quoted)
@@ -354,7 +356,7 @@ class ExpressionParser(AddressParser):
             fields.append(self._struct_field())
             if not self.accept(","):
                 break
-            if self.kinds[self.at] == ")":
+            if self.kinds[self.at] == ")" and not self._has_empty_arguments:
                 fields.append(self._empty_field())
         self.expect(")", "')' or ','", "initial values of a structure look like (a := 1, b := 2)")
         self.depth -= 1

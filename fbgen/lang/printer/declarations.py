@@ -1,6 +1,7 @@
 """Types, declarations and sections as lines."""
 
 from fbgen.lang.ast import (
+    ArrayLiteral,
     Declaration,
     DeclaredName,
     DirectAddress,
@@ -60,7 +61,9 @@ class DeclarationPrinter(TypePrinter):
         attributes = f" {declaration.type_attributes}" if declaration.type_attributes else ""
         more = f" {declaration.edge}" if declaration.edge else ""
         if declaration.arguments:
-            more += f"({self.arguments(declaration.arguments)})"
+            text = self.arguments(declaration.arguments)
+            for_each = isinstance(declaration.arguments[0].value, ArrayLiteral)
+            more += text if for_each else f"({text})"
         if declaration.initial is not None:
             more += f" {declaration.operator} {self.expression(declaration.initial)}"
         if isinstance(declaration.type, NamedType) and not declaration.type.name:

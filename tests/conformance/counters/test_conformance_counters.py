@@ -68,3 +68,18 @@ def test_counters_stop_at_the_ends_of_their_type(load: Load) -> None:
     for _ in range(130):
         pulse(block, pulse=True)
     assert (block.highest, block.lowest) == (127, -128)
+
+
+def test_an_iec_counter_is_called_with_its_kind(load: Load) -> None:
+    block = load("iec_counter.scl").instance("Piles")
+    block(load=True)
+    assert (block.rest, block.empty) == (2, False)
+    pulse(block, up=True, load=False)
+    assert (block.height, block.full) == (1, False)
+    pulse(block, up=True)
+    assert (block.height, block.full) == (2, True)
+    pulse(block, down=True)
+    pulse(block, down=True)
+    assert (block.rest, block.empty) == (0, True)
+    block(reset=True)
+    assert (block.height, block.full) == (0, False)
