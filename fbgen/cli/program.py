@@ -8,6 +8,7 @@ from fbgen import __version__
 from fbgen.cli import (
     catalog,
     check,
+    convert,
     decode,
     demo,
     encode,
@@ -56,6 +57,19 @@ def _fbgen(
     """
 
 
-for _module in (demo, init, generate, check, fmt, run, test, decode, encode, explain, schemas):
+for _module in (
+    demo,
+    init,
+    generate,
+    check,
+    fmt,
+    convert,
+    run,
+    test,
+    decode,
+    encode,
+    explain,
+    schemas,
+):
     _module.register(program)
 catalog.register(program)

@@ -2,6 +2,7 @@
 
     printed = print_file(parse(source, "tia"))
     printed.text, printed.origins        # one origin, or None, for each line
+    printed.places                       # the place in the source, or None, for each line
 
 Printing what was read from a printed text gives that text again. What a dialect spells in another
 way is lowered first (`fbgen.lang.lowering`); only comments are spelled here, as `(* *)` where the
@@ -22,10 +23,14 @@ __all__ = ["PrintedText", "print_file", "print_generated"]
 
 @dataclass(frozen=True, slots=True)
 class PrintedText:
-    """A text with line ends LF, and where each of its lines came from."""
+    """A text with line ends LF, and where each of its lines came from.
+
+    `places` lie in the text that was read, `origins` in what that text was generated from.
+    """
 
     text: str
     origins: tuple[Origin | None, ...]
+    places: tuple[Span | None, ...]
 
 
 def print_file(file: File) -> PrintedText:
@@ -33,7 +38,8 @@ def print_file(file: File) -> PrintedText:
     printer = UnitPrinter(dialect_named(file.dialect))
     with room_for_depth():
         printer.file(file)
-    return PrintedText(printer.lines.text(), printer.lines.origins())
+    lines = printer.lines
+    return PrintedText(lines.text(), lines.origins(), lines.places())
 
 
 def print_generated(file: File) -> PrintedText:

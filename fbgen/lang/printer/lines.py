@@ -20,15 +20,19 @@ class Lines:
         self._indent = dialect.indent
         self._line_comments = dialect.has(Feature.LINE_COMMENTS)
         self._lines: list[str] = []
-        self._origins: list[Origin | None] = []
+        self._places: list[Span | None] = []
 
     def text(self) -> str:
         """All lines, each with its LF."""
         return "".join(f"{line}\n" for line in self._lines)
 
+    def places(self) -> tuple[Span | None, ...]:
+        """What each line was made from."""
+        return tuple(self._places)
+
     def origins(self) -> tuple[Origin | None, ...]:
         """Where each line came from."""
-        return tuple(self._origins)
+        return tuple(_origin(place) for place in self._places)
 
     def indentation(self) -> str:
         """What stands in front of a line at this level."""
@@ -38,11 +42,10 @@ class Lines:
         """One line, or several if `text` has line ends, with the comment that ends the last."""
         if trailing is not None:
             text += _COMMENT_GAP + self.comment(trailing)
-        origin = _origin(place)
         first, *rest = text.split("\n")
-        self._append(self.indentation() + first, origin)
+        self._append(self.indentation() + first, place)
         for line in rest:
-            self._append(line, origin)
+            self._append(line, place)
 
     def blank(self) -> None:
         """One empty line, unless there is one or the text begins."""
@@ -63,9 +66,9 @@ class Lines:
             return block_comment(trivia.text[2:])
         return trivia.text
 
-    def _append(self, line: str, origin: Origin | None) -> None:
+    def _append(self, line: str, place: Span | None) -> None:
         self._lines.append(line.rstrip())
-        self._origins.append(origin)
+        self._places.append(place)
 
 
 def block_comment(text: str) -> str:

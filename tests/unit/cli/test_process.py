@@ -14,7 +14,7 @@ from tests.unit.cli.running import Fbgen
 COMMAND = [sys.executable, "-m", "fbgen.cli"]
 ROOT = Path(__file__).parents[3]
 COMMANDS = [
-    *[("demo",), ("init",), ("generate",), ("check",), ("fmt",), ("run",), ("test",)],
+    *[("demo",), ("init",), ("generate",), ("check",), ("fmt",), ("convert",), ("run",), ("test",)],
     *[
         ("decode",),
         ("encode",),

@@ -1,0 +1,49 @@
+"""Whether converted text is right in its dialect: read and checked as somebody else's would be.
+
+A mistake in it is shown where it came from in the text that was converted.
+"""
+
+from collections.abc import Sequence
+
+from fbgen.diagnostics import Diagnostic, Note, Severity
+from fbgen.lang.ast import File
+from fbgen.lang.checker import check_reporting
+from fbgen.lang.parser import parse_recovering
+from fbgen.lang.printer import PrintedText, print_file
+from fbgen.source import Source, Span
+
+
+def mistakes_in(files: Sequence[File], dialect: str) -> list[Diagnostic]:
+    """FB3055 for each error in the text of these trees, which make up one program."""
+    printed = {f"converted {number}": print_file(file) for number, file in enumerate(files)}
+    again: list[File] = []
+    found: list[Diagnostic] = []
+    for name, text in printed.items():
+        tree, findings = parse_recovering(Source(name, text.text), dialect)
+        again.append(tree)
+        found += errors_among(findings)
+    if not found:
+        found = errors_among(check_reporting(again, dialect)[1])
+    return [_mistake(one, printed, dialect) for one in found]
+
+
+def errors_among(findings: Sequence[Diagnostic]) -> list[Diagnostic]:
+    """The findings that stop the work."""
+    return [one for one in findings if one.severity is Severity.ERROR]
+
+
+def _mistake(found: Diagnostic, printed: dict[str, PrintedText], dialect: str) -> Diagnostic:
+    place: Span | None = None
+    notes: tuple[Note, ...] = ()
+    if found.span is not None:
+        line = found.span.line
+        places = printed[found.span.source.name].places[:line]
+        place = next((one for one in reversed(places) if one is not None), None)
+        notes = (Note(f"converted: {found.span.source.line_text(line).strip()}"),)
+    return Diagnostic(
+        "FB3055",
+        f"what this becomes is not right in dialect {dialect}: {found.message} [{found.code}]",
+        place,
+        "write it in another way; fbgen convert --no-check gives the text as it is",
+        notes,
+    )
