@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from fbgen.cli.progress import Progress
+    from fbgen.diagnostics import Diagnostic
     from fbgen.lang.ast import File
 
 
@@ -78,12 +79,15 @@ def convert(
     from fbgen.cli.converted_files import Destination, encoded_files
     from fbgen.cli.files import write_files
     from fbgen.cli.plc_files import dialect_of, expand
+    from fbgen.lang.conversion_proof import mistakes_in_files
 
     paths = expand(files)
     source = dialect or dialect_of(paths)
     destination = Destination(to.value, output, text)
     trees = _converted(paths, source, destination.dialect, check=check)
-    contents = encoded_files(trees, destination)
+    contents = encoded_files(trees, destination, len(paths))
+    if check and destination.container != "text":
+        _raise_any(mistakes_in_files(contents, destination.dialect))
     if output is None:
         for data in contents.values():
             result_bytes(data)
@@ -99,7 +103,6 @@ def _converted(
 ) -> "Sequence[File]":
     """The trees in the other dialect. Raises DiagnosticError with all that is in the way."""
     from fbgen.cli.progress import Progress
-    from fbgen.diagnostics import DiagnosticError
     from fbgen.lang.checker import check_reporting
     from fbgen.lang.conversion import convert as convert_trees
     from fbgen.lang.conversion_proof import errors_among, mistakes_in
@@ -109,21 +112,19 @@ def _converted(
         trees = _read(paths, source, progress)
         if check:
             progress.step("names and types")
-            if errors := errors_among(check_reporting(trees, source)[1]):
-                raise DiagnosticError(errors)
+            _raise_any(errors_among(check_reporting(trees, source)[1]))
         progress.step(f"conversion to {target}")
         converted = convert_trees(trees, target)
         if check:
             progress.step("what came out")
-            if mistakes := mistakes_in(converted, target):
-                raise DiagnosticError(mistakes)
+            _raise_any(mistakes_in(converted, target))
     finally:
         progress.end()
     return converted
 
 
 def _read(paths: "Sequence[Path]", dialect: str, progress: "Progress") -> "list[File]":
-    from fbgen.diagnostics import Diagnostic, DiagnosticError
+    from fbgen.diagnostics import DiagnosticError
     from fbgen.lang.containers import read_document
     from fbgen.lang.conversion_proof import errors_among
 
@@ -138,6 +139,12 @@ def _read(paths: "Sequence[Path]", dialect: str, progress: "Progress") -> "list[
         else:
             trees.append(document.file)
             found += errors_among(document.findings)
+    _raise_any(found)
+    return trees
+
+
+def _raise_any(found: "Sequence[Diagnostic]") -> None:
+    from fbgen.diagnostics import DiagnosticError
+
     if found:
         raise DiagnosticError(found)
-    return trees

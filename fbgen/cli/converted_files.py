@@ -52,9 +52,12 @@ class Destination:
         return "text"
 
 
-def encoded_files(trees: Sequence[File], destination: Destination) -> Mapping[Path, bytes]:
+def encoded_files(
+    trees: Sequence[File], destination: Destination, inputs: int
+) -> Mapping[Path, bytes]:
     """The content of each file to write; for standard output one whose name does not count.
 
+    What several `inputs` become together is named like the folder that it goes to.
     Raises a usage error where one file was named and several come out, and DiagnosticError for
     what has no place in such files: FB3019, FB3056.
     """
@@ -68,8 +71,9 @@ def encoded_files(trees: Sequence[File], destination: Destination) -> Mapping[Pa
             raise typer.BadParameter(f"this becomes {names}: name a folder")
         return {output: found[0].data}
     stems = _stems([tree.source.name for tree in trees])
-    if container != "text":
-        return {output / new.name: new.data for new in new_files(trees, container, stems[0])}
+    if container != "text" or len(trees) == 1:
+        stem = stems[0] if inputs == 1 else output.resolve().name
+        return {output / new.name: new.data for new in new_files(trees, container, stem)}
     return {
         (output / stem).parent / new.name: new.data
         for stem, tree in zip(stems, trees, strict=True)

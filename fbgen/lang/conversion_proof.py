@@ -3,11 +3,14 @@
 A mistake in it is shown where it came from in the text that was converted.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
 
 from fbgen.diagnostics import Diagnostic, Note, Severity
 from fbgen.lang.ast import File
 from fbgen.lang.checker import check_reporting
+from fbgen.lang.containers.document import document_of
 from fbgen.lang.parser import parse_recovering
 from fbgen.lang.printer import PrintedText, print_file
 from fbgen.source import Source, Span
@@ -27,15 +30,28 @@ def mistakes_in(files: Sequence[File], dialect: str) -> list[Diagnostic]:
     return [_mistake(one, printed, dialect) for one in found]
 
 
+def mistakes_in_files(contents: Mapping[Path, bytes], dialect: str) -> list[Diagnostic]:
+    """As `mistakes_in`, for files as they will be written; places are lines of these files."""
+    documents = [document_of(path, data, dialect) for path, data in contents.items()]
+    found = [one for document in documents for one in errors_among(document.findings)]
+    if not found:
+        files = [document.file for document in documents]
+        found = errors_among(check_reporting(files, dialect)[1])
+    return [
+        replace(_mistake(one, {}, dialect), notes=(Note("in what would be written", one.span),))
+        for one in found
+    ]
+
+
 def errors_among(findings: Sequence[Diagnostic]) -> list[Diagnostic]:
     """The findings that stop the work."""
     return [one for one in findings if one.severity is Severity.ERROR]
 
 
-def _mistake(found: Diagnostic, printed: dict[str, PrintedText], dialect: str) -> Diagnostic:
+def _mistake(found: Diagnostic, printed: Mapping[str, PrintedText], dialect: str) -> Diagnostic:
     place: Span | None = None
     notes: tuple[Note, ...] = ()
-    if found.span is not None:
+    if found.span is not None and found.span.source.name in printed:
         line = found.span.line
         places = printed[found.span.source.name].places[:line]
         place = next((one for one in reversed(places) if one is not None), None)

@@ -1,14 +1,13 @@
 """New files from trees: what `convert` writes. The same trees give the same bytes."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from fbgen.diagnostics import error
+from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.lang.ast import File
 from fbgen.lang.containers.plcopen_writing import project
 from fbgen.lang.containers.twincat_writing import objects
-from fbgen.lang.printer import print_file
-from fbgen.source import Source, Span
+from fbgen.lang.printer import PrintedText, print_file
 
 CONTAINERS = ("text", "twincat", "plcopen")
 """What `new_files` writes."""
@@ -45,32 +44,33 @@ def new_files(files: Sequence[File], container: str, stem: str) -> list[NewFile]
 
 def _text(files: Sequence[File], stem: str) -> NewFile:
     dialect = files[0].dialect if files else "iec"
-    text = "\n".join(print_file(file).text for file in files)
-    encode = _ENCODERS.get(dialect, _utf8)
-    return NewFile(stem + _TEXT_SUFFIXES.get(dialect, ".st"), encode(text))
+    printed = [print_file(file) for file in files]
+    text = "\n".join(one.text for one in printed)
+    name = stem + _TEXT_SUFFIXES.get(dialect, ".st")
+    if dialect == "step7":
+        if beyond := [found for one in printed for found in _beyond_ansi(one)]:
+            raise DiagnosticError(beyond)
+        return NewFile(name, text.encode("cp1252"))
+    if dialect == "tia" and not text.isascii():
+        # Without BOM, TIA Portal would read it as ANSI.
+        return NewFile(name, text.encode("utf-8-sig"))
+    return NewFile(name, _utf8(text))
 
 
-def _for_tia(text: str) -> bytes:
-    """UTF-8, with BOM where there is more than ASCII, else TIA Portal reads it as ANSI."""
-    return text.encode("ascii" if text.isascii() else "utf-8-sig")
-
-
-def _for_step7(text: str) -> bytes:
-    """ANSI: STEP 7 V5 reads nothing else. Raises FB3056."""
-    try:
-        return text.encode("cp1252")
-    except UnicodeEncodeError as problem:
-        char = text[problem.start]
-        raise error(
-            "FB3056",
-            f"the text for step7 has the character '{char}' (U+{ord(char):04X}), which is not ANSI",
-            Span(Source("text for step7", text), problem.start, problem.start + 1),
-            "STEP 7 V5 reads sources in ANSI (Windows-1252): use another character",
-        ) from None
+def _beyond_ansi(printed: PrintedText) -> Iterator[Diagnostic]:
+    """FB3056 for each line with a character that STEP 7 V5 cannot read."""
+    for line, place in zip(printed.text.split("\n"), printed.places, strict=False):
+        try:
+            line.encode("cp1252")
+        except UnicodeEncodeError as problem:
+            char = line[problem.start]
+            yield Diagnostic(
+                "FB3056",
+                f"this line has the character '{char}' (U+{ord(char):04X}), which is not ANSI",
+                place,
+                "STEP 7 V5 reads sources in ANSI (Windows-1252): use another character",
+            )
 
 
 def _utf8(text: str) -> bytes:
     return text.encode()
-
-
-_ENCODERS: dict[str, Callable[[str], bytes]] = {"tia": _for_tia, "step7": _for_step7}
