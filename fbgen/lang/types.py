@@ -141,6 +141,13 @@ LDT = Elementary("LDT", Family.DATE, 64)
 CHAR = Elementary("CHAR", Family.CHAR, 8)
 WCHAR = Elementary("WCHAR", Family.CHAR, 16)
 VOID = Elementary("VOID", Family.VOID, 0)
+TIMER = Elementary("TIMER", Family.UNSIGNED, 16)
+COUNTER = Elementary("COUNTER", Family.UNSIGNED, 16)
+BLOCK_DB = Elementary("BLOCK_DB", Family.UNSIGNED, 16)
+DB_ANY = Elementary("DB_ANY", Family.UNSIGNED, 16)
+
+NUMBER_TYPES = {kind.name: kind for kind in (TIMER, COUNTER, BLOCK_DB, DB_ANY)}
+"""Types of parameters on S7: the number of a timer, a counter or a data block."""
 
 ELEMENTARY: dict[str, Elementary] = {
     kind.name: kind

@@ -19,11 +19,15 @@ from fbgen.lang.checker.conversions import keeps_representation
 from fbgen.lang.checker.enabling import ENABLED
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import default_value
+from fbgen.lang.checker.memory_instructions import check_area_literal, points
+from fbgen.lang.checker.numbered import numbered
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.checker.unknown_callees import (
     check_arguments_alone,
 )
 from fbgen.lang.types import (
+    NUMBER_TYPES,
+    VARIANT_VALUE,
     Elementary,
     OpenArrayType,
     StringType,
@@ -103,7 +107,12 @@ def bind_variables(
         if _wrong_way(ctx, variable, argument, by_assignment):
             complete = False
         elif variable.kind is VariableKind.INPUT:
-            value = check_expression(ctx, argument.value, variable.type)
+            if variable.type in NUMBER_TYPES.values():
+                value = numbered(ctx, argument.value, variable.type, where)
+            elif variable.type == VARIANT_VALUE and points(argument.value):
+                value = check_area_literal(ctx, argument.value, where)
+            else:
+                value = check_expression(ctx, argument.value, variable.type)
             inputs.append((variable, coerce(ctx, value, variable.type, where)))
         elif variable.kind is VariableKind.IN_OUT:
             place = _in_out(ctx, argument.value, variable, where)

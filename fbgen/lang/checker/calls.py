@@ -31,6 +31,7 @@ from fbgen.lang.checker.memory_access import check_peek, check_whole, memory_acc
 from fbgen.lang.checker.memory_instructions import (
     check_area_literal,
     check_memory_instruction,
+    points,
 )
 from fbgen.lang.checker.objects import Method
 from fbgen.lang.checker.places import is_place, names_block
@@ -376,7 +377,7 @@ def _hardware_address(
 def _any_variable(
     ctx: Context, node: ast.Expression, parameter: InstructionParameter, where: str
 ) -> Expression:
-    if isinstance(node, ast.Literal) and node.kind is ast.LiteralKind.POINTER:
+    if points(node):
         value = check_area_literal(ctx, node, where)
     elif parameter.is_output or parameter.either_way:
         value = check_target(ctx, node, where) or erroneous(node.span)
@@ -386,7 +387,7 @@ def _any_variable(
 
 
 def _area(ctx: Context, node: ast.Expression, written: bool, where: str) -> Expression:
-    if isinstance(node, ast.Literal) and node.kind is ast.LiteralKind.POINTER:
+    if points(node):
         return check_area_literal(ctx, node, where)
     if written:
         target = check_target(ctx, node, where)

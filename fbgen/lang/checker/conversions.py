@@ -47,6 +47,7 @@ from fbgen.lang.types import (
     LTIME,
     LTIME_OF_DAY,
     LWORD,
+    NUMBER_TYPES,
     REAL,
     S5TIME,
     SINT,
@@ -211,6 +212,8 @@ def elementary_named(name: str) -> Elementary | StringType | StructType | None:
         return StringType(wide=key == "WSTRING")
     if key == "DTL":
         return DTL
+    if key in ("BLOCK_DB", "DB_ANY"):
+        return NUMBER_TYPES[key]
     kind = ELEMENTARY.get(key)
     return kind if kind is not None and kind.family is not Family.VOID else None
 

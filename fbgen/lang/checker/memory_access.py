@@ -221,7 +221,7 @@ def check_indexed_address(
         return erroneous(node.span)
     number: Expression | None = None
     if node.base is not None:
-        number = _block_number(ctx, node.base)
+        number = block_number(ctx, node.base)
         if number.type != ERRONEOUS:
             use_block(ctx, number)
         area = DATA_BLOCK
@@ -233,7 +233,7 @@ def check_indexed_address(
     return MemoryRef(node.span, Constant(node.span, area, BYTE), number, indices[0], bit, kind)
 
 
-def _block_number(ctx: Context, base: ast.Expression) -> Expression:
+def block_number(ctx: Context, base: ast.Expression) -> Expression:
     """The number of the data block in front of the dot."""
     if isinstance(base, ast.Call) and isinstance(base.callee, ast.Name):
         argument = base.arguments[0].value if len(base.arguments) == 1 else None

@@ -5,6 +5,7 @@ of the parameter type ANY".
 """
 
 import re
+from typing import TypeGuard
 
 from fbgen.lang import ast
 from fbgen.lang.checked import Constant, Expression, IndexRef, MemoryRef, ReferenceTo
@@ -20,6 +21,11 @@ _AREA = re.compile(
     r"(?:DB([0-9]{1,5})\.DB|([IQMEA]))X? ?([0-9]{1,5})\.([0-7]) ([A-Z_]+) ([0-9]{1,5})"
 )
 _AREAS = {"I": INPUTS, "E": INPUTS, "Q": OUTPUTS, "A": OUTPUTS, "M": MARKERS}
+
+
+def points(node: ast.Expression) -> TypeGuard[ast.Literal]:
+    """True for `P#...`."""
+    return isinstance(node, ast.Literal) and node.kind is ast.LiteralKind.POINTER
 
 
 def check_area_literal(ctx: Context, node: ast.Literal, where: str) -> Expression:

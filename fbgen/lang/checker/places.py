@@ -17,6 +17,7 @@ from fbgen.lang.checked import (
     VariableKind,
     VariableRef,
 )
+from fbgen.lang.checker.block_members import addressed_member
 from fbgen.lang.checker.coercion import as_counted, as_typed, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enumerations import (
@@ -180,6 +181,8 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
         if asked is not None:
             return asked
         known = [part.name for part in ctx.library.variables_of(kind) if part.kind in _PARAMETERS]
+    elif (addressed := addressed_member(ctx, node, base)) is not None:
+        return addressed
     else:
         ctx.findings.error(
             "FB4005",

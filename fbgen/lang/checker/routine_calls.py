@@ -3,7 +3,6 @@
 Sources as for `routines`.
 """
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -24,15 +23,18 @@ from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import keeps_representation
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, erroneous, is_untyped
+from fbgen.lang.checker.numbered import number_named
 from fbgen.lang.checker.places import is_place, root_variable
 from fbgen.lang.checker.routines import Direction, Parameter, Routine, routine_named
 from fbgen.lang.checker.routines.signature import ANYTHING, NUMBER, SAME, WHOLE
 from fbgen.lang.checker.standard_blocks import standard_block
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.types import (
+    COUNTER,
     INT,
     S5TIME,
     TIME,
+    TIMER,
     UINT,
     VOID,
     AnyType,
@@ -46,10 +48,7 @@ from fbgen.lang.types import (
 RETURN_VALUE = "RET_VAL"
 _ARROW = ast.ArgumentKind.OUTPUT
 _POSITIONAL = ast.ArgumentKind.POSITIONAL
-_NUMBERED = {
-    "TIMER": re.compile(r"%?T(\d+)\Z", re.I),
-    "COUNTER": re.compile(r"%?[CZ](\d+)\Z", re.I),
-}
+_NUMBERED = {"TIMER": TIMER, "COUNTER": COUNTER}
 _COUNTS = (Family.SIGNED, Family.UNSIGNED, Family.BITS)
 
 
@@ -414,10 +413,9 @@ def _fits_place(source: Type, kind: Type, parameter: Parameter) -> bool:
 
 def _numbered(ctx: Context, node: ast.Expression, word: str, where: str) -> Expression:
     """The number of a timer or counter: T1, C1 (or Z1), %T1, or a whole number."""
-    name = node.name if isinstance(node, ast.Name) else node.span.text
-    match = _NUMBERED[word].match(name)
-    if match is not None and ctx.of_program(name.casefold()) is None:
-        return Constant(node.span, int(match[1]), UINT)
+    number = number_named(ctx, node, _NUMBERED[word])
+    if number is not None:
+        return Constant(node.span, number, UINT)
     value = as_typed(check_expression(ctx, node, UINT))
     if value.type == ERRONEOUS:
         return value

@@ -20,6 +20,7 @@ from fbgen.lang.types import (
     DWORD,
     ELEMENTARY,
     INT,
+    NUMBER_TYPES,
     UINT,
     VARIANT_VALUE,
     WORD,
@@ -77,10 +78,11 @@ class Resolved:
 
 
 def is_variant(library: "Library", node: ast.TypeSpec) -> bool:
-    """True for VARIANT, which only S7-1200 and S7-1500 have."""
-    if not isinstance(node, ast.NamedType) or node.quoted or library.rules.dialect != "tia":
+    """True for VARIANT of S7-1200 and S7-1500, and for ANY, which is handed on like one."""
+    if not isinstance(node, ast.NamedType) or node.quoted:
         return False
-    return node.name.casefold() == "variant"
+    known = {"tia": ("variant", "any"), "step7": ("any",)}
+    return node.name.casefold() in known.get(library.rules.dialect, ())
 
 
 def elementary_type(name: str) -> Elementary | None:
@@ -222,11 +224,14 @@ class TypeResolver:
         block = self._library.block_type(name)
         if block is not None:
             return Resolved(block)
+        on_s7 = self._library.rules.dialect in ("tia", "step7")
+        if not quoted and name.upper() in NUMBER_TYPES and on_s7:
+            return Resolved(NUMBER_TYPES[name.upper()])
         findings = self._library.findings
-        if key == "variant" and self._library.rules.dialect == "tia":
+        if is_variant(self._library, ast.NamedType(span, name, quoted)):
             findings.error(
                 "FB4095",
-                "VARIANT takes what it refers to from an argument, and there is none here",
+                f"{name.upper()} takes what it refers to from an argument, and there is none here",
                 span,
                 "use it in VAR_INPUT, VAR_IN_OUT or VAR_TEMP of a block",
             )
