@@ -51,7 +51,7 @@ HARDWARE_TYPES: dict[str, Elementary] = {
         (
             *("HW_ANY", "HW_DEVICE", "HW_DPMASTER", "HW_DPSLAVE", "HW_IO", "HW_IOSYSTEM"),
             *("HW_SUBMODULE", "HW_MODULE", "HW_INTERFACE", "HW_IEPORT", "HW_HSC", "HW_PWM"),
-            *("HW_PTO", "PORT", "RTM", "PIP", "DB_ANY", "DB_WWW", "DB_DYN"),
+            *("HW_PTO", "PORT", "RTM", "PIP", "DB_WWW", "DB_DYN"),
         ),
         UINT,
     ),
@@ -65,8 +65,8 @@ HARDWARE_TYPES: dict[str, Elementary] = {
     **dict.fromkeys(("CONN_ANY", "CONN_PRG", "CONN_OUC"), WORD),
     **dict.fromkeys(("AOM_IDENT", "EVENT_ANY", "EVENT_ATT", "EVENT_HWINT", "CONN_R_ID"), DWORD),
 }
-"""TIA's names for identifiers of hardware, events, OBs, connections and data blocks: the types that
-they are (TIA Portal help, "Hardware data types")."""
+"""TIA's names for identifiers of hardware, events, OBs, connections and some data blocks: the types
+that they are (TIA Portal help, "Hardware data types")."""
 
 
 @dataclass(frozen=True, slots=True)
