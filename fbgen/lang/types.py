@@ -279,9 +279,13 @@ class BlockType:
         return self.name
 
 
+INTERFACE = "INTERFACE"
+"""The keyword of the reference type that variables of an interface have."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class ReferenceType:
-    """REF_TO, POINTER TO (both are followed by `^`) or REFERENCE TO (followed by itself).
+    """REF_TO, POINTER TO (both are followed by `^`), REFERENCE TO (followed by itself) or INTERFACE.
 
     `target_name` is what the target is called, and makes two reference types the same. What it is
     comes from `find`, because a structure may refer to its own kind.
@@ -299,7 +303,13 @@ class ReferenceType:
     @property
     def name(self) -> str:
         """The type as it is declared."""
-        return f"{self.keyword} {self.target_name}".strip()
+        written = f"{self.keyword} {self.target_name}".strip()
+        return self.target_name if self.is_interface else written
+
+    @property
+    def is_interface(self) -> bool:
+        """True for a variable that refers to any instance that implements an interface."""
+        return self.keyword == INTERFACE
 
     @property
     def is_implicit(self) -> bool:

@@ -33,6 +33,8 @@ def analyse(program: Program, library: "Library", findings: "Findings") -> None:
         offsets.sort()
     flows: list[Flow] = []
     for block, body in program.bodies.items():
+        if library.objects.is_promise(block):
+            continue
         ctx = library.context_of(block)
         span = block.syntax.span
         offsets = errors.get(span.source, [])

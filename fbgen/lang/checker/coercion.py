@@ -83,6 +83,10 @@ def coerce(ctx: Context, expression: Expression, target: Type, where: str) -> Ex
         nothing = as_null(expression, target)
         if nothing is not None:
             return nothing
+        if target.is_interface:
+            instance = ctx.library.objects.interfaces.value_of(expression, target)
+            if instance is not None:
+                return instance
     if isinstance(expression, Constant) and (is_untyped(source) or isinstance(source, StringType)):
         return _fit(ctx, expression, target, where)
     if source == target:
@@ -261,6 +265,8 @@ def _mismatch_help(source: Type, target: Type) -> str:
         return "compare it with something: x <> 0"
     if source == BOOL:
         return "use SEL(x, 0, 1) or a BOOL variable"
+    if isinstance(target, ReferenceType) and target.is_interface:
+        return f"give an instance of a block with IMPLEMENTS {target.target_name}, or NULL"
     if isinstance(target, ReferenceType):
         maker = "ADR" if target.keyword == "POINTER TO" else "REF"
         return f"write {maker}(x) of a variable of type {target.target_name}, or NULL"

@@ -91,7 +91,8 @@ class Library:
             pass  # what is unique needs no namespace, see key_of
         elif isinstance(unit, ast.Interface):
             if self._is_new(unit.name):
-                self.objects.declare_interface(unit)
+                self.objects.interfaces.declare(unit)
+                self.has_members = True
         elif self._is_new(unit.name):
             key = unit.name.name.casefold()
             if isinstance(unit, ast.TypeDeclaration):
@@ -379,6 +380,10 @@ class Library:
         ctx.block = block
         self._contexts[block] = ctx
         return block
+
+    def add_interface(self, block: Block) -> None:
+        """What stands for an interface has no variables: its methods see global names only."""
+        self._contexts[block] = Context(self, Scope(), block)
 
     def share_context(self, owner: Block, action: Block) -> None:
         """An action sees what its block sees."""

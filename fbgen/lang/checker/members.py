@@ -10,6 +10,7 @@ from fbgen.lang import ast
 from fbgen.lang.checked import (
     Block,
     Constant,
+    Dereference,
     Expression,
     FieldRef,
     FunctionCall,
@@ -74,10 +75,13 @@ def receiver_of(ctx: Context, node: ast.Expression) -> Receiver | None:
     if special is not None:
         return special
     place = check_expression(ctx, node)
+    promised = ctx.library.objects.interfaces.asked(place)
+    if promised is not None:
+        return Receiver(*promised)
     if not isinstance(place.type, BlockType):
         return None
     block = ctx.library.user_block(place.type.name)
-    if block is None or not isinstance(place, VariableRef | FieldRef | IndexRef):
+    if block is None or not isinstance(place, VariableRef | FieldRef | IndexRef | Dereference):
         return None
     return Receiver(place, block)
 
@@ -143,8 +147,10 @@ def made_call(
             "leave the call out: there is nothing to be done in the base",
         )
     overrides = () if receiver.is_super else ctx.library.objects.implementations(method)
-    for called in (block, *(one for _, one in overrides)):
-        ctx.calls.setdefault(called, span)
+    if not ctx.library.objects.is_promise(block):
+        # Behind an interface may be another instance of the same block: that is no recursion.
+        for called in (block, *(one for _, one in overrides)):
+            ctx.calls.setdefault(called, span)
     kind = block.result.type if block.result is not None else VOID
     this = (block.variables[0], receiver.place)
     in_outs = (this, *given.in_outs)

@@ -11,11 +11,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
+from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Block, Variable, VariableKind
+from fbgen.lang.checker.object_interfaces import ObjectInterfaces
 from fbgen.lang.types import BlockType
-from fbgen.nearest import nearest
 from fbgen.source import Span
 
 if TYPE_CHECKING:
@@ -58,6 +59,10 @@ class Members:
             dict(self.methods), dict(self.getters), dict(self.setters), dict(self.actions)
         )
 
+    def tables(self) -> tuple[dict[str, Method], dict[str, Method], dict[str, Method]]:
+        """Methods, GETs and SETs."""
+        return self.methods, self.getters, self.setters
+
     def names(self) -> list[str]:
         """All names as written, for a help text."""
         return [one.name for one in (*self.methods.values(), *self.getters.values())]
@@ -72,22 +77,15 @@ class Objects:
         self._bases: dict[Block, Block] = {}
         self._instances: dict[Block, Variable] = {}
         self._written: dict[str, Block] = {}
-        self._interfaces: dict[str, ast.Interface] = {}
+        self._promises: set[Block] = set()
+        self.interfaces = ObjectInterfaces(library)
 
     @property
     def are_used(self) -> bool:
         """True if any block of the program has members or a base."""
         return self._library.has_members
 
-    # --- interfaces ---------------------------------------------------------------------------
-
-    def declare_interface(self, node: ast.Interface) -> None:
-        """Make an INTERFACE of the text known."""
-        self._interfaces[node.name.name.casefold()] = node
-
-    def interface(self, name: str) -> ast.Interface | None:
-        """The INTERFACE with that name."""
-        return self._interfaces.get(self._library.key_of(name))
+    # --- what has to be there -----------------------------------------------------------------
 
     def check_blocks(self) -> None:
         """Compare all blocks with what their interfaces and bases want of them."""
@@ -99,20 +97,24 @@ class Objects:
         members = self.members_of(block)
         missing = [
             (method.name, f"{method.owner.name} has it as ABSTRACT")
-            for table in (members.methods, members.getters, members.setters)
+            for table in members.tables()
             for method in table.values()
             if method.is_abstract
         ]
-        for interface in self._implemented(block):
+        for interface in self.interfaces.of_block(block):
+            wanted = self.members_of(self.interfaces.block(interface))
+            for promised, table in zip(wanted.tables(), members.tables(), strict=True):
+                for key, method in promised.items():
+                    if key not in table:
+                        missing.append((method.name, f"{interface.name.name} has it"))
+                    else:
+                        self._check_promise(interface, method, table[key], block)
             for member in interface.members:
                 key = member.name.name.casefold()
-                if isinstance(member, ast.Method):
-                    known = key in members.methods
-                else:
-                    known = key in members.getters or key in members.setters
-                if not known:
-                    missing.append((member.name.name, f"{interface.name.name} has it"))
-        for name, why in missing:
+                if isinstance(member, ast.Property) and not member.accessors:
+                    if key not in members.getters and key not in members.setters:
+                        missing.append((member.name.name, f"{interface.name.name} has it"))
+        for name, why in dict(missing).items():
             self._library.findings.error(
                 "FB4088",
                 f"{block.name} lacks '{name}': {why}",
@@ -120,23 +122,19 @@ class Objects:
                 f"write METHOD {name} (or PROPERTY), or make {block.name} ABSTRACT",
             )
 
-    def _implemented(self, block: Block) -> list[ast.Interface]:
-        """All interfaces of a block, and those that they extend."""
-        found: list[ast.Interface] = []
-        waiting = list(block.syntax.implements)
-        while waiting:
-            named = waiting.pop()
-            interface = self.interface(named.name)
-            if interface is None:
-                known = [one.name.name for one in self._interfaces.values()]
-                message = f"there is no interface '{named.name}'"
-                self._library.findings.error(
-                    "FB4003", message, named.span, nearest(named.name, known)
-                )
-            elif interface not in found:
-                found.append(interface)
-                waiting += interface.extends
-        return found
+    def _check_promise(
+        self, interface: ast.Interface, promised: Method, kept: Method, block: Block
+    ) -> None:
+        if kept.is_abstract or _shape(promised.block) == _shape(kept.block):
+            return
+        own = kept.owner is block
+        self._library.findings.error(
+            "FB4086",
+            f"'{kept.name}' of {block.name} has other parameters than {interface.name.name} says",
+            kept.span if own else block.syntax.name.span,
+            "give it the same parameters in the same order, and the same result",
+            (Note("the interface says this", promised.span),),
+        )
 
     # --- bases --------------------------------------------------------------------------------
 
@@ -204,15 +202,27 @@ class Objects:
             base = self._bases.get(owner)
             members = self.members_of(base).copy() if base is not None else Members()
             self._members[owner] = members
+            interface = self.interfaces.node_of(owner)
+            for parent in () if interface is None else self.interfaces.parents(interface):
+                for own, table in zip(
+                    members.tables(),
+                    self.members_of(self.interfaces.block(parent)).tables(),
+                    strict=True,
+                ):
+                    own.update(table)
             for node in owner.syntax.members:
                 self._add(owner, members, node)
         return self._members[owner]
 
     def written_blocks(self) -> dict[str, Block]:
         """The methods, accessors and actions of all blocks, with their names."""
-        for owner in self._library.own_blocks():
+        for owner in (*self._library.own_blocks(), *self.interfaces.blocks()):
             self.members_of(owner)
         return self._written
+
+    def is_promise(self, block: Block) -> bool:
+        """True for the methods and accessors of an interface, which have no code."""
+        return block in self._promises
 
     def _add(self, owner: Block, members: Members, node: ast.BlockMember) -> None:
         if isinstance(node, ast.Action):
@@ -244,6 +254,8 @@ class Objects:
             self._library.duplicate(name.name, name.span, overridden.span)
             return
         block = self._method_block(owner, syntax)
+        if self.interfaces.node_of(owner) is not None:
+            self._promises.add(block)
         method = Method(name.name, name.span, owner, block, modifiers)
         if overridden is not None:
             self._check_override(method, overridden)
@@ -284,15 +296,22 @@ class Objects:
             )
 
     def implementations(self, method: Method) -> tuple[tuple[str, Block], ...]:
-        """What a call of a method can mean, by the block of the instance; () if it is only one."""
+        """What a call of a method can mean, by the block of the instance; () if it is only one.
+
+        For a method of an interface these are all blocks that implement it, also if it is one only.
+        """
+        interface = self.interfaces.node_of(method.owner)
+        if interface is not None:
+            blocks = self.interfaces.implementers(interface)
+        else:
+            blocks = self.derived(method.owner)
         found = {}
-        for block in self.derived(method.owner):
-            members = self.members_of(block)
-            for table in (members.methods, members.getters, members.setters):
+        for block in blocks:
+            for table in self.members_of(block).tables():
                 one = table.get(method.name.casefold())
                 if one is not None and _same_side(one, method):
                     found[block.name] = one.block
-        return tuple(found.items()) if len(set(found.values())) > 1 else ()
+        return tuple(found.items()) if interface or len(set(found.values())) > 1 else ()
 
     def is_abstract(self, kind: BlockType) -> bool:
         """True if there can be no instance of the block itself."""

@@ -85,7 +85,7 @@ def combine(
     if ERRONEOUS in (left.type, right.type):
         return erroneous(span)
     if isinstance(left.type, ReferenceType) or isinstance(right.type, ReferenceType):
-        same = compare(span, operator, left, right)
+        same = compare(ctx, span, operator, left, right)
         if same is None:
             _refuse(ctx, span, operator, left, right)
         return erroneous(span) if same is None else same

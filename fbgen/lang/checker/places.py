@@ -41,6 +41,7 @@ from fbgen.lang.types import (
     Enumeration,
     Family,
     OpenArrayType,
+    ReferenceType,
     StructType,
     Subrange,
     Type,
@@ -183,6 +184,13 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
         known = [part.name for part in ctx.library.variables_of(kind) if part.kind in _PARAMETERS]
     elif (addressed := addressed_member(ctx, node, base)) is not None:
         return addressed
+    elif isinstance(kind, ReferenceType) and kind.is_interface:
+        asked = read_property(ctx, node)
+        if asked is not None:
+            return asked
+        promised = ctx.library.objects.interfaces.asked(base)
+        members = None if promised is None else ctx.library.objects.members_of(promised[1])
+        known = [] if members is None else members.names()
     else:
         ctx.findings.error(
             "FB4005",

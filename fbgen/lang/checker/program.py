@@ -115,7 +115,9 @@ def _check(files: Sequence[ast.File], library: Library) -> tuple[Program, Librar
     tasks = tasks_of(library)
     program = Program(
         dialect=library.rules.dialect,
-        blocks=blocks,
+        blocks={
+            key: block for key, block in blocks.items() if not library.objects.is_promise(block)
+        },
         bodies=bodies,
         structures=library.types.structures,
         globals={

@@ -2,6 +2,7 @@
 
 from fbgen.lang.checked import Expression, ReferenceTo, SameReference, Unary
 from fbgen.lang.checker.coercion import as_null
+from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import NULL
 from fbgen.lang.types import BOOL, VARIANT_VALUE, ReferenceType
 from fbgen.source import Span
@@ -12,16 +13,18 @@ def null(span: Span, kind: ReferenceType) -> ReferenceTo:
     return ReferenceTo(span, None, kind)
 
 
-def compare(span: Span, operator: str, left: Expression, right: Expression) -> Expression | None:
+def compare(ctx: Context, span: Span, operator: str, left: Expression, right: Expression) -> Expression | None:
     """Two references, or one and NULL, by = and <>; None for what does not go together."""
     if operator not in ("=", "<>"):
         return None
     if isinstance(left.type, ReferenceType) and left.type != NULL:
         same = right.type == left.type and left.type != VARIANT_VALUE
         other = right if same else as_null(right, left.type)
+        if other is None and left.type.is_interface:
+            other = ctx.library.objects.interfaces.value_of(right, left.type)
         return None if other is None else compared(span, operator, left, other)
     if isinstance(right.type, ReferenceType) and right.type != NULL:
-        return compare(span, operator, right, left)
+        return compare(ctx, span, operator, right, left)
     return None
 
 

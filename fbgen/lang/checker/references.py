@@ -68,7 +68,8 @@ def check_dereference(ctx: Context, node: ast.Dereference, _expected: Type | Non
     base = check_itself(ctx, node.base)
     if base.type == ERRONEOUS:
         return base
-    if not isinstance(base.type, ReferenceType) or not isinstance(base, Place):
+    followed = isinstance(base.type, ReferenceType) and not base.type.is_interface
+    if not followed or not isinstance(base, Place):
         ctx.findings.error(
             "FB4092",
             f"{spelled(base.type)} is no reference and cannot be followed by ^",
@@ -76,6 +77,7 @@ def check_dereference(ctx: Context, node: ast.Dereference, _expected: Type | Non
             "remove the ^, or declare the variable as REF_TO or POINTER TO",
         )
         return erroneous(node.span)
+    assert isinstance(base.type, ReferenceType)
     target = base.type.target
     return erroneous(node.span) if target == ERRONEOUS else Dereference(node.span, base, target)
 

@@ -213,14 +213,9 @@ class TypeResolver:
             if (system := system_type(name)) is not None:
                 self._declared[full] = system
                 return self._user_type(full, span)
-        if self._library.objects.interface(name) is not None:
-            self._library.findings.error(
-                "FB4054",
-                f"variables of the interface type '{name}' are not supported",
-                span,
-                "use the type of the function block that implements it",
-            )
-            return Resolved(ERRONEOUS)
+        interface = self._library.objects.interfaces.find(name)
+        if interface is not None:
+            return Resolved(self._library.objects.interfaces.type_of(interface))
         block = self._library.block_type(name)
         if block is not None:
             return Resolved(block)

@@ -16,7 +16,7 @@ from fbgen.lang.checked import (
 )
 from fbgen.lang.checker.system_instructions import ELEMENT_MOVES
 from fbgen.lang.types import ArrayType, OpenArrayType, Type
-from harness.engine.compiled.code import Code, deepest
+from harness.engine.compiled.code import Code, Listing, deepest
 from harness.engine.compiled.evaluation import Write, value
 from harness.engine.compiled.instructions import areas
 from harness.engine.compiled.model import is_scalar
@@ -130,12 +130,22 @@ def _callee(procedure: Procedure, node: FunctionCall) -> str:
     model = procedure.context.model
     if not node.overrides:
         return model.name_of(node.function)
+    context = procedure.context
+    shape = signature(node.function, context.facts)
+    name = context.new_name("method")
+    names = [f"_{number}" for number in range(len(shape.inputs) + len(shape.in_outs))]
+    arguments = ", ".join(names)
+    listing = Listing()
+    listing.span = node.span
+    listing.add(f"def {name}({arguments}):")
     methods = ", ".join(
-        f"{model.record_named(name).class_name}: {model.name_of(method)}"
-        for name, method in node.overrides
+        f"{model.record_named(one).class_name}: {model.name_of(method)}"
+        for one, method in node.overrides
     )
-    instance = value(procedure, node.in_outs[0][1]).text
-    return f"{{{methods}}}[_type({instance})]"
+    # The instance is the first in-out.
+    listing.add(f"    return {{{methods}}}[_type({names[len(shape.inputs)]})]({arguments})")
+    context.parts.append(listing)
+    return name
 
 
 def _function(procedure: Procedure, node: FunctionCall) -> Code:

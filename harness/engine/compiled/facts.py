@@ -69,6 +69,7 @@ class Facts:
         "_too_deep",
         "cells",
         "counts_loops",
+        "instances_referenced",
         "referenced",
     )
 
@@ -83,6 +84,8 @@ class Facts:
         sites: list[_Site] = []
         for block, body in program.bodies.items():
             sites += self._look(block, body)
+        self.instances_referenced = any(_has_blocks(one.type) for one in self.referenced)
+        """True if a call may reach any instance by a reference, also the one it stands in."""
         self._too_deep = _nests_deeper({b: f.callees for b, f in self._found.items()}, call_depth)
         self._spread()
         self._find_cells(sites)
@@ -123,6 +126,8 @@ class Facts:
         foreign = False
         for node in every_node(body):
             foreign = foreign or _hands_on_this(node)
+            if self.instances_referenced and _callees(node):
+                foreign = True
             if any(root_of(place) is variable for place in written_places(node)):
                 return False
             if any(self._found[callee].globals for callee in _callees(node)):
@@ -135,7 +140,7 @@ class Facts:
         """Those single values of the own block that only `body` itself writes while it runs."""
         if any(self._refers(variable) for variable in block.variables):
             return set()
-        if any(_has_blocks(variable.type) for variable in self.referenced):
+        if self.instances_referenced:
             return set()
         private = variables - self.cells - self.referenced - self._in_bytes
         for node in every_node(body):
@@ -188,6 +193,8 @@ class Facts:
                 case FunctionCall():
                     found.callees.add(node.function)
                     sites += _sites(block, node.function, node.in_outs, [])
+                    if node.overrides:
+                        self.cells |= _single_in_outs(node.function)
                     for _, override in node.overrides:
                         found.callees.add(override)
                         self.cells |= _single_in_outs(override)
