@@ -7,9 +7,10 @@ the layout of memory, and nothing that calculates.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, Protocol, TypeAlias
 
-from fbgen.lang.checked import AnyBlock, Program
+from fbgen.lang.checked import AnyBlock, Block, Program
 from fbgen.lang.types import Scalar
 from harness.engine.environment import Environment
 
@@ -88,6 +89,13 @@ class Instance(Protocol):
         """Write a variable or a part of it. Parts of a structure that are not named stay."""
         ...
 
+    def call_method(self, path: str, method: Block, arguments: Mapping[str, Value]) -> FunctionResult:
+        """Call a method of the instance, or of the one at a path, inputs and in-outs by name.
+
+        What is not given has its default. `method` is one of `Program.members`.
+        """
+        ...
+
     def snapshot(self) -> State:
         """Everything that the next call depends on: all variables that live on, nested ones too.
 
@@ -113,8 +121,13 @@ class Engine(Protocol):
         """The controller around it."""
         ...
 
-    def instance(self, block_name: str) -> Instance:
-        """A fresh instance of a function block, the user's or a standard one."""
+    def instance(
+        self, block_name: str, arguments: Mapping[str, Value] = MappingProxyType({})
+    ) -> Instance:
+        """A fresh instance of a function block, the user's or a standard one.
+
+        `arguments` are those of its FB_init.
+        """
         ...
 
     def global_instance(self, name: str) -> Instance:
@@ -123,6 +136,10 @@ class Engine(Protocol):
 
     def call_function(self, name: str, arguments: Mapping[str, Value]) -> FunctionResult:
         """Call a FUNCTION, inputs and in-outs by name; what is not given has its default."""
+        ...
+
+    def call_method(self, path: str, method: Block, arguments: Mapping[str, Value]) -> FunctionResult:
+        """Call a method of the instance at a path as `global_value` takes it."""
         ...
 
     def run_block(self, name: str) -> None:

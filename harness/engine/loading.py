@@ -160,9 +160,12 @@ class LoadedProgram:
         """The time since the start, to the microsecond."""
         return self.clock.now
 
-    def instance(self, block_name: str) -> BlockInstance:
-        """A function block with its own state; raises FB6020 for an unknown name, FB6022."""
-        return BlockInstance(self._engine.instance(block_name), self._engine.program)
+    def instance(self, block_name: str, /, **arguments: Value) -> BlockInstance:
+        """A function block with its own state; raises FB6020 for an unknown name, FB6022.
+
+        `arguments` are those of its FB_init; what is not given has its default.
+        """
+        return BlockInstance(self._engine.instance(block_name, arguments), self._engine.program)
 
     def call(self, function_name: str, /, **arguments: Value) -> Value | None:
         """The value of a FUNCTION; None if it has none."""

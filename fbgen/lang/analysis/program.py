@@ -33,7 +33,7 @@ def analyse(program: Program, library: "Library", findings: "Findings") -> None:
         offsets.sort()
     flows: list[Flow] = []
     for block, body in program.bodies.items():
-        if library.objects.is_promise(block):
+        if library.objects.is_promise(block) or block in library.starts.bodies:
             continue
         ctx = library.context_of(block)
         span = block.syntax.span

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from fbgen.lang.analysis.flow import Flow
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Variable, VariableKind
+from fbgen.lang.checker.objects import is_life_cycle
 from fbgen.lang.types import Elementary, StringType
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ def _unused(flow: Flow, what: str, entry: "Entry") -> None:
 
 def _parameter(flow: Flow, ctx: "Context", entry: Variable) -> None:
     if entry.kind in _PARAMETERS:
-        if entry not in ctx.used:
+        if entry not in ctx.used and not is_life_cycle(flow.block):
             flow.report.warning(
                 "FB4201",
                 f"{entry.kind.value} '{entry.name}' of {flow.block.name} is never used",

@@ -39,6 +39,7 @@ from fbgen.lang.checked.expressions import (
     VariableRef,
 )
 from fbgen.lang.checked.program import (
+    BlockMembers,
     Program,
     Task,
 )
@@ -76,6 +77,7 @@ __all__ = [
     "Assignment",
     "Attempt",
     "Binary",
+    "BlockMembers",
     "Block",
     "BoundOf",
     "Branch",

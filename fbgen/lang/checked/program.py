@@ -20,6 +20,20 @@ class Task:
 
 
 @node
+class BlockMembers:
+    """What an instance of a block can be asked for, its bases included, by casefolded name.
+
+    `starts` are the FB_init of the bases and the block itself, in the order in which they run.
+    """
+
+    methods: Mapping[str, Block]
+    getters: Mapping[str, Block]
+    setters: Mapping[str, Block]
+    actions: Mapping[str, Block]
+    starts: tuple[Block, ...] = ()
+
+
+@node
 class Program:
     """All blocks, types and global variables of a set of files.
 
@@ -28,7 +42,9 @@ class Program:
 
     `byte_memory` has what is reached besides its name and lies in bytes as `fbgen.lang.layout`
     says: overlays and what is under them, addressed data blocks, the variables of their function
-    blocks. `data_blocks` are those with a number.
+    blocks. `data_blocks` are those with a number. `members` has the blocks with methods, properties
+    or actions. `starts` has for blocks with instances inside that have an FB_init the FUNCTION that
+    calls those, with the in-out THIS and the input `retains`; "" is for the global variables.
     """
 
     dialect: str
@@ -40,6 +56,8 @@ class Program:
     tasks: tuple[Task, ...] = field(default=())
     byte_memory: frozenset[Variable] = field(default=frozenset())
     data_blocks: Mapping[int, Variable] = field(default_factory=dict)
+    members: Mapping[str, BlockMembers] = field(default_factory=dict)
+    starts: Mapping[str, Block] = field(default_factory=dict)
 
     def block_of(self, type_name: str) -> AnyBlock:
         """The function block of that name, the user's before the standard one."""

@@ -200,6 +200,7 @@ class Interfaces:
             variable = Variable(
                 declared.span, name, kind, resolved.type, initial, remanent, address
             )
+            self._library.starts.declare(variable, declaration)
             ctx.scope.entries[declared.name.casefold()] = variable
             if shared:
                 self._library.globals.entries[name.casefold()] = variable

@@ -16,6 +16,7 @@ from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enabling import enable_variables
 from fbgen.lang.checker.findings import Findings
 from fbgen.lang.checker.initials import Initials
+from fbgen.lang.checker.instance_starts import InstanceStarts
 from fbgen.lang.checker.interfaces import Interfaces
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.memory_use import MemoryUse, is_optimized
@@ -55,6 +56,7 @@ class Library:
         self.receivers: set[Variable] = set()
         """The in-outs THIS of methods: the caller names them in front of the call."""
         self.objects = Objects(self)
+        self.starts = InstanceStarts(self)
         self._interfaces = Interfaces(self)
         self._initials = Initials(self)
         self._units: dict[str, tuple[str, Span]] = {}

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
-from fbgen.lang.checked import Block, Variable, VariableKind
+from fbgen.lang.checked import Block, BlockMembers, Variable, VariableKind
 from fbgen.lang.checker.object_interfaces import ObjectInterfaces
 from fbgen.lang.types import BlockType
 from fbgen.source import Span
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 RECEIVER = "THIS"
 _WITH_MEMBERS = (BlockKind.FUNCTION_BLOCK, BlockKind.PROGRAM)
 _LIFE_CYCLE = ("fb_init", "fb_reinit", "fb_exit")
+"""Derived blocks may give them more parameters."""
 _INHERITED = (*(VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT, VariableKind.STATIC),)
 
 
@@ -220,6 +221,21 @@ class Objects:
             self.members_of(owner)
         return self._written
 
+    def members_by_name(self) -> dict[str, BlockMembers]:
+        """The members of all blocks that have some, for whoever runs them."""
+        found = {}
+        for block in self._library.own_blocks():
+            members = self.members_of(block)
+            if any(members.tables()) or members.actions:
+                tables = [
+                    {key: method.block for key, method in table.items()}
+                    for table in members.tables()
+                ]
+                starts = self._library.starts.chain(block)
+                name = block.name.casefold()
+                found[name] = BlockMembers(*tables, members.actions, starts)
+        return found
+
     def is_promise(self, block: Block) -> bool:
         """True for the methods and accessors of an interface, which have no code."""
         return block in self._promises
@@ -245,10 +261,6 @@ class Objects:
         syntax: ast.Block,
     ) -> None:
         key = name.name.casefold()
-        if key in _LIFE_CYCLE:
-            message = f"{name.name.upper()} is not called here: code that starts or ends"
-            advice = "give the variables initial values, or call a method in the first cycle"
-            self._library.findings.error("FB4054", message, name.span, advice)
         overridden = table.get(key)
         if overridden is not None and overridden.owner is owner:
             self._library.duplicate(name.name, name.span, overridden.span)
@@ -285,6 +297,8 @@ class Objects:
         message = ""
         if "FINAL" in overridden.modifiers:
             message = f"{overridden.owner.name}.{overridden.name} is FINAL"
+        elif method.name.casefold() in _LIFE_CYCLE:
+            return
         elif _shape(method.block) != _shape(overridden.block):
             message = f"{overridden.owner.name}.{overridden.name} has other parameters"
         if message:
@@ -317,6 +331,11 @@ class Objects:
         """True if there can be no instance of the block itself."""
         block = self._library.user_block(kind.name)
         return block is not None and "ABSTRACT" in block.syntax.modifiers
+
+
+def is_life_cycle(block: Block) -> bool:
+    """True for FB_init and the like, whose parameters are prescribed."""
+    return block.name.rpartition(".")[2].casefold() in _LIFE_CYCLE
 
 
 def qualified(unit: ast.Unit, namespace: str) -> ast.Unit:

@@ -112,6 +112,8 @@ def _check(files: Sequence[ast.File], library: Library) -> tuple[Program, Librar
         bodies[block] = begin_enabled(ctx, check_body(ctx, block.syntax.body))
         check_jumps(ctx, block.syntax)
     report_recursive_calls(library, blocks)
+    library.starts.write()
+    bodies.update(library.starts.bodies)
     tasks = tasks_of(library)
     program = Program(
         dialect=library.rules.dialect,
@@ -129,5 +131,7 @@ def _check(files: Sequence[ast.File], library: Library) -> tuple[Program, Librar
         tasks=tasks,
         byte_memory=library.memory.byte_memory(library),
         data_blocks=library.memory.numbers,
+        members=library.objects.members_by_name(),
+        starts=library.starts.functions,
     )
     return program, library

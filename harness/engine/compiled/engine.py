@@ -3,11 +3,14 @@
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from types import MappingProxyType
 from typing import Any, NoReturn
 
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, Program, Variable, VariableKind
+from fbgen.lang.checker.instance_starts import IN_GLOBALS
+from fbgen.lang.checker.objects import RECEIVER
 from fbgen.lang.types import BlockType, OpenArrayType, StructType
 from harness.engine.compiled.areas import read_located, write_located
 from harness.engine.compiled.attempts import attempts
@@ -34,6 +37,7 @@ from harness.engine.environment import Environment, StandaloneEnvironment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block, wrong_path
 from harness.engine.interface import Convert, FunctionResult, Limits, State, Value
 from harness.engine.paths import parse_path
+from harness.engine.starting import own_starts
 from harness.engine.values import accept, accept_scalar, array_of
 
 _GENERATOR_DEPTH = 60_000
@@ -125,6 +129,7 @@ class CompiledEngine:
             self._namespace[record.class_name]: record for record in self._model.block_records
         }
         self._initial = self.snapshot()
+        self._start_instances(retains=True)
 
     # --- loading ------------------------------------------------------------------------------
 
@@ -194,8 +199,10 @@ class CompiledEngine:
 
     # --- running ------------------------------------------------------------------------------
 
-    def instance(self, block_name: str) -> CompiledInstance:
-        """A fresh instance of a function block, the user's or a standard one."""
+    def instance(
+        self, block_name: str, arguments: Mapping[str, Value] = MappingProxyType({})
+    ) -> CompiledInstance:
+        """A fresh instance of a function block, the user's or a standard one; FB_init has run."""
         key = block_name.casefold()
         block: AnyBlock
         if key not in self._program.blocks and key in self._program.standard_blocks:
@@ -206,7 +213,17 @@ class CompiledEngine:
                 use = "only a FUNCTION_BLOCK has instances: call it or run it"
                 raise wrong_kind_of_block(block.name, block.kind.value, use)
         record = self._model.block_record(block)
-        return self._instance(record, self._namespace[record.class_name]())
+        data = self._namespace[record.class_name]()
+        self._start_inside(block.name, data, retains=True)
+        for method, values in own_starts(self._program, block.name, arguments):
+            self._call_on(data, method, values)
+        return self._instance(record, data)
+
+    def _start_inside(self, name: str, data: Any, *, retains: bool) -> None:
+        """FB_init of the instances in a block or among the global variables."""
+        function = self._program.starts.get(name.casefold())
+        if function is not None:
+            self._call_on(data, function, {"retains": retains})
 
     def _instance(self, record: Record, data: Any) -> CompiledInstance:
         return CompiledInstance(
@@ -214,6 +231,7 @@ class CompiledEngine:
             data,
             self._memory,
             make_call=self._keyword_call,
+            call_on=self._call_on,
         )
 
     def _keyword_call(self, record: Record, data: Any, convert: Convert) -> Callable[..., None]:
@@ -314,14 +332,32 @@ class CompiledEngine:
         if block.kind is not BlockKind.FUNCTION:
             use = "only a FUNCTION gives a result: make an instance or run the block"
             raise wrong_kind_of_block(block.name, block.kind.value, use)
+        return self._call_on(None, block, arguments)
+
+    def call_method(self, path: str, method: Block, arguments: Mapping[str, Value]) -> FunctionResult:
+        """Call a method of the instance at a path as `global_value` takes it."""
+        return self._call_on(self._find(path).read(), method, arguments)
+
+    def _call_on(self, this: Any, block: Block, arguments: Mapping[str, Value]) -> FunctionResult:
+        """Call a FUNCTION, or a method or an action of an instance."""
+        if block.kind is not BlockKind.FUNCTION:
+            self._start(self._namespace[self._model.name_of(block)]._run, this)
+            return FunctionResult(None, {})
         shape = signature(block, self._facts)
         parameters = (*shape.inputs, *shape.in_outs)
         given = self._given(block, parameters, arguments)
-        values = [self._argument(variable, given.get(variable)) for variable in parameters]
+        values = [
+            this
+            if this is not None and variable.name == RECEIVER
+            else self._argument(variable, given.get(variable))
+            for variable in parameters
+        ]
         returned = self._start(self._namespace[self._model.name_of(block)], *values)
         results = self._results(shape.returned, returned)
         for variable, content in zip(parameters, values, strict=True):
             if variable.kind is VariableKind.IN_OUT and variable not in results:
+                if content is this:
+                    continue
                 in_cell = variable in self._facts.cells
                 results[variable] = content.value if in_cell else content
         value = None
@@ -466,6 +502,14 @@ class CompiledEngine:
     def reset(self, warm: bool) -> None:
         """Initial values everywhere in the program; after a warm start remanent variables stay."""
         self._restore(self._initial, remanent_too=not warm)
+        self._start_instances(retains=not warm)
+
+    def _start_instances(self, *, retains: bool) -> None:
+        """FB_init of all instances that the program itself has."""
+        self._start_inside(IN_GLOBALS, None, retains=retains)
+        for record, data in self._programs.values():
+            assert record.block is not None
+            self._start_inside(record.block.name, data, retains=retains)
 
     def _restore(self, state: State, *, remanent_too: bool) -> None:
         assert isinstance(state, tuple)

@@ -3,17 +3,20 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from fbgen.lang.checked import AnyBlock
+from fbgen.lang.checked import AnyBlock, Block
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.model import Record
-from harness.engine.interface import Convert, State, Value
+from harness.engine.interface import Convert, FunctionResult, State, Value
 from harness.engine.paths import parse_path
 
 
 class CompiledInstance:
-    """One instance. `make_call` makes the function that calls it, when it is called first."""
+    """One instance. `make_call` makes the function that calls it, when it is called first.
 
-    __slots__ = ("_call", "_data", "_make_call", "_memory", "_record")
+    `call_on` calls a method of some instance.
+    """
+
+    __slots__ = ("_call", "_call_on", "_data", "_make_call", "_memory", "_record")
 
     def __init__(
         self,
@@ -22,12 +25,14 @@ class CompiledInstance:
         memory: Memory,
         *,
         make_call: Callable[[Record, Any, Convert], Callable[..., None]],
+        call_on: Callable[[Any, Block, Mapping[str, Value]], FunctionResult],
     ) -> None:
         self._record = record
         self._data = data
         self._memory = memory
         self._call: Callable[..., None] | None = None
         self._make_call = make_call
+        self._call_on = call_on
 
     @property
     def block(self) -> AnyBlock:
@@ -56,6 +61,10 @@ class CompiledInstance:
 
     def _find(self, path: str) -> Location:
         return self._memory.find_in(path, self._data, self._record, parse_path(path))
+
+    def call_method(self, path: str, method: Block, arguments: Mapping[str, Value]) -> FunctionResult:
+        """Call a method of the instance, or of the one at a path."""
+        return self._call_on(self._find(path).read() if path else self._data, method, arguments)
 
     def snapshot(self) -> State:
         """Everything that the next call depends on, without what its in-outs refer to."""

@@ -3,10 +3,13 @@
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from types import MappingProxyType
 from typing import Any
 
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, Program, StandardBlock, Variable, VariableKind
+from fbgen.lang.checker.instance_starts import IN_GLOBALS
+from fbgen.lang.checker.objects import RECEIVER
 from fbgen.lang.types import ArrayType, BlockType, OpenArrayType
 from harness.engine.environment import Environment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block
@@ -17,6 +20,7 @@ from harness.engine.reference.calls import Calls
 from harness.engine.reference.lookup import find_part
 from harness.engine.reference.memory import Memory
 from harness.engine.reference.storage import InstanceStorage, Storage
+from harness.engine.starting import own_starts
 from harness.engine.values import accept, array_of
 
 _PYTHON_FRAMES = 40_000
@@ -57,8 +61,10 @@ class ReferenceEngine:
         """The controller around it."""
         return self._environment
 
-    def instance(self, block_name: str) -> "ReferenceInstance":
-        """A fresh instance of a function block."""
+    def instance(
+        self, block_name: str, arguments: Mapping[str, Value] = MappingProxyType({})
+    ) -> "ReferenceInstance":
+        """A fresh instance of a function block; its FB_init has run."""
         key = block_name.casefold()
         blocks: dict[str, AnyBlock] = {**self._program.standard_blocks, **self._program.blocks}
         if key not in blocks:
@@ -70,6 +76,9 @@ class ReferenceEngine:
             )
         storage = self._allocator.of_type(BlockType(block.name))
         assert isinstance(storage, InstanceStorage)
+        self._start_inside(block.name, storage, retains=True)
+        for method, values in own_starts(self._program, block.name, arguments):
+            self.call_on(storage, method, values)
         return ReferenceInstance(self, self._allocator, self._calls, storage)
 
     def global_instance(self, name: str) -> "ReferenceInstance":
@@ -87,10 +96,29 @@ class ReferenceEngine:
         if block.kind is not BlockKind.FUNCTION:
             use = f"use instance('{block.name}') or run_block('{block.name}')"
             raise wrong_kind_of_block(block.name, block.kind.value, use)
+        return self.call_on(None, block, arguments)
+
+    def call_method(self, path: str, method: Block, arguments: Mapping[str, Value]) -> FunctionResult:
+        """Call a method of the instance at a path."""
+        return self.call_on(self._global(path), method, arguments)
+
+    def call_on(
+        self, this: Storage | None, block: Block, arguments: Mapping[str, Value]
+    ) -> FunctionResult:
+        """A FUNCTION, or a method or an action of an instance."""
+        if block.kind is not BlockKind.FUNCTION:
+            assert isinstance(this, InstanceStorage)
+            with self.running():
+                self._calls.run_instance(this, None, block)
+            return FunctionResult(None, {})
         frame = self._calls.frame(block)
+        if this is not None:
+            frame.storages[block.variables[0]] = this
         given = check_arguments(self._program, block, arguments)
         sizes = open_arrays(block, arguments)
         for variable in block.variables:
+            if variable in frame.storages and variable.name == RECEIVER:
+                continue
             if variable.kind in (VariableKind.INPUT, VariableKind.IN_OUT):
                 if isinstance(variable.type, OpenArrayType) and variable.name in sizes:
                     storage = self._allocator.of_type(sizes[variable.name])
@@ -105,6 +133,7 @@ class ReferenceEngine:
             variable.name: frame.storages[variable].read()
             for variable in block.variables
             if variable.kind in (VariableKind.OUTPUT, VariableKind.IN_OUT)
+            and (this is None or variable.name != RECEIVER)
         }
         value = None if block.result is None else frame.storages[block.result].read()
         return FunctionResult(value, outputs)
@@ -159,6 +188,15 @@ class ReferenceEngine:
         fresh = self._own_instances()
         for key, instance in self._runnable.items():
             instance.reset(fresh[key], warm)
+        self._start_inside(IN_GLOBALS, None, retains=not warm)
+        for instance in self._runnable.values():
+            self._start_inside(instance.block.name, instance, retains=not warm)
+
+    def _start_inside(self, name: str, storage: Storage | None, *, retains: bool) -> None:
+        """FB_init of the instances in a block or among the global variables."""
+        function = self._program.starts.get(name.casefold())
+        if function is not None:
+            self.call_on(storage, function, {"retains": retains})
 
     @contextmanager
     def running(self) -> Iterator[None]:
@@ -266,6 +304,11 @@ class ReferenceInstance:
         """Write a variable or a part of it."""
         part = self._part(path)
         part.write(accept(self._engine.program, path, part.kind, value))
+
+    def call_method(self, path: str, method: Block, arguments: Mapping[str, Value]) -> FunctionResult:
+        """Call a method of the instance, or of the one at a path."""
+        this = self._part(path) if path else self._storage
+        return self._engine.call_on(this, method, arguments)
 
     def snapshot(self) -> State:
         """Everything that the next call depends on."""
