@@ -285,7 +285,7 @@ INTERFACE = "INTERFACE"
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ReferenceType:
-    """REF_TO, POINTER TO (both are followed by `^`), REFERENCE TO (followed by itself) or INTERFACE.
+    """REF_TO, POINTER TO (both followed by `^`), REFERENCE TO (followed by itself), INTERFACE.
 
     `target_name` is what the target is called, and makes two reference types the same. What it is
     comes from `find`, because a structure may refer to its own kind.

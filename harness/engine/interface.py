@@ -89,7 +89,9 @@ class Instance(Protocol):
         """Write a variable or a part of it. Parts of a structure that are not named stay."""
         ...
 
-    def call_method(self, path: str, method: Block, arguments: Mapping[str, Value]) -> FunctionResult:
+    def call_method(
+        self, path: str, method: Block, arguments: Mapping[str, Value]
+    ) -> FunctionResult:
         """Call a method of the instance, or of the one at a path, inputs and in-outs by name.
 
         What is not given has its default. `method` is one of `Program.members`.
@@ -138,7 +140,9 @@ class Engine(Protocol):
         """Call a FUNCTION, inputs and in-outs by name; what is not given has its default."""
         ...
 
-    def call_method(self, path: str, method: Block, arguments: Mapping[str, Value]) -> FunctionResult:
+    def call_method(
+        self, path: str, method: Block, arguments: Mapping[str, Value]
+    ) -> FunctionResult:
         """Call a method of the instance at a path as `global_value` takes it."""
         ...
 

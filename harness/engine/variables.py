@@ -3,24 +3,26 @@
 `fb.status`, `fb.telegram.data[3]`, `fb.table[1, 2]`, `fb["telegram.data[3]"]`: whatever the case of
 the names, and with the indices of the PLC text. A scalar reads as its value; a structure, array or
 instance as a view that follows the program. A name that is no Python name, or that starts with
-`_`, is reached by an item.
+`_`, is reached by an item. A method is called like one of Python, `fb.Bump(amount=3)`, which gives
+its result; `fb.Bump.with_outputs(amount=3)` has its outputs as well. A property reads and writes
+like a variable.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Protocol, TypeAlias
 
 from fbgen.diagnostics import DiagnosticError
-from fbgen.lang.checked import Program, Variable, VariableKind
+from fbgen.lang.checked import Block, Program, Variable, VariableKind
 from fbgen.lang.types import (
     ArrayType,
     BlockType,
     OpenArrayType,
     ReferenceType,
-    Scalar,
     StructType,
     Type,
 )
-from harness.engine.interface import Engine, Instance, Value
+from harness.engine.interface import Engine, FunctionResult, Instance, Value
+from harness.engine.methods import BoundMethod, members_of, written_by
 from harness.engine.paths import FOLLOW, Step, parse_path
 from harness.engine.values import shown
 
@@ -38,6 +40,12 @@ class Access(Protocol):
 
     def set(self, path: str, value: Value) -> None:
         """Write the value at a path."""
+        ...
+
+    def call_method(
+        self, path: str, method: Block, arguments: Mapping[str, Value]
+    ) -> FunctionResult:
+        """Call a method of the instance at a path."""
         ...
 
 
@@ -60,6 +68,9 @@ class View:
     def __getattr__(self, name: str) -> "Item":
         if name.startswith("_"):
             raise AttributeError(name)
+        member = self._member(name)  # a fault in a property is no missing attribute
+        if member is not None:
+            return member
         try:
             return self[name]
         except DiagnosticError as failure:
@@ -69,7 +80,13 @@ class View:
         self[name] = value
 
     def __getitem__(self, item: "str | int | tuple[int, ...]") -> "Item":
-        """A part by its name or path, or an element by its index or indices."""
+        """A part by its name or path, or an element by its index or indices.
+
+        A method comes as a function, a property as its value.
+        """
+        member = self._member(item)
+        if member is not None:
+            return member
         kind: Type | None = self._kind
         for step in parse_path(item) if isinstance(item, str) else (_indices(item),):
             kind = None if kind is None else self._part_kind(kind, step)
@@ -80,7 +97,29 @@ class View:
         assert isinstance(value, bool | int | float | str)
         return bool(value) if isinstance(kind, ReferenceType) else shown(kind, value)
 
+    def _member(self, item: "str | int | tuple[int, ...]") -> "Item | None":
+        """A method or an action as a function, the value of a property; None for other names."""
+        members = members_of(self._program, self._kind)
+        if members is None or not isinstance(item, str):
+            return None
+        key = item.casefold()
+        method = members.methods.get(key) or members.actions.get(key)
+        if method is not None:
+            return BoundMethod(self._access, self._path, method)
+        getter = members.getters.get(key)
+        if getter is None or getter.result is None:
+            return None
+        value = self._access.call_method(self._path, getter, {}).value
+        if isinstance(value, bool | int | float | str):
+            return shown(getter.result.type, value)
+        return value
+
     def __setitem__(self, item: "str | int | tuple[int, ...]", value: "Value | View") -> None:
+        members = members_of(self._program, self._kind)
+        setter = members.setters.get(item.casefold()) if members and isinstance(item, str) else None
+        if setter is not None:
+            self._access.call_method(self._path, setter, written_by(setter, plain(value)))
+            return
         self._access.set(self._path_to(item), plain(value))
 
     def __len__(self) -> int:
@@ -126,7 +165,7 @@ class View:
         return None
 
 
-Item: TypeAlias = Scalar | View
+Item: TypeAlias = Value | View | BoundMethod
 
 
 class BlockInstance(View):
@@ -196,6 +235,11 @@ class _GlobalAccess:
 
     def set(self, path: str, value: Value) -> None:
         self._engine.set_global(path, value)
+
+    def call_method(
+        self, path: str, method: Block, arguments: Mapping[str, Value]
+    ) -> FunctionResult:
+        return self._engine.call_method(path, method, arguments)
 
 
 _NAMESPACE = StructType("global variables", ())

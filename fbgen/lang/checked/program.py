@@ -45,6 +45,8 @@ class Program:
     blocks. `data_blocks` are those with a number. `members` has the blocks with methods, properties
     or actions. `starts` has for blocks with instances inside that have an FB_init the FUNCTION that
     calls those, with the in-out THIS and the input `retains`; "" is for the global variables.
+    `temporaries` are further variables of a block, TEMP, that hold a value within one statement;
+    they are written before they are read.
     """
 
     dialect: str
@@ -58,6 +60,7 @@ class Program:
     data_blocks: Mapping[int, Variable] = field(default_factory=dict)
     members: Mapping[str, BlockMembers] = field(default_factory=dict)
     starts: Mapping[str, Block] = field(default_factory=dict)
+    temporaries: Mapping[Block, tuple[Variable, ...]] = field(default_factory=dict)
 
     def block_of(self, type_name: str) -> AnyBlock:
         """The function block of that name, the user's before the standard one."""

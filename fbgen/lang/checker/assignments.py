@@ -1,14 +1,26 @@
 """Assignments, also several in one statement, and set and reset.
 
-`a := b := c` is `b := c; a := b`, from right to left with the conversions of each step (TIA Portal
-help, "Value assignments"). `S=` and `R=` write only where their value is TRUE; what stands left of
-one in a chain takes the value at its right end (CODESYS online help, "Assignment operator S=").
+`a := b := c` gives c to b, then what b has got to a, from right to left with the conversions of
+each step; c is read once, b is not read again (TIA Portal help, "Value assignments"; CODESYS online
+help, "Assignment as an expression"). `S=` and `R=` write only where their value is TRUE; what
+stands left of one in a chain takes the value at its right end (CODESYS online help, "Assignment
+operator S=").
 """
 
 from collections.abc import Sequence
 
 from fbgen.lang import ast, checked
-from fbgen.lang.checked import Constant, Expression, Place, Statement, VariableKind
+from fbgen.lang.checked import (
+    Constant,
+    Expression,
+    FieldRef,
+    IndexRef,
+    Place,
+    Statement,
+    Variable,
+    VariableKind,
+    VariableRef,
+)
 from fbgen.lang.checker.arguments import Bound
 from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.context import Context
@@ -21,7 +33,7 @@ from fbgen.lang.checker.operators import combine
 from fbgen.lang.checker.references import bind_reference
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.checker.variants import assignment_attempt
-from fbgen.lang.types import BOOL, VARIANT_VALUE, BlockType, OpenArrayType
+from fbgen.lang.types import BOOL, VARIANT_VALUE, BlockType, OpenArrayType, Type
 from fbgen.source import Span
 
 _WHERE = "this assignment"
@@ -30,14 +42,23 @@ _BITS = {"S=": True, "R=": False}
 
 
 class _Link:
-    """One target of a statement; `place` None if it may not be written."""
+    """One target of a statement: a place or a property; neither if it may not be written."""
 
-    __slots__ = ("operator", "place", "span")
+    __slots__ = ("node", "operator", "place", "setter", "span")
 
-    def __init__(self, span: Span, place: Place | None, operator: str) -> None:
-        self.span = span
-        self.place = place
-        self.operator = operator
+    def __init__(self, ctx: Context, node: ast.Assignment | ast.Chained) -> None:
+        self.span = node.span
+        self.node = node.target
+        self.operator = node.operator
+        self.setter = find_setter(ctx, node.target) if ctx.library.has_members else None
+        self.place = None if self.setter else check_target(ctx, node.target, _WHERE)
+
+    @property
+    def type(self) -> Type | None:
+        """What it takes; None after errors."""
+        if self.setter is not None:
+            return _input(self.setter[1]).type
+        return None if self.place is None else self.place.type
 
 
 def check_assignment(ctx: Context, node: ast.Assignment) -> Sequence[Statement]:
@@ -56,41 +77,21 @@ def check_assignment(ctx: Context, node: ast.Assignment) -> Sequence[Statement]:
 
 def _assignment(ctx: Context, node: ast.Assignment, call: ast.Call | None) -> Sequence[Statement]:
     """`call` takes the place of the value, if it is one with EN or ENO."""
-    setter = find_setter(ctx, node.target) if ctx.library.has_members else None
-    if setter is not None:
-        return _set_property(ctx, node, *setter, call or node.value)
-    links = [_Link(node.span, check_target(ctx, node.target, _WHERE), node.operator)]
+    links = [_Link(ctx, node)]
     rest = node.value
     while isinstance(rest, ast.Chained):
-        links.append(_Link(rest.span, check_target(ctx, rest.target, _WHERE), rest.operator))
+        links.append(_Link(ctx, rest))
         rest = rest.value
-    innermost = links[-1].place
-    value = check_expression(ctx, call or rest, innermost.type if innermost is not None else None)
-    if value.type == ERRONEOUS or any(link.place is None for link in links):
+    value = check_expression(ctx, call or rest, links[-1].type)
+    if value.type == ERRONEOUS or any(link.type is None for link in links):
         return ()
     found = _written(ctx, links, value)
     return () if found is None else found
 
 
-def _set_property(
-    ctx: Context,
-    node: ast.Assignment,
-    receiver: Receiver,
-    setter: Method,
-    written: ast.Expression,
-) -> Sequence[Statement]:
-    """An assignment that calls SET."""
-    variable = next(one for one in setter.block.variables if one.kind is VariableKind.INPUT)
-    value = check_expression(ctx, written, variable.type)
-    if node.operator != ":=" and value.type != ERRONEOUS:
-        value = combine(
-            ctx, node.span, node.operator[:-1], check_expression(ctx, node.target), value
-        )
-    value = coerce(ctx, value, variable.type, _WHERE)
-    if value.type == ERRONEOUS:
-        return ()
-    call = made_call(ctx, node.span, receiver, setter, Bound(((variable, value),)))
-    return (checked.Evaluate(node.span, call),)
+def _input(setter: Method) -> Variable:
+    """The parameter of SET."""
+    return next(one for one in setter.block.variables if one.kind is VariableKind.INPUT)
 
 
 def _written(ctx: Context, links: Sequence[_Link], value: Expression) -> list[Statement] | None:
@@ -98,11 +99,20 @@ def _written(ctx: Context, links: Sequence[_Link], value: Expression) -> list[St
     found: list[Statement] = []
     for number in range(len(links) - 1, -1, -1):
         link = links[number]
-        place = link.place
-        assert place is not None
         if link.operator in _BITS:
             rest = _set_or_reset(ctx, links[: number + 1], value)
             return None if rest is None else [*found, *rest]
+        if link.setter is not None:
+            given = _given_to_property(ctx, link, _input(link.setter[1]), value)
+            if given is None:
+                return None
+            if number > 0 and not isinstance(given, Constant):
+                given = _kept(ctx, link.span, given, found)
+            found.append(_set_property(ctx, link.span, *link.setter, given))
+            value = given
+            continue
+        place = link.place
+        assert place is not None
         if isinstance(place.type, BlockType | OpenArrayType):
             ctx.findings.error(
                 "FB4010",
@@ -114,12 +124,7 @@ def _written(ctx: Context, links: Sequence[_Link], value: Expression) -> list[St
             )
             return None
         if link.operator in _UNKNOWN:
-            ctx.findings.error(
-                "FB4054",
-                f"the assignment {link.operator} in a chain is not supported",
-                link.span,
-                "write it as a statement of its own",
-            )
+            _refuse_unknown(ctx, link)
             return None
         if place.type == VARIANT_VALUE and value.type not in (VARIANT_VALUE, NULL):
             ctx.findings.error(
@@ -134,9 +139,66 @@ def _written(ctx: Context, links: Sequence[_Link], value: Expression) -> list[St
         value = coerce(ctx, value, place.type, _WHERE)
         if value.type == ERRONEOUS:
             return None
-        found.append(checked.Assignment(link.span, place, value))
-        value = place
+        if number and not (isinstance(value, Constant) or _reads_the_same(place)):
+            value = _kept(ctx, link.span, value, found)
+            found.append(checked.Assignment(link.span, place, value))
+        else:
+            found.append(checked.Assignment(link.span, place, value))
+            value = value if isinstance(value, Constant) else place
     return found
+
+
+def _reads_the_same(place: Place) -> bool:
+    """True for what gives back the value that was just written, with nothing to be calculated."""
+    if isinstance(place, VariableRef):
+        return place.variable.address is None
+    if isinstance(place, FieldRef):
+        return _reads_the_same(place.base)
+    if isinstance(place, IndexRef):
+        constant = all(isinstance(index, Constant) for index in place.indices)
+        return constant and _reads_the_same(place.base)
+    return False
+
+
+def _kept(ctx: Context, span: Span, value: Expression, found: list[Statement]) -> Expression:
+    """The value in a temporary of its own."""
+    name = f"chained{len(ctx.temporaries) + 1}"
+    variable = Variable(span, name, VariableKind.TEMP, value.type)
+    ctx.temporaries.append(variable)
+    place = VariableRef(span, variable, variable.type)
+    found.append(checked.Assignment(span, place, value))
+    return place
+
+
+def _given_to_property(
+    ctx: Context, link: _Link, variable: Variable, value: Expression
+) -> Expression | None:
+    """What SET gets; it goes on to the left, and GET is not asked. None after errors."""
+    if link.operator in _UNKNOWN:
+        _refuse_unknown(ctx, link)
+        return None
+    if link.operator != ":=":
+        before = check_expression(ctx, link.node)
+        value = combine(ctx, link.span, link.operator[:-1], before, value)
+    value = coerce(ctx, value, variable.type, _WHERE)
+    return None if value.type == ERRONEOUS else value
+
+
+def _set_property(
+    ctx: Context, span: Span, receiver: Receiver, setter: Method, value: Expression
+) -> Statement:
+    """A call of SET."""
+    call = made_call(ctx, span, receiver, setter, Bound(((_input(setter), value),)))
+    return checked.Evaluate(span, call)
+
+
+def _refuse_unknown(ctx: Context, link: _Link) -> None:
+    ctx.findings.error(
+        "FB4054",
+        f"the assignment {link.operator} in a chain is not supported",
+        link.span,
+        "write it as a statement of its own",
+    )
 
 
 def _set_or_reset(
@@ -145,14 +207,14 @@ def _set_or_reset(
     """The last link is S= or R=: the value is asked once, everything left of it has it then."""
     link = links[-1]
     place = link.place
-    assert place is not None
     value = coerce(ctx, value, BOOL, f"{link.operator}")
     if value.type == ERRONEOUS:
         return None
-    if place.type != BOOL:
+    if place is None or place.type != BOOL:
+        what = "a property" if place is None else spelled(place.type)
         ctx.findings.error(
             "FB4010",
-            f"{link.operator} writes BOOL, not {spelled(place.type)}",
+            f"{link.operator} writes a variable of type BOOL, not {what}",
             link.span,
             "set and reset single bits: word.3 S= condition",
         )

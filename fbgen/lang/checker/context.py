@@ -36,7 +36,7 @@ class Context:
     uses it, `overflow_flag` the same where errors of calculation make it FALSE, and `call_flag`
     what the ENO of a standard function is collected in. `this` is the instance in the body, the
     methods and the actions of a block that has members, `owner` that block, and `method` the
-    casefolded name of a method.
+    casefolded name of a method. `temporaries` are those that nobody declared.
     """
 
     __slots__ = (
@@ -56,6 +56,7 @@ class Context:
         "respelled",
         "rules",
         "scope",
+        "temporaries",
         "this",
         "used",
         "written",
@@ -77,6 +78,7 @@ class Context:
         self.owner: Block | None = None
         self.this: Variable | None = None
         self.method = ""
+        self.temporaries: list[Variable] = []
         self.used: set[Symbol] = set()
         self.written: set[Variable] = set()
         self.calls: dict[Block, Span] = {}

@@ -86,6 +86,8 @@ class InstanceStarts:
     def write(self) -> None:
         """Write all functions that are needed, and report arguments that nobody takes."""
         library = self._library
+        if not library.has_members and not self._arguments:
+            return
         for block in library.own_blocks():
             if block.kind in _OWNERS:
                 self._function(block)
@@ -111,6 +113,7 @@ class InstanceStarts:
             return False
         key = kind.name.casefold()
         if key not in self._needed:
+            self._needed[key] = False  # what contains itself has been reported
             block = self._library.user_block(kind.name)
             self._needed[key] = block is not None and (
                 bool(self.chain(block)) or self._has_inside(block)
@@ -195,9 +198,7 @@ class _Start:
         """Start everything at a place; `variable` has the arguments for it."""
         self.statements += self._started(place, variable, variable)
 
-    def _started(
-        self, place: Place, variable: Variable, whose: Variable | None
-    ) -> list[Statement]:
+    def _started(self, place: Place, variable: Variable, whose: Variable | None) -> list[Statement]:
         kind = place.type
         if isinstance(kind, ArrayType):
             return self._elements(place, kind, variable, whose)

@@ -12,12 +12,26 @@ from typing import TYPE_CHECKING
 
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
-from fbgen.lang.checked import Block, Dereference, Expression, Place, ReferenceTo
+from fbgen.lang.checked import (
+    Block,
+    Dereference,
+    Expression,
+    FieldRef,
+    FunctionCall,
+    IndexRef,
+    Place,
+    ReferenceTo,
+    VariableRef,
+)
 from fbgen.lang.types import INTERFACE, BlockType, ReferenceType
 from fbgen.nearest import nearest
 
 if TYPE_CHECKING:
     from fbgen.lang.checker.library import Library
+
+
+_REFERRING = VariableRef | FieldRef | IndexRef | Dereference | FunctionCall
+"""What can have a value of an interface type."""
 
 
 class ObjectInterfaces:
@@ -82,7 +96,8 @@ class ObjectInterfaces:
             return ReferenceTo(expression.span, expression, target)
         if isinstance(kind, ReferenceType) and kind.is_interface:
             given = self.find(kind.target_name)
-            if given is not None and wanted in self.with_parents([given]):
+            is_wider = given is not None and wanted in self.with_parents([given])
+            if is_wider and isinstance(expression, _REFERRING):
                 return replace(expression, type=target)
         return None
 

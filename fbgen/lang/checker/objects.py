@@ -112,9 +112,9 @@ class Objects:
                         self._check_promise(interface, method, table[key], block)
             for member in interface.members:
                 key = member.name.name.casefold()
-                if isinstance(member, ast.Property) and not member.accessors:
-                    if key not in members.getters and key not in members.setters:
-                        missing.append((member.name.name, f"{interface.name.name} has it"))
+                known = key in members.getters or key in members.setters
+                if isinstance(member, ast.Property) and not member.accessors and not known:
+                    missing.append((member.name.name, f"{interface.name.name} has it"))
         for name, why in dict(missing).items():
             self._library.findings.error(
                 "FB4088",
@@ -227,13 +227,13 @@ class Objects:
         for block in self._library.own_blocks():
             members = self.members_of(block)
             if any(members.tables()) or members.actions:
-                tables = [
+                methods, getters, setters = (
                     {key: method.block for key, method in table.items()}
                     for table in members.tables()
-                ]
+                )
                 starts = self._library.starts.chain(block)
                 name = block.name.casefold()
-                found[name] = BlockMembers(*tables, members.actions, starts)
+                found[name] = BlockMembers(methods, getters, setters, members.actions, starts)
         return found
 
     def is_promise(self, block: Block) -> bool:

@@ -133,5 +133,10 @@ def _check(files: Sequence[ast.File], library: Library) -> tuple[Program, Librar
         data_blocks=library.memory.numbers,
         members=library.objects.members_by_name(),
         starts=library.starts.functions,
+        temporaries={
+            block: tuple(found)
+            for block in blocks.values()
+            if (found := library.context_of(block).temporaries)
+        },
     )
     return program, library

@@ -13,7 +13,9 @@ def null(span: Span, kind: ReferenceType) -> ReferenceTo:
     return ReferenceTo(span, None, kind)
 
 
-def compare(ctx: Context, span: Span, operator: str, left: Expression, right: Expression) -> Expression | None:
+def compare(
+    ctx: Context, span: Span, operator: str, left: Expression, right: Expression
+) -> Expression | None:
     """Two references, or one and NULL, by = and <>; None for what does not go together."""
     if operator not in ("=", "<>"):
         return None

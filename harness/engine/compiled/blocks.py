@@ -77,7 +77,8 @@ def _own(context: BlockContext) -> list[Variable]:
     kinds: tuple[VariableKind, ...] = (VariableKind.TEMP, VariableKind.RESULT)
     if not has_memory(context.block):
         kinds = (*kinds, VariableKind.OUTPUT)
-    return [variable for variable in context.block.variables if variable.kind in kinds]
+    declared = [variable for variable in context.block.variables if variable.kind in kinds]
+    return [*declared, *context.model.program.temporaries.get(context.block, ())]
 
 
 def _head(procedure: Procedure, parameters: Sequence[Variable]) -> None:

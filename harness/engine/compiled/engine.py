@@ -334,7 +334,9 @@ class CompiledEngine:
             raise wrong_kind_of_block(block.name, block.kind.value, use)
         return self._call_on(None, block, arguments)
 
-    def call_method(self, path: str, method: Block, arguments: Mapping[str, Value]) -> FunctionResult:
+    def call_method(
+        self, path: str, method: Block, arguments: Mapping[str, Value]
+    ) -> FunctionResult:
         """Call a method of the instance at a path as `global_value` takes it."""
         return self._call_on(self._find(path).read(), method, arguments)
 

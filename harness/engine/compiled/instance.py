@@ -62,7 +62,9 @@ class CompiledInstance:
     def _find(self, path: str) -> Location:
         return self._memory.find_in(path, self._data, self._record, parse_path(path))
 
-    def call_method(self, path: str, method: Block, arguments: Mapping[str, Value]) -> FunctionResult:
+    def call_method(
+        self, path: str, method: Block, arguments: Mapping[str, Value]
+    ) -> FunctionResult:
         """Call a method of the instance, or of the one at a path."""
         return self._call_on(self._find(path).read() if path else self._data, method, arguments)
 

@@ -117,6 +117,8 @@ class Calls:
     def _run_body(self, block: Block, frame: Frame, span: Span | None) -> None:
         if self._depth >= self._limits.call_depth:
             raise nesting_too_deep(span, block.name, self._limits.call_depth)
+        for variable in self._program.temporaries.get(block, ()):
+            frame.storages[variable] = self._allocator.variable(variable)
         self._depth += 1
         try:
             self._statements.run(self._program.bodies[block], frame)

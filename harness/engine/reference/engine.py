@@ -98,7 +98,9 @@ class ReferenceEngine:
             raise wrong_kind_of_block(block.name, block.kind.value, use)
         return self.call_on(None, block, arguments)
 
-    def call_method(self, path: str, method: Block, arguments: Mapping[str, Value]) -> FunctionResult:
+    def call_method(
+        self, path: str, method: Block, arguments: Mapping[str, Value]
+    ) -> FunctionResult:
         """Call a method of the instance at a path."""
         return self.call_on(self._global(path), method, arguments)
 
@@ -305,7 +307,9 @@ class ReferenceInstance:
         part = self._part(path)
         part.write(accept(self._engine.program, path, part.kind, value))
 
-    def call_method(self, path: str, method: Block, arguments: Mapping[str, Value]) -> FunctionResult:
+    def call_method(
+        self, path: str, method: Block, arguments: Mapping[str, Value]
+    ) -> FunctionResult:
         """Call a method of the instance, or of the one at a path."""
         this = self._part(path) if path else self._storage
         return self._engine.call_on(this, method, arguments)

@@ -1,7 +1,7 @@
 """Several assignments in one statement, set and reset, AND_THEN and OR_ELSE.
 
-TIA Portal help, "Value assignments": `a := b := c` is `b := c; a := b`. CODESYS online help,
-"Assignment operator S=" and "AND_THEN".
+TIA Portal help, "Value assignments": from right to left. CODESYS online help, "Assignment as an
+expression" (both targets receive the value), "Assignment operator S=" and "AND_THEN".
 """
 
 from collections.abc import Callable
@@ -58,3 +58,17 @@ def test_the_right_side_is_evaluated_only_where_the_left_one_does_not_decide(
     assert (block.conjunction, block.disjunction) == values
     assert (block.conjunctionCalls, block.disjunctionCalls) == calls
     assert (block.strict, block.strictCalls, block.guarded) == (left, 1, 0)
+
+
+def test_a_chain_hands_its_value_on_without_reading_the_target_again(
+    engine_name: str, request: pytest.FixtureRequest
+) -> None:
+    path = request.path.parent / "chained_calls.st"
+    block = load_program([path], dialect="twincat", engine=engine_name).instance("User")
+    block()
+    # The value is worked out before the index; `list[list[0]] := 5` makes list[0] 5 and gives on 5.
+    assert (block.list[2], block.b, block.list[0], block.list[5]) == (11, 5, 5, 44)
+    # SET gets 3 (2 + 3 = 5), then the sixth number (6 + 6 = 12); GET is never called.
+    assert block.counter.calls == 13
+    assert (block.a, block.c, block.r) == (6, 26, 26.0)
+    assert (block.text, block.short) == ("abc", "abc")

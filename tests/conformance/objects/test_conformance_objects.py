@@ -9,6 +9,7 @@ from collections.abc import Callable
 
 import pytest
 
+from fbgen.diagnostics import DiagnosticError
 from harness import LoadedProgram, load_program
 
 Twincat = Callable[[str], LoadedProgram]
@@ -69,6 +70,116 @@ def test_the_block_of_the_instance_decides_which_method_is_meant(twincat: Twinca
     block()
     assert (block.square, block.strip, block.wide) == (18, 12, 2 * 120)
     assert (block.name, block.other) == ("square figure", "figure")
+
+
+def test_the_instance_behind_a_variable_of_an_interface_decides_what_is_called(
+    twincat: Twincat,
+) -> None:
+    block = twincat("interfaces.st").instance("User")
+    block()
+    # 3 * 3, then 10 * 2, then the square again, which has grown to 4 * 4, times 3.
+    assert (block.a, block.b, block.sum) == (9, (9 * 10 + 20) * 10 + 48, 25 + 2 * 7)
+    assert (block.total, block.before) == (1 + 100 + 1, 4)
+
+
+def test_properties_are_read_and_written_by_a_variable_of_an_interface(twincat: Twincat) -> None:
+    block = twincat("interfaces.st").instance("User")
+    block()
+    assert (block.width, block.name) == (7 + 7, "strip")
+
+
+def test_interface_variables_start_with_null_and_compare_by_instance(twincat: Twincat) -> None:
+    block = twincat("interfaces.st").instance("User")
+    block()
+    assert (block.isNull, block.same, block.differs) == (True, True, True)
+    assert (block.shape, block.named) == (False, True)
+
+
+def test_a_method_of_null_stops_the_program(twincat: Twincat) -> None:
+    block = twincat("interfaces.st").instance("Empty")
+    with pytest.raises(DiagnosticError) as caught:
+        block()
+    found = caught.value.diagnostics[0]
+    assert (found.code, found.span and found.span.text) == ("FB6031", "shape")
+
+
+@pytest.mark.parametrize(("n", "answer"), [(1, 10), (2, 21), (3, 32), (9, 32)])
+def test_instances_of_one_block_may_ask_each_other(twincat: Twincat, n: int, answer: int) -> None:
+    block = twincat("interfaces.st").instance("Links")
+    block(n=n)
+    assert block.answer == answer
+
+
+def test_a_part_can_change_the_block_around_it(twincat: Twincat) -> None:
+    block = twincat("interfaces.st").instance("Whole")
+    block()
+    block()
+    assert block.told == 1002
+
+
+def test_the_index_of_an_instance_is_worked_out_once(twincat: Twincat) -> None:
+    block = twincat("interfaces.st").instance("Chooser")
+    block()
+    assert (block.area, block.asked) == (45, 1)
+    block()
+    assert (block.area, block.asked) == (50, 2)
+
+
+def test_fb_init_runs_after_the_initial_values_base_first_inner_instances_first(
+    twincat: Twincat,
+) -> None:
+    program = twincat("starts.st")
+    station = program.globals.theStation
+    assert [pump.base for pump in (station.pumps[1], station.pumps[3])] == [104, 104]
+    assert (station.pumps[2].order, station.pumps[2].speed) == ("bd", 2.5)
+    assert (station.one.base, station.ready) == (7 + 1, 104 + 8)
+    assert program.globals["Main.s"][1].ready == 112
+    assert (program.globals["Main.p"].base, program.globals["Main.p"].speed) == (111, 50.0)
+
+
+def test_fb_init_is_told_whether_remanent_variables_start_anew(twincat: Twincat) -> None:
+    program = twincat("starts.st")
+    pump = program.globals.thePump
+    assert pump.retained is True
+    program.reset(warm=True)
+    assert (pump.retained, pump.order, pump.base) == (False, "bd", 111)
+    program.reset()
+    assert (pump.retained, pump.order, pump.base) == (True, "bd", 111)
+
+
+def test_an_instance_from_outside_gets_the_arguments_of_fb_init(twincat: Twincat) -> None:
+    pump = twincat("starts.st").instance("Pump", number=5)
+    assert (pump.base, pump.speed, pump.order) == (105, 1.5, "bd")
+
+
+def test_an_unknown_argument_of_fb_init_is_reported(twincat: Twincat) -> None:
+    with pytest.raises(DiagnosticError) as caught:
+        twincat("starts.st").instance("Pump", numbr=5)
+    assert caught.value.diagnostics[0].code == "FB6020"
+
+
+def test_methods_are_called_from_python(twincat: Twincat) -> None:
+    motor = twincat("objects.st").instance("Motor")
+    assert (motor.Faster(step=3), motor.faster(), motor.speed) == (3, 8, 8)
+    given = motor.Faster.with_outputs(step=500)
+    assert (given.value, given.outputs) == (100, {"limited": True})
+    assert motor.Count.with_outputs(total=5).outputs == {"total": 16}
+    assert (motor.Stop(), motor.speed) == (None, 0)
+
+
+def test_properties_are_attributes_in_python(twincat: Twincat) -> None:
+    user = twincat("objects.st").instance("User")
+    user()
+    user.motors[3].Percent = 77.0
+    assert (user.motors[3].speed, user.motors[3].Percent) == (77, 77.0)
+    assert user.fastMotor.Faster(step=1000) == 150
+
+
+def test_an_unknown_input_of_a_method_is_reported(twincat: Twincat) -> None:
+    motor = twincat("objects.st").instance("Motor")
+    with pytest.raises(DiagnosticError) as caught:
+        motor.Faster(stepp=3)
+    assert caught.value.diagnostics[0].code == "FB6020"
 
 
 def test_names_in_namespaces_are_found_whole_and_from_inside(engine_name: str) -> None:
