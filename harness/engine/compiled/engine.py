@@ -1,8 +1,6 @@
 """A checked program, compiled to Python and loaded on a controller."""
 
-import sys
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, NoReturn
 
@@ -18,14 +16,16 @@ from harness.engine.compiled.blocks import write_block, write_structures
 from harness.engine.compiled.cells import ValueCell
 from harness.engine.compiled.code import Listing
 from harness.engine.compiled.facts import Facts
+from harness.engine.compiled.generation import clock_of, room_for_generation
 from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.instance import CompiledInstance
 from harness.engine.compiled.library.counters import counter_classes
-from harness.engine.compiled.library.timers import Clock, timer_classes
+from harness.engine.compiled.library.timers import timer_classes
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.model import GLOBALS, Model, Record, is_scalar, run_method
 from harness.engine.compiled.namespace import LIBRARY, Cpu, counting, hardware
 from harness.engine.compiled.open_arrays import OpenArray
+from harness.engine.compiled.outside_arguments import by_variable, given_inputs
 from harness.engine.compiled.outside_calls import write_keyword_call
 from harness.engine.compiled.passes import may_exceed
 from harness.engine.compiled.placement import Bytes
@@ -33,30 +33,12 @@ from harness.engine.compiled.procedure import Probe
 from harness.engine.compiled.routines import Routines, unmodelled_classes
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.stopping import Stopper
-from harness.engine.environment import Environment, StandaloneEnvironment
+from harness.engine.environment import Environment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block, wrong_path
 from harness.engine.interface import Convert, FunctionResult, Limits, State, Value
 from harness.engine.paths import parse_path
 from harness.engine.starting import own_starts
 from harness.engine.values import accept, accept_scalar, array_of
-
-_GENERATOR_DEPTH = 60_000
-"""Python calls that the generator may nest; they need no C stack."""
-
-
-@contextmanager
-def _deep() -> Iterator[None]:
-    before = sys.getrecursionlimit()
-    sys.setrecursionlimit(max(before, _GENERATOR_DEPTH))
-    try:
-        yield
-    finally:
-        sys.setrecursionlimit(before)
-
-
-def _clock(environment: Environment) -> Clock:
-    """What timers read the time from; a kernel has it as a plain attribute, which is faster."""
-    return environment.kernel if isinstance(environment, StandaloneEnvironment) else environment
 
 
 class CompiledEngine:
@@ -79,13 +61,13 @@ class CompiledEngine:
         self._program = program
         self._environment = environment
         library: dict[str, type] = {
-            **timer_classes(_clock(environment), program.dialect),
+            **timer_classes(clock_of(environment), program.dialect),
             **counter_classes(program.dialect),
             **unmodelled_classes(program),
         }
         self._model = Model(program, library)
         self._facts = Facts(program, limits.call_depth)
-        with _deep():
+        with room_for_generation():
             self._facts.counts_loops = may_exceed(program, self._facts, limits.loop_passes)
         self._cpu = Cpu(limits)
         image_sizes = {
@@ -135,7 +117,7 @@ class CompiledEngine:
 
     def _load(self, probe: Probe | None) -> None:
         problems: list[DiagnosticError] = []
-        with _deep():
+        with room_for_generation():
             for block in self._program.bodies:
                 try:
                     written = write_block(block, self._model, self._facts, self._bytes, probe=probe)
@@ -347,7 +329,7 @@ class CompiledEngine:
             return FunctionResult(None, {})
         shape = signature(block, self._facts)
         parameters = (*shape.inputs, *shape.in_outs)
-        given = self._given(block, parameters, arguments)
+        given = given_inputs(parameters, arguments)
         values = [
             this
             if this is not None and variable.name == RECEIVER
@@ -355,7 +337,7 @@ class CompiledEngine:
             for variable in parameters
         ]
         returned = self._start(self._namespace[self._model.name_of(block)], *values)
-        results = self._results(shape.returned, returned)
+        results = by_variable(shape.returned, returned)
         for variable, content in zip(parameters, values, strict=True):
             if variable.kind is VariableKind.IN_OUT and variable not in results:
                 if content is this:
@@ -372,27 +354,11 @@ class CompiledEngine:
         }
         return FunctionResult(value, outputs)
 
-    def _given(
-        self, block: Block, parameters: tuple[Variable, ...], arguments: Mapping[str, Value]
-    ) -> dict[Variable, Value]:
-        by_key = {variable.name.casefold(): variable for variable in parameters}
-        given = {}
-        for name, value in arguments.items():
-            if name.casefold() not in by_key:
-                raise unknown_name("input", name, [variable.name for variable in parameters])
-            given[by_key[name.casefold()]] = value
-        return given
-
     def _argument(self, variable: Variable, value: Value | None) -> Any:
         place = self._own_place(variable, variable.name, value)
         if isinstance(place, ValueCell) and variable.kind is not VariableKind.IN_OUT:
             return place.value
         return place
-
-    def _results(self, returned: tuple[Variable, ...], values: Any) -> dict[Variable, Any]:
-        if len(returned) == 1:
-            return {returned[0]: values}
-        return dict(zip(returned, values or (), strict=True))
 
     def _start(self, action: Callable[..., Any], *arguments: Any) -> Any:
         self._cpu.passes = self._cpu.most_passes
