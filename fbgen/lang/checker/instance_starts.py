@@ -68,9 +68,18 @@ class InstanceStarts:
 
     def declare(self, variable: Variable, declaration: ast.Declaration) -> None:
         """Keep the arguments that a declaration has for FB_init."""
-        if declaration.arguments:
-            place = declaration.arguments[0].span
-            self._arguments[variable] = (place, declaration.arguments)
+        if not declaration.arguments:
+            return
+        first = declaration.arguments[0]
+        if isinstance(first.value, ast.ArrayLiteral):
+            self._library.findings.error(
+                "FB4054",
+                "arguments for each element of an array are not supported",
+                first.span,
+                "write ARRAY[...] OF Type(x := 1), the same for all, or initial values in :=",
+            )
+            return
+        self._arguments[variable] = (first.span, declaration.arguments)
 
     def chain(self, block: Block) -> tuple[Block, ...]:
         """The FB_init of a block and its bases, in the order in which they run."""

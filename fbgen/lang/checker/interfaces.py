@@ -173,13 +173,6 @@ class Interfaces:
             initial = self._library.initial(
                 ctx, declaration.initial, resolved.type, resolved.initial
             )
-        if declaration.arguments:
-            ctx.findings.error(
-                "FB4054",
-                "arguments for FB_init are not supported",
-                declaration.arguments[0].span,
-                "give initial values: inst : Type := (x := 1);",
-            )
         if isinstance(resolved.type, BlockType):
             self._check_instance(ctx, declaration, resolved.type, kind)
         address = self._address(ctx, declaration, resolved.type)
