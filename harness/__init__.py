@@ -9,11 +9,12 @@ Blocks on their own, and a whole simulated plant:
 from typing import TYPE_CHECKING
 
 from harness.engine.loading import LoadedProgram, load_program
+from harness.engine.organization import ObSettings, Period
 
 if TYPE_CHECKING:
     from harness.installation import plant
 
-__all__ = ["LoadedProgram", "load_program", "plant"]
+__all__ = ["LoadedProgram", "ObSettings", "Period", "load_program", "plant"]
 
 
 def __getattr__(name: str) -> object:

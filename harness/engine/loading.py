@@ -27,6 +27,9 @@ from fbgen.source import Source
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.faults import unknown_engine
 from harness.engine.interface import Engine, EngineFactory, FunctionResult, Limits, Value
+from harness.engine.organization import ObSettings
+from harness.engine.retentive import restore_retentive, retentive_values
+from harness.engine.running import Running
 from harness.engine.stubs import Stub
 from harness.engine.variables import BlockInstance, Globals
 from harness.kernel import NS_PER_MS, NS_PER_S, NS_PER_US, Kernel
@@ -48,6 +51,8 @@ def load_program(
     constants: Mapping[str, ConstantValue] = MappingProxyType({}),
     tags: Iterable[str | Path | Source | Tag] = (),
     stubs: Mapping[str, Stub] = MappingProxyType({}),
+    cycle_ms: float = 10,
+    obs: ObSettings | None = None,
 ) -> "LoadedProgram":
     """Read, check and load PLC text on a controller without hardware.
 
@@ -55,13 +60,17 @@ def load_program(
     blocks by their names, for absolute addresses; `DB100` has its number in its name. `constants`
     are user constants by their names, `tags` PLC tags, or exported tag tables. `stubs` are Python
     functions for blocks that the program calls and that neither the files nor the harness have; see
-    `harness.engine.stubs`. Raises one `DiagnosticError` with everything that is wrong in them.
+    `harness.engine.stubs`. `cycle_ms` is the time from one program cycle to the next, `obs` has the
+    numbers and periods of organization blocks; both matter to `start`, `scan` and `run_for` only.
+
+    Raises one `DiagnosticError` with everything that is wrong in them.
     """
     factory = engine_named(engine)
     program = read_program(sources, dialect, db_numbers, constants, tags, stubbed=tuple(stubs))
     kernel = Kernel()
     environment = StandaloneEnvironment(kernel)
     loaded = LoadedProgram(factory(program, environment, limits or Limits()), Clock(kernel))
+    loaded.schedule(cycle_ms, obs)
     for name, stub in stubs.items():
         loaded.stub(name, stub)
     return loaded
@@ -125,6 +134,11 @@ class Clock:
         self._kernel = kernel
 
     @property
+    def kernel(self) -> Kernel:
+        """What counts the time."""
+        return self._kernel
+
+    @property
     def now_ns(self) -> int:
         """The time since the start in nanoseconds."""
         return self._kernel.now_ns
@@ -136,18 +150,24 @@ class Clock:
 
     def advance(self, *, s: float = 0, ms: float = 0, us: float = 0, ns: int = 0) -> None:
         """Let time pass; a negative duration lets none pass."""
-        duration = s * NS_PER_S + ms * NS_PER_MS + us * NS_PER_US
-        self._kernel.run_for(max(round(duration) + ns, 0))
+        self._kernel.run_for(duration_ns(s=s, ms=ms, us=us, ns=ns))
+
+
+def duration_ns(*, s: float = 0, ms: float = 0, us: float = 0, ns: int = 0) -> int:
+    """A duration in nanoseconds; a negative one is none."""
+    return max(round(s * NS_PER_S + ms * NS_PER_MS + us * NS_PER_US) + ns, 0)
 
 
 class LoadedProgram:
     """A program on a controller of its own, with a clock that tests move by hand."""
 
-    __slots__ = ("_engine", "clock", "globals")
+    __slots__ = ("_cycle_ns", "_engine", "_obs", "_running", "clock", "globals")
 
     def __init__(self, engine: Engine, clock: Clock) -> None:
         self._engine = engine
+        self._running: Running | None = None
         self.clock = clock
+        self.schedule()
         self.globals = Globals(engine)
 
     @property
@@ -186,6 +206,53 @@ class LoadedProgram:
         knows has to be named when the program is loaded: `load_program(..., stubs={name: stub})`.
         """
         self._engine.environment.services.stubs.add(name, stub)
+
+    def schedule(self, cycle_ms: float = 10, obs: ObSettings | None = None) -> None:
+        """How the program runs by itself from the next `start` on."""
+        self._cycle_ns = max(duration_ns(ms=cycle_ms), 1)
+        self._obs = obs or ObSettings()
+        self._running = None
+
+    def start(self, *, warm: bool = True) -> None:
+        """A restart: initial values but for what is remanent, and the start-up block.
+
+        After a cold start (`warm=False`) nothing is kept. Raises DiagnosticError: FB7404 if nothing
+        in the text runs by itself, FB7410, FB7411 for settings of organization blocks.
+        """
+        running = Running(self._engine, self.clock.kernel, self._cycle_ns, self._obs)
+        running.start(warm=warm)
+        self._running = running
+
+    def scan(self, count: int = 1) -> None:
+        """Let the program run by itself until its cycle has run `count` times more.
+
+        Time passes up to the last run. The first call starts the program.
+        """
+        self._started().scan(count)
+
+    def run_for(self, *, s: float = 0, ms: float = 0) -> None:
+        """Let the program run by itself for some time: program cycle, tasks, cyclic interrupts.
+
+        What is due at the very end belongs to the next call. The first call starts the program.
+        """
+        self._started().run_until(self.clock.now_ns + duration_ns(s=s, ms=ms))
+
+    def _started(self) -> Running:
+        if self._running is None:
+            self.start()
+        assert self._running is not None, "start makes it"
+        return self._running
+
+    def retentive(self) -> dict[str, Value]:
+        """The values of all remanent variables by their paths: plain data, for JSON too."""
+        return retentive_values(self._engine)
+
+    def restore_retentive(self, values: Mapping[str, Value]) -> None:
+        """Put back what `retentive` gave, in this program or in a later one.
+
+        Raises DiagnosticError with all that does not fit the program; then nothing is changed.
+        """
+        restore_retentive(self._engine, values)
 
     def reset(self, *, warm: bool = False) -> None:
         """Initial values for everything global; after a warm start remanent variables stay."""

@@ -13,7 +13,7 @@ def type_at(program: Program, path: str) -> Type:
     if key in program.globals:
         kind = program.globals[key].type
     else:
-        kind = BlockType(program.blocks[key].name)
+        kind = BlockType(program.program_instances()[key].name)
     for step in rest:
         kind = part_type(program, kind, step)
     return kind

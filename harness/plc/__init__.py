@@ -5,7 +5,6 @@ from harness.plc.cpu import Cpu, CpuMode, Restart
 from harness.plc.link import MasterLink
 from harness.plc.modules import ModuleTable, Mounting
 from harness.plc.settings import CpuFamily, CpuSettings, DpInterface
-from harness.plc.tasks import CyclicTask, cyclic_tasks, startup_blocks
 
 __all__ = [
     "ConsistentData",
@@ -13,13 +12,10 @@ __all__ = [
     "CpuFamily",
     "CpuMode",
     "CpuSettings",
-    "CyclicTask",
     "DpInterface",
     "MasterLink",
     "ModuleTable",
     "Mounting",
     "Restart",
     "RetVal",
-    "cyclic_tasks",
-    "startup_blocks",
 ]

@@ -5,7 +5,8 @@ on values that do not change; the outputs are copied to the DP master when the e
 over, or when the last of its accesses to hardware is through if that is later.
 
 STOP is CLEAR for the DP master. What an S7 does at a restart: initial values in the data blocks,
-but for remanent ones after a warm restart; an empty process image; then OB100, then OB1.
+but for remanent ones after a warm restart; an empty process image; then OB100 (or OB102, if there
+is one, after a cold restart), then OB1. A cyclic interrupt or an error block interrupts what runs.
 """
 
 from collections.abc import Callable
@@ -15,11 +16,20 @@ from functools import partial
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.lang.checked import Program
 from harness.engine.interface import Engine, EngineFactory, Limits
+from harness.engine.organization import (
+    ACCESS_ERROR,
+    RACK_FAILURE,
+    TIME_ERROR,
+    CyclicInterrupt,
+    cyclic_interrupts,
+    organization_blocks,
+)
+from harness.engine.tasks import CyclicTask, cyclic_tasks, startup_blocks
 from harness.fieldbus import DpMaster, Station
 from harness.kernel import NS_PER_MS, Event, Kernel
 from harness.plc.hardware_access import HardwareAccess, missing_ob
+from harness.plc.interrupts import Interrupts
 from harness.plc.settings import CpuSettings
-from harness.plc.tasks import CyclicTask, cyclic_tasks, startup_blocks
 
 
 class CpuMode(Enum):
@@ -47,7 +57,13 @@ class Cpu(HardwareAccess):
 
     __slots__ = (
         "_engine",
+        "_failed",
+        "_free_ns",
+        "_in_access_error",
+        "_interrupts",
         "_life",
+        "_obs",
+        "_restart",
         "_scan_event",
         "_started_ns",
         "_tasks",
@@ -63,8 +79,13 @@ class Cpu(HardwareAccess):
         super().__init__(kernel, settings, master)
         self._engine: Engine | None = None
         self._tasks: list[CyclicTask] = []
+        self._obs: dict[int, str] = {}
+        self._interrupts = Interrupts(kernel, (), self._run_interrupt, self._lose)
+        self._failed: set[str] = set()
+        self._in_access_error = False
+        self._restart = Restart.WARM
         self._scan_event: Event | None = None
-        self._life = self._started_ns = 0
+        self._life = self._started_ns = self._free_ns = 0
         self.master = master
         self.mode = CpuMode.STOP
         self.scans = 0
@@ -76,9 +97,17 @@ class Cpu(HardwareAccess):
     # --- building ---------------------------------------------------------------------------
 
     def load(self, program: Program, factory: EngineFactory, limits: Limits | None = None) -> None:
-        """Load a program; the CPU goes to STOP. Raises DiagnosticError FB7404 as `cyclic_tasks`."""
+        """Load a program; the CPU goes to STOP.
+
+        Raises DiagnosticError FB7404, FB7410, FB7411 as `cyclic_tasks`.
+        """
         self.stop()
-        self._tasks = cyclic_tasks(program)
+        obs = self.settings.obs
+        self._tasks = cyclic_tasks(program, obs)
+        self._obs = organization_blocks(program, obs)
+        self._interrupts = Interrupts(
+            self._kernel, cyclic_interrupts(program, obs), self._run_interrupt, self._lose
+        )
         self._engine = factory(program, self, limits or Limits())
 
     @property
@@ -105,6 +134,7 @@ class Cpu(HardwareAccess):
         keep = self.settings.remanent_marker_bytes if restart is Restart.WARM else 0
         self.markers[keep:] = bytes(len(self.markers) - keep)
         self._begin()
+        self._restart = restart
         engine.reset(warm=restart is Restart.WARM)
         self.master.start()
         self._set_mode(CpuMode.STARTUP)
@@ -116,6 +146,7 @@ class Cpu(HardwareAccess):
         if self.mode is CpuMode.STOP:
             return
         self._life += 1
+        self._interrupts.end()
         if self._scan_event is not None:
             self._kernel.cancel(self._scan_event)
             self._scan_event = None
@@ -150,11 +181,14 @@ class Cpu(HardwareAccess):
         self.master.operate()
         self._set_mode(CpuMode.RUN)
         self._begin()
-        for name in startup_blocks(self.engine.program):
+        self._failed = {one.settings.name for one in self.master.stations if one.failed}
+        warm = self._restart is Restart.WARM
+        for name in startup_blocks(self.engine.program, self.settings.obs, warm=warm):
             if not self._run((name,)):
                 return
         for task in self._tasks:
-            task.due_ns = self._instant_ns
+            task.due_ns, task.was_true = self._instant_ns, False
+        self._interrupts.begin()
         self._schedule(self._instant_ns)
 
     def _run(self, blocks: tuple[str, ...]) -> bool:
@@ -171,6 +205,52 @@ class Cpu(HardwareAccess):
             return False
         return True
 
+    def _run_interrupt(self, block: str) -> None:
+        """Run a block now, in the middle of whatever runs, which goes on when it is through."""
+        life, pending = self._life, self._scan_event
+        if pending is not None:
+            self._kernel.cancel(pending)  # no scan begins meanwhile
+        now_ns, instant_ns = self.now_ns, self._instant_ns
+        self._begin()
+        self._run((block,))
+        self._instant_ns += instant_ns - self.now_ns
+        self.now_ns = now_ns
+        if life != self._life:
+            return
+        waits_since_ns = now_ns
+        if pending is not None:
+            waits_since_ns = min(task.due_ns for task in self._tasks)
+            self._schedule(max(self._free_ns, self._kernel.now_ns))
+        took_ns = self._kernel.now_ns - waits_since_ns
+        if took_ns > self.settings.watchdog_ns:
+            self._crash(_too_slow(self._tasks[0].name, took_ns, self.settings.watchdog_ns))
+        self._quiet_until_ns = 0
+
+    def _lose(self, interrupt: CyclicInterrupt) -> None:
+        """An interrupt is due again before it has run."""
+        self._time_error(
+            missing_ob(TIME_ERROR, f"'{interrupt.block}' is due again before it has run")
+            if self.settings.family.classic
+            else None
+        )
+
+    def _time_error(self, failure: DiagnosticError | None) -> bool:
+        """Run OB80 if there is one; otherwise the failure, if any, takes the CPU to STOP."""
+        if TIME_ERROR in self._obs:
+            self._run_interrupt(self._obs[TIME_ERROR])
+        elif failure is not None:
+            self._crash(failure)
+        return self.mode is CpuMode.RUN
+
+    def _access_error(self, what: str) -> int:
+        if ACCESS_ERROR not in self._obs or self._in_access_error:
+            return super()._access_error(what)
+        self.access_errors += 1
+        self._in_access_error = True
+        self._run_interrupt(self._obs[ACCESS_ERROR])
+        self._in_access_error = False
+        return 0
+
     def _crash(self, failure: DiagnosticError) -> None:
         self.diagnostics += failure.diagnostics
         self.stop()
@@ -178,16 +258,28 @@ class Cpu(HardwareAccess):
     def _station_changed(self, station: Station) -> None:
         if self.mode is CpuMode.STARTUP:
             self._go_on_when_free()
-        elif self.mode is CpuMode.RUN and station.failed and self.settings.family.classic:
-            missing = {86, 85} if station in self._modules.image else {86}
-            if missing - self.settings.error_obs:
-                number = max(missing - self.settings.error_obs)
-                self._crash(missing_ob(number, f"station '{station.settings.name}' has failed"))
+        elif self.mode is CpuMode.RUN:
+            self._station_failed_or_came(station)
+
+    def _station_failed_or_came(self, station: Station) -> None:
+        """OB86 runs when a station fails and when it is back."""
+        name = station.settings.name
+        if station.failed == (name in self._failed):
+            return
+        self._failed ^= {name}
+        if station.failed and self.settings.family.classic:
+            needed = {86, 85} if station in self._modules.image else {86}
+            if missing := needed - self.settings.error_obs - self._obs.keys():
+                self._crash(missing_ob(max(missing), f"station '{name}' has failed"))
+                return
+        if RACK_FAILURE in self._obs:
+            self._run_interrupt(self._obs[RACK_FAILURE])
 
     # --- the scan ---------------------------------------------------------------------------
 
     def _schedule(self, free_ns: int) -> None:
         """Arrange for the next scan, not before the CPU is free."""
+        self._free_ns = free_ns
         tasks = self._tasks
         due_ns = tasks[0].due_ns
         if len(tasks) > 1:
@@ -195,6 +287,7 @@ class Cpu(HardwareAccess):
         self._scan_event = self._kernel.at(due_ns if due_ns > free_ns else free_ns, self._scan)
 
     def _scan(self) -> None:
+        self._scan_event = None
         self._begin()
         start_ns = self.now_ns
         settings, image = self.settings, self._image
@@ -203,6 +296,10 @@ class Cpu(HardwareAccess):
             task = next(other for other in self._tasks if other.due_ns <= start_ns)
         if image:
             self._read_inputs()
+        if task.single and not task.is_wanted(self.engine):
+            task.ran(start_ns, settings.cycle_ns)
+            self._schedule(start_ns)
+            return
         if not self._run(task.blocks):
             return
         end_ns = start_ns + settings.execution_ns
@@ -210,19 +307,16 @@ class Cpu(HardwareAccess):
             end_ns += self._kernel.random.randrange(settings.execution_jitter_ns + 1)
         if self._instant_ns > end_ns:
             end_ns = self._instant_ns
-        if end_ns - start_ns > settings.watchdog_ns:
-            self._crash(_too_slow(task.name, end_ns - start_ns, settings.watchdog_ns))
+        if end_ns - start_ns > settings.watchdog_ns and not self._time_error(
+            _too_slow(task.name, end_ns - start_ns, settings.watchdog_ns)
+        ):
             return
         self.scans += 1
         for observer in self.after_scan:
             observer()
         if image and self._has_outputs():
             self._kernel.at(end_ns, partial(self._write_outputs, self._life))
-        if task.interval_ns is None:
-            task.due_ns = start_ns + settings.cycle_ns
-        else:
-            late = (start_ns - task.due_ns) // task.interval_ns
-            task.due_ns += (late + 1) * task.interval_ns
+        task.ran(start_ns, settings.cycle_ns)
         self._schedule(end_ns)
 
     def _read_inputs(self) -> None:

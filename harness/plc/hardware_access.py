@@ -146,6 +146,9 @@ class HardwareAccess:
         Within a scan only the program's own accesses can arrange for something new.
         """
         self._quiet_until_ns = self._kernel.run_until(instant_ns)
+        while self._instant_ns > instant_ns:  # an interrupt came in between and took its time
+            instant_ns = self._instant_ns
+            self._quiet_until_ns = self._kernel.run_until(instant_ns)
 
     def instruction(self, name: str, arguments: Mapping[str, Scalar | Area], span: Span) -> Scalar:
         """Carry out a system instruction and give its result.

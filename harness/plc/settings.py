@@ -4,10 +4,11 @@ Default times are plant settings, not facts of a CPU: the cycle is held at a min
 10 ms, the program is done after 1 ms, the cycle monitoring time is 150 ms, the default of S7.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 
 from fbgen.diagnostics import error
+from harness.engine.organization import ObSettings
 from harness.kernel import NS_PER_MS, NS_PER_US
 
 
@@ -47,7 +48,7 @@ class CpuSettings:
     DPRD_DAT or DPWR_DAT, `peripheral_ns` that of one direct access. `tear_probability` is the
     chance that the master's cycle falls into a transfer that can be torn. `error_obs` are the
     organization blocks for errors that the project has. `remanent_marker_bytes` of the bit memory
-    survive a warm restart.
+    survive a warm restart. `obs` has numbers and periods of organization blocks.
     """
 
     family: CpuFamily = CpuFamily.S7_1500
@@ -62,6 +63,7 @@ class CpuSettings:
     error_obs: frozenset[int] = frozenset({85, 86, 122})
     memory_bytes: int = 1024
     remanent_marker_bytes: int = 0
+    obs: ObSettings = field(default_factory=ObSettings)
 
     def __post_init__(self) -> None:
         if self.cycle_ns <= 0 or self.execution_ns < 0 or self.execution_jitter_ns < 0:

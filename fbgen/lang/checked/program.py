@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import field
 
-from fbgen.lang.ast import node
+from fbgen.lang.ast import BlockKind, node
 from fbgen.lang.checked.statements import Statement
 from fbgen.lang.checked.variables import AnyBlock, Block, StandardBlock, Variable
 from fbgen.lang.types import StructType
@@ -11,12 +11,16 @@ from fbgen.lang.types import StructType
 
 @node
 class Task:
-    """A task of a configuration: period in nanoseconds (None: free running), lower is earlier."""
+    """A task of a configuration: period in nanoseconds (None: free running), lower is earlier.
+
+    `single` names the global BOOL whose rising edge starts it, "" if it has none.
+    """
 
     name: str
     interval_ns: int | None
     priority: int
     programs: tuple[tuple[str, Block], ...]
+    single: str = ""
 
 
 @node
@@ -61,6 +65,15 @@ class Program:
     members: Mapping[str, BlockMembers] = field(default_factory=dict)
     starts: Mapping[str, Block] = field(default_factory=dict)
     temporaries: Mapping[Block, tuple[Variable, ...]] = field(default_factory=dict)
+
+    def program_instances(self) -> dict[str, Block]:
+        """The PROGRAMs by casefolded names: their own, and those that a configuration gives."""
+        instances = {
+            key: block for key, block in self.blocks.items() if block.kind is BlockKind.PROGRAM
+        }
+        for task in self.tasks:
+            instances |= {name.casefold(): block for name, block in task.programs}
+        return instances
 
     def block_of(self, type_name: str) -> AnyBlock:
         """The function block of that name, the user's before the standard one."""

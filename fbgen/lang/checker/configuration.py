@@ -5,14 +5,14 @@ Sources: IEC 61131-3 third edition, section 6.8 and table 62 and 63.
 
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
-from fbgen.lang.checked import Block, Task
+from fbgen.lang.checked import Block, Task, Variable
 from fbgen.lang.checker.constants import constant_of
 from fbgen.lang.checker.library import Library
-from fbgen.lang.types import LTIME, UINT
+from fbgen.lang.types import BOOL, LTIME, UINT
 from fbgen.nearest import nearest
 from fbgen.source import Span
 
-_PROPERTIES = ("INTERVAL", "PRIORITY")
+_PROPERTIES = ("INTERVAL", "PRIORITY", "SINGLE")
 _FREE_RUNNING = 65_535
 
 
@@ -77,6 +77,7 @@ def _task(library: Library, node: ast.Task, programs: tuple[tuple[str, Block], .
     ctx = library.global_context()
     interval_ns: int | None = None
     priority = 0
+    single = ""
     for item in node.properties:
         name = item.name.upper()
         if name not in _PROPERTIES or item.value is None:
@@ -84,14 +85,23 @@ def _task(library: Library, node: ast.Task, programs: tuple[tuple[str, Block], .
                 "FB4061",
                 f"a task has no property '{item.name}' here",
                 item.span,
-                "INTERVAL and PRIORITY are what a task can have",
+                "INTERVAL, PRIORITY and SINGLE are what a task can have",
             )
+        elif name == "SINGLE":
+            single = _event(library, item.value)
         elif name == "INTERVAL":
             value = constant_of(ctx, item.value, LTIME, "INTERVAL")
             interval_ns = None if value is None else int(value)
         else:
             value = constant_of(ctx, item.value, UINT, "PRIORITY")
             priority = 0 if value is None else int(value)
+    if single and interval_ns is not None:
+        library.findings.error(
+            "FB4061",
+            f"task '{node.name}' has INTERVAL and SINGLE",
+            node.span,
+            "choose one: a period, or the edge of a variable",
+        )
     if interval_ns is not None and interval_ns <= 0:
         library.findings.error(
             "FB4061",
@@ -100,4 +110,19 @@ def _task(library: Library, node: ast.Task, programs: tuple[tuple[str, Block], .
             "use a time above zero, or leave INTERVAL out",
         )
         interval_ns = None
-    return Task(node.name, interval_ns, priority, programs)
+    return Task(node.name, interval_ns, priority, programs, single)
+
+
+def _event(library: Library, value: ast.Expression) -> str:
+    """The global BOOL that starts a task."""
+    name = value.name if isinstance(value, ast.Name) else ""
+    variable = library.globals.entries.get(name.casefold())
+    if isinstance(variable, Variable) and variable.type == BOOL:
+        return variable.name
+    library.findings.error(
+        "FB4061",
+        f"SINGLE takes a global variable of type BOOL, not '{value.span.text}'",
+        value.span,
+        "declare it in VAR_GLOBAL of the configuration",
+    )
+    return ""

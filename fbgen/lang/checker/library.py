@@ -185,10 +185,17 @@ class Library:
         if kind != ERRONEOUS:
             for assignment in node.assignments:
                 initial = self._initials.assign(ctx, assignment, kind, initial)
-        remanent = any("RETAIN" in section.qualifiers for section in node.sections)
+        remanent = self._is_remanent(node)
         return Variable(
             node.name.span, node.name.name, VariableKind.GLOBAL, kind, initial, remanent
         )
+
+    def _is_remanent(self, node: ast.DataBlock) -> bool:
+        """RETAIN in its head or at a section; in STEP 7 V5 all that is not NON_RETAIN."""
+        flags = {item.keyword for item in node.header}
+        if self.rules.dialect == "step7":
+            return "NON_RETAIN" not in flags
+        return "RETAIN" in flags or any("RETAIN" in section.qualifiers for section in node.sections)
 
     # --- asking -------------------------------------------------------------------------------
 

@@ -102,8 +102,7 @@ class CompiledEngine:
         self._globals = self._make_globals()
         self._programs: dict[str, tuple[Record, Any]] = {
             key: (self._model.block_record(block), self._namespace[self._model.name_of(block)]())
-            for key, block in program.blocks.items()
-            if block.kind is BlockKind.PROGRAM
+            for key, block in program.program_instances().items()
         }
         self._runs: dict[str, Callable[[], Any]] = {}
         self._makers: dict[str, Callable[..., Any]] = {}
@@ -381,19 +380,20 @@ class CompiledEngine:
         """
         run = self._runs.get(name) or self._make_run(name)
         cpu = self._cpu
+        before = cpu.passes, cpu.depth  # of what is interrupted, if anything is
         cpu.passes = cpu.most_passes
         cpu.depth = 0
         try:
             run()
         except Exception as exception:
             self._raise(exception)
+        cpu.passes, cpu.depth = before
 
     def _make_run(self, name: str) -> Callable[[], Any]:
-        block = self._block(name)
         program = self._programs.get(name.casefold())
         if program is not None:
             run: Callable[[], Any] = program[1]._run
-        elif block.kind is BlockKind.FUNCTION_BLOCK:
+        elif (block := self._block(name)).kind is BlockKind.FUNCTION_BLOCK:
             use = "make an instance of it and call that"
             raise wrong_kind_of_block(block.name, block.kind.value, use)
         else:
@@ -438,7 +438,7 @@ class CompiledEngine:
         if len(steps) == 1:
             return self._located.get(steps[0])
         if len(steps) == 2 and steps[0] in self._programs:
-            for variable in self._program.blocks[steps[0]].variables:
+            for variable in self._program.program_instances()[steps[0]].variables:
                 if variable.name.casefold() == steps[1] and variable.address is not None:
                     return variable
         return None

@@ -69,10 +69,19 @@ class Calls:
         self._depth = 0
         self.routines = Routines(program, memory.environment, self._watchdog)
 
-    def begin(self) -> None:
-        """A call from outside begins: no loop passes yet, no block inside another."""
+    def begin(self) -> tuple[int, int]:
+        """A call from outside begins: no loop passes yet, no block inside another.
+
+        Gives what `resume` takes when it is through, if it interrupted another one.
+        """
+        before = self._watchdog.passes, self._depth
         self._watchdog.restart()
         self._depth = 0
+        return before
+
+    def resume(self, before: tuple[int, int]) -> None:
+        """Go on with what a call from outside interrupted."""
+        self._watchdog.passes, self._depth = before
 
     def frame(self, block: Block) -> Frame:
         """A frame for a call, with the variables that lie in bytes."""

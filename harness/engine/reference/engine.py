@@ -203,24 +203,24 @@ class ReferenceEngine:
     @contextmanager
     def running(self) -> Iterator[None]:
         """Around each call from outside: the counters start anew, and Python allows its depth."""
-        self._calls.begin()
+        interrupted = self._calls.begin()
         before = sys.getrecursionlimit()
         sys.setrecursionlimit(max(before, _PYTHON_FRAMES))
         try:
             yield
         finally:
             sys.setrecursionlimit(before)
+            self._calls.resume(interrupted)
 
     def _own_instances(self) -> dict[str, InstanceStorage]:
         """PROGRAMs and organization blocks by name, and the PROGRAMs that tasks have."""
         instances = {
             key: self._allocator.of_block(block)
             for key, block in self._program.blocks.items()
-            if block.kind in (BlockKind.ORGANIZATION_BLOCK, BlockKind.PROGRAM)
+            if block.kind is BlockKind.ORGANIZATION_BLOCK
         }
-        for task in self._program.tasks:
-            for name, block in task.programs:
-                instances[name.casefold()] = self._allocator.of_block(block)
+        for key, block in self._program.program_instances().items():
+            instances[key] = self._allocator.of_block(block)
         return instances
 
     def _block(self, name: str) -> Block:

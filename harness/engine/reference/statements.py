@@ -61,20 +61,20 @@ def _branches(statement: Statement) -> list[Sequence[Statement]]:
 class Watchdog:
     """Counts the loop passes of one call from outside."""
 
-    __slots__ = ("_limit", "_passes")
+    __slots__ = ("_limit", "passes")
 
     def __init__(self, limit: int) -> None:
         self._limit = limit
-        self._passes = 0
+        self.passes = 0
 
     def restart(self) -> None:
         """A new call from outside begins."""
-        self._passes = 0
+        self.passes = 0
 
     def begin_pass(self, loop: Span) -> None:
         """A loop begins a pass. Raises FB6004."""
-        self._passes += 1
-        if self._passes > self._limit:
+        self.passes += 1
+        if self.passes > self._limit:
             raise endless_loop(loop, self._limit)
 
 
