@@ -4,6 +4,7 @@ import pytest
 
 from fbgen.diagnostics import DiagnosticError
 from harness import ObSettings, Period
+from harness.engine.loading import engine_named
 from harness.kernel import NS_PER_MS, NS_PER_US
 from harness.plc import CpuFamily, CpuMode, Restart
 
@@ -212,3 +213,58 @@ def test_interrupts_that_leave_no_time_for_a_scan_stop_the_cpu(make_rig):
     rig.run_ms(1_000)
     assert rig.cpu.mode is CpuMode.STOP
     assert rig.cpu.diagnostics[0].code == "FB7409"
+
+
+INTERRUPTED = """
+DATA_BLOCK "D"
+VAR
+    before : Int;
+    after : Int;
+    runs : Int;
+    passes : Int;
+END_VAR
+BEGIN
+END_DATA_BLOCK
+FUNCTION "Twice" : Int
+VAR_INPUT
+    x : Int;
+END_VAR
+VAR_TEMP
+    seen : Byte;
+    kept : Int;
+END_VAR
+BEGIN
+    #kept := #x;
+    #seen := %IB256:P;
+    #Twice := #kept * 2;
+END_FUNCTION
+ORGANIZATION_BLOCK "Main"
+VAR_TEMP
+    i : Int;
+END_VAR
+BEGIN
+    "D".passes := 0;
+    FOR #i := 1 TO 3 DO
+        "D".passes := "D".passes + "Twice"(#i);
+    END_FOR;
+    "D".after := "D".runs;
+END_ORGANIZATION_BLOCK
+ORGANIZATION_BLOCK "OB35"
+BEGIN
+    "D".runs := "D".runs + "Twice"(5) / 10;
+    "D".before := "D".passes;
+END_ORGANIZATION_BLOCK
+"""
+
+
+@pytest.mark.parametrize("engine_name", ["compiled", "reference"])
+def test_on_both_engines_an_interrupted_block_goes_on_where_it_was(make_rig, engine_name):
+    rig = make_rig(
+        text=INTERRUPTED, process_image=False, peripheral_ns=NS_PER_MS, obs=every_ms(OB35=11.5)
+    )
+    rig.cpu.load(rig.program, engine_named(engine_name))
+    rig.slave.power_on(5)
+    rig.cpu.start()
+    rig.run_ms(26)
+    value = rig.cpu.engine.global_value
+    assert [value(f'"D".{name}') for name in ("before", "passes", "runs", "after")] == [2, 12, 1, 1]
