@@ -17,6 +17,7 @@ from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang import ast
 from fbgen.lang.analysis.cpu import missing_on
 from fbgen.lang.checker import check_reporting, rules_for
+from fbgen.lang.checker.rules import Rules
 from fbgen.lang.containers import read_document
 from fbgen.lang.families import Cpu
 from fbgen.lang.tag_files import global_file
@@ -96,9 +97,7 @@ def _check(program: ProgramFiles, settings: Settings, progress: Progress) -> lis
             found += document.findings
     if not settings.syntax_only and not any(one.severity is Severity.ERROR for one in found):
         progress.step("names and types")
-        rules = rules_for(program.dialect)
-        if (iec_check := _iec_check(settings)) is not None:
-            rules = replace(rules, iec_check=iec_check)
+        rules = _rules(program.dialect, settings)
         tables = global_file(program.dialect, settings.constants, settings.tags)
         _, more = check_reporting(
             [*trees, tables], program.dialect, rules=rules, db_numbers=settings.db_numbers
@@ -109,10 +108,15 @@ def _check(program: ProgramFiles, settings: Settings, progress: Progress) -> lis
     return _in_order(found, program.paths)
 
 
-def _iec_check(settings: Settings) -> bool | None:
-    if settings.iec_check is not None or settings.cpu is None:
-        return settings.iec_check
-    return not settings.cpu.is_classic
+def _rules(dialect: str, settings: Settings) -> Rules:
+    """Those of the dialect, with what the CPU family and the setting of the compiler change."""
+    rules = rules_for(dialect)
+    if settings.cpu is not None:
+        classic = settings.cpu.is_classic
+        rules = replace(rules, iec_check=not classic, bool_is_bits=classic)
+    if settings.iec_check is not None:
+        rules = replace(rules, iec_check=settings.iec_check)
+    return rules
 
 
 def _in_order(found: Sequence[Diagnostic], paths: Sequence[Path]) -> list[Diagnostic]:

@@ -224,7 +224,10 @@ class ArrayLiteral:
 
 @node
 class Repeated:
-    """`3(0)` inside an array literal; `value` None for empty brackets, `count` a constant."""
+    """`3(0)` inside an array literal; `value` None for empty brackets, `count` a constant.
+
+    Of several values, `2(0, 1)`, `value` is a bare array literal.
+    """
 
     span: Span
     count: "Expression"

@@ -15,7 +15,7 @@ from fbgen.lang.checked import (
 from fbgen.lang.checker.arguments import Bound, bind
 from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.conversions import keeps_representation
+from fbgen.lang.checker.conversions import fits_place
 from fbgen.lang.checker.enabling import ENABLED
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import default_value
@@ -179,7 +179,7 @@ def _output(ctx: Context, node: ast.Expression, source: Type, where: str) -> Pla
     place = check_target(ctx, node, where)
     if place is None:
         return None
-    if not keeps_representation(source, place.type):
+    if not fits_place(source, place.type, ctx.rules):
         ctx.findings.error(
             "FB4010",
             f"{where} gives {spelled(source)}, which {spelled(place.type)} cannot take",

@@ -12,7 +12,7 @@ from fbgen.lang.checked import (
     VariableRef,
 )
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.conversions import conversion_between, is_implicit
+from fbgen.lang.checker.conversions import changes_sign, conversion_between, is_implicit
 from fbgen.lang.checker.folding import fold_conversion
 from fbgen.lang.checker.literals import (
     ERRONEOUS,
@@ -25,6 +25,7 @@ from fbgen.lang.checker.literals import (
 )
 from fbgen.lang.types import (
     BOOL,
+    REAL,
     VARIANT_VALUE,
     AnyType,
     ArrayType,
@@ -93,6 +94,9 @@ def coerce(ctx: Context, expression: Expression, target: Type, where: str) -> Ex
         return expression
     if is_implicit(source, target, ctx.rules):
         return converted(expression, target)
+    if changes_sign(source, target, ctx.rules):
+        _warn_of_change(ctx, expression, target, where)
+        return converted(expression, target)
     if isinstance(target, OpenArrayType) and target.takes(source):
         return expression
     limited = _limited(ctx, expression, target, where)
@@ -100,6 +104,18 @@ def coerce(ctx: Context, expression: Expression, target: Type, where: str) -> Ex
         return limited
     _refuse(ctx, expression, target, where)
     return erroneous(expression.span)
+
+
+def _warn_of_change(ctx: Context, expression: Expression, target: Type, where: str) -> None:
+    source = expression.type
+    function = conversion_between(source, target)
+    lost = "digits" if target == REAL else "its sign"
+    ctx.findings.warning(
+        "FB4111",
+        f"{where} takes {target.name}, and {spelled(source)} may lose {lost}",
+        expression.span,
+        f"write the conversion if that is meant: {function}(...)",
+    )
 
 
 def as_null(expression: Expression, target: ReferenceType) -> Expression | None:

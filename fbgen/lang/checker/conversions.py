@@ -18,13 +18,16 @@ What a `Convert` does, for each pair of families (both engines follow this table
 * CHAR and WCHAR to a number: the code; back: the character. CHAR to STRING: that one character.
   STRING to a shorter STRING: cut; WSTRING to STRING: characters above 255 become `?`.
 
-By itself a value widens within its family, never narrows. BOOL never converts by itself, in no
-dialect: IEC 61131-3 would let it become a bit string, S7 would not, and text that means to be
+By itself a value widens within its family, never narrows. BOOL converts by itself in `step7` only:
+IEC 61131-3 would let it become a bit string, TIA Portal does not, and text that means to be
 portable should not depend on it. DINT becomes REAL by itself on S7 although REAL holds only
-24 bits.
+24 bits. Without the IEC check, bit strings and integers mix as long as nothing gets narrower, and
+a bit string becomes a time, date or character of the same width. In `twincat` a bit string is an
+unsigned integer in all this, and the sign may change with a warning.
 
 Sources: IEC 61131-3 third edition, section 6.6.2.5.2 and figures 11 and 12; TIA Portal help,
-"Explicit data type conversion"; ties to even: conformance rule of the project for all dialects.
+"Explicit data type conversion" and "Setting and canceling the IEC check"; the rules of the other
+dialects: see `rules`; ties to even: conformance rule of the project for all dialects.
 """
 
 from functools import cache
@@ -32,6 +35,7 @@ from functools import cache
 from fbgen.lang.checker.rules import Rules
 from fbgen.lang.types import (
     ALIASES,
+    BOOL,
     BYTE,
     CHAR,
     DATE,
@@ -88,6 +92,8 @@ _INTEGERS = (SINT, USINT, INT, UINT, DINT, UDINT, LINT, ULINT)
 _BITS = (BYTE, WORD, DWORD, LWORD)
 _ASCENDING = (*_INTEGERS, REAL, LREAL, *_BITS, TIME, LTIME)
 _COUNTS = (Family.SIGNED, Family.UNSIGNED, Family.BITS)
+_SAME_WIDTH = (CHAR, DATE, TIME, TIME_OF_DAY)
+"""What a bit string of the same width becomes without the IEC check."""
 UNSIGNED_OF = {BYTE: USINT, WORD: UINT, DWORD: UDINT, LWORD: ULINT}
 """The integer that a bit string acts as in a calculation."""
 SIGNED_OF = {USINT: SINT, UINT: INT, UDINT: DINT, ULINT: LINT}
@@ -107,14 +113,38 @@ def _implicit(source: Elementary, target: Elementary, rules: Rules) -> bool:
         return True
     if rules.any_integer_to_real and source.is_integer and target == REAL:
         return source.bits <= 32
-    if not rules.iec_check and S5TIME not in (source, target):
-        return (
-            source.family in _COUNTS
-            and target.family in _COUNTS
-            and Family.BITS in (source.family, target.family)
-            and source.bits <= target.bits
-        )
-    return False
+    if rules.bool_is_bits and source == BOOL:
+        return target in (BYTE, WORD, DWORD)
+    if rules.bits_are_numbers and (source in UNSIGNED_OF or target in UNSIGNED_OF):
+        source, target = UNSIGNED_OF.get(source, source), UNSIGNED_OF.get(target, target)
+        return source == target or _implicit(source, target, rules)
+    return not rules.iec_check and S5TIME not in (source, target) and _mixes(source, target)
+
+
+def _mixes(source: Elementary, target: Elementary) -> bool:
+    """Without the IEC check."""
+    if source in _BITS and target in _SAME_WIDTH:
+        return source.bits == target.bits
+    return (
+        source.family in _COUNTS
+        and target.family in _COUNTS
+        and Family.BITS in (source.family, target.family)
+        and source.bits <= target.bits
+    )
+
+
+def changes_sign(source: Type, target: Type, rules: Rules) -> bool:
+    """True for what converts by itself only with a warning."""
+    if not rules.sign_may_change or isinstance(target, Enumeration | Subrange):
+        return False
+    if not isinstance(source, Elementary) or not isinstance(target, Elementary):
+        return False
+    source = counting_type(source) if isinstance(source, Enumeration | Subrange) else source
+    if (source, target) == (LREAL, REAL):
+        return True
+    pair = (UNSIGNED_OF.get(source, source), UNSIGNED_OF.get(target, target))
+    signs = {kind.family for kind in pair}
+    return signs == {Family.SIGNED, Family.UNSIGNED} and source.bits <= target.bits
 
 
 def is_implicit(source: Type, target: Type, rules: Rules) -> bool:
@@ -164,6 +194,16 @@ def keeps_representation(source: Type, target: Type) -> bool:
     return isinstance(target, Elementary) and (
         source == REAL or (source.family in _COUNTS and target.family in _COUNTS)
     )
+
+
+def fits_place(source: Type, place: Type, rules: Rules) -> bool:
+    """True if an output of a block can be given to that place as it is."""
+    if keeps_representation(source, place):
+        return True
+    if not isinstance(source, Elementary) or not isinstance(place, Elementary):
+        return False
+    counts = source.family in _COUNTS and place.family in _COUNTS
+    return counts and rules.bits_are_numbers and _implicit(source, place, rules)
 
 
 @cache

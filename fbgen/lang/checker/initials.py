@@ -48,7 +48,10 @@ class Initials:
         self, ctx: Context, node: ast.Expression, kind: Type, base: Initial | None
     ) -> Initial | None:
         """The value of an initializer over `base`; `base` itself after reporting errors."""
-        node = _bare(node)
+        if isinstance(kind, StructType | BlockType) and kind != DTL:
+            node = self._one_part(node, kind)
+        else:
+            node = _bare(node)
         if kind == ERRONEOUS or (isinstance(node, ast.StructLiteral) and not node.fields):
             return base  # `()` leaves what is there, as TIA writes it: (1, (), 3)
         if isinstance(kind, ArrayType):
@@ -134,18 +137,21 @@ class Initials:
         count = whole_number(ctx, node.count, "a repetition count")
         if count is None:
             return
-        if not 0 <= count <= kind.count:
+        values: list[Initial | None] = [None]
+        if node.value is not None:
+            values = []
+            value = node.value
+            inner = value.items if isinstance(value, ast.ArrayLiteral) and value.bare else (value,)
+            self._items(ctx, inner, kind, values)
+        if not 0 <= count * len(values) <= kind.count:
             ctx.findings.error(
                 "FB4057",
-                f"{count} values for an array of {kind.count}",
+                f"{count * len(values)} values for an array of {kind.count}",
                 node.span,
                 "repeat as often as the array has elements left",
             )
             return
-        value = None
-        if node.value is not None:
-            value = self.check(ctx, node.value, kind.element, None)
-        items += [value] * count
+        items += values * count
 
     def _structure(
         self, ctx: Context, node: ast.StructLiteral, kind: Type, base: Initial | None
@@ -180,6 +186,17 @@ class Initials:
             if value is not None:
                 named[name] = value
         return StructInitial(tuple(named.items()))
+
+    def _one_part(self, node: ast.Expression, kind: Type) -> ast.Expression:
+        """`(7)` is a structure with a value for its first part, `((1, 2))` too if that is one."""
+        if not isinstance(node, ast.Parenthesized):
+            return node
+        parts = self._library.parts_of(kind)
+        nested = bool(parts) and isinstance(parts[0][1], StructType | BlockType)
+        if isinstance(_bare(node), ast.StructLiteral) and not nested:
+            return _bare(node)
+        part = ast.Argument(node.inner.span, ast.ArgumentKind.POSITIONAL, "", node.inner)
+        return ast.StructLiteral(node.span, (part,))
 
     # --- start values of data blocks: one assignment for each part ---------------------------
 

@@ -1,7 +1,9 @@
 """What the dialects allow: the differences between them, as data.
 
 Sources: TIA Portal help, "Overview of data type conversion" and "Expressions" (IEC check on for
-S7-1200/1500, off for S7-300/400); IEC 61131-3 third edition, figures 11 and 12 and section 6.6.
+S7-1200/1500, off for S7-300/400); IEC 61131-3 third edition, figures 11 and 12 and section 6.6;
+for BOOL on S7-300/400 the conversion functions of class A in the manual "S7-SCL"; TwinCAT 3 help,
+"Type conversion operators" and "Compiler errors" C0195 to C0197.
 """
 
 from dataclasses import dataclass
@@ -23,7 +25,10 @@ class Rules:
     `shifts_integers`: SHL, SHR, ROL and ROR take integers too. `lowest_bit_is_bool`: X_TO_BOOL of
     an integer looks at its lowest bit only, else at the whole number. `labels_declared`: jump
     labels stand in a LABEL section. `enumerations_are_numbers`: an enumeration becomes its base by
-    itself, and a number an enumeration with a warning.
+    itself, and a number an enumeration with a warning. `bits_are_numbers`: a bit string becomes
+    whatever the unsigned integer of its width becomes, and back. `sign_may_change`: an integer
+    becomes one of the other sign that is not narrower, and LREAL becomes REAL, with a warning.
+    `bool_is_bits`: BOOL becomes a bit string by itself.
     """
 
     dialect: str
@@ -40,6 +45,9 @@ class Rules:
     lowest_bit_is_bool: bool
     labels_declared: bool
     enumerations_are_numbers: bool
+    bits_are_numbers: bool
+    sign_may_change: bool
+    bool_is_bits: bool
 
 
 _TIA = Rules(
@@ -57,6 +65,9 @@ _TIA = Rules(
     lowest_bit_is_bool=True,
     labels_declared=False,
     enumerations_are_numbers=False,
+    bits_are_numbers=False,
+    sign_may_change=False,
+    bool_is_bits=False,
 )
 _STEP7 = Rules(
     dialect="step7",
@@ -73,6 +84,9 @@ _STEP7 = Rules(
     lowest_bit_is_bool=True,
     labels_declared=True,
     enumerations_are_numbers=False,
+    bits_are_numbers=False,
+    sign_may_change=False,
+    bool_is_bits=True,
 )
 _IEC = Rules(
     dialect="iec",
@@ -89,6 +103,9 @@ _IEC = Rules(
     lowest_bit_is_bool=False,
     labels_declared=False,
     enumerations_are_numbers=False,
+    bits_are_numbers=False,
+    sign_may_change=False,
+    bool_is_bits=False,
 )
 _TWINCAT = Rules(
     dialect="twincat",
@@ -105,6 +122,9 @@ _TWINCAT = Rules(
     lowest_bit_is_bool=False,
     labels_declared=False,
     enumerations_are_numbers=True,
+    bits_are_numbers=True,
+    sign_may_change=True,
+    bool_is_bits=False,
 )
 
 RULES = {rules.dialect: rules for rules in (_TIA, _STEP7, _IEC, _TWINCAT)}

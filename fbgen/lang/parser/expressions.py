@@ -335,15 +335,26 @@ class ExpressionParser(AddressParser):
         """One item of an array, with a number of repetitions or without."""
         first = self.at
         value = self.initial_value()
-        if isinstance(value, Call) and len(value.arguments) == 1 and isinstance(value.callee, Name):
-            only = value.arguments[0]
-            if only.kind is ArgumentKind.POSITIONAL and only.value is not None:
-                return Repeated(value.span, value.callee, only.value)
+        if isinstance(value, Call) and value.arguments and isinstance(value.callee, Name):
+            given = [
+                one.value
+                for one in value.arguments
+                if one.kind is ArgumentKind.POSITIONAL and one.value is not None
+            ]
+            if len(given) == len(value.arguments):
+                return Repeated(value.span, value.callee, _one_or_bare(value.span, given))
         if isinstance(value, Literal) and self.accept("("):
             self.deeper()
-            repeated = None if self.kinds[self.at] == ")" else self.array_item()
+            items: list[Expression] = []
+            start = self.at
+            while self.kinds[self.at] != ")":
+                items.append(self.array_item())
+                if not self.accept(","):
+                    break
+            inside = self.span(start) if items else value.span
             self.depth -= 1
-            self.expect(")")
+            self.expect(")", "')' or ','", "repeated values of an array look like 2(0) or 2(0, 1)")
+            repeated = _one_or_bare(inside, items) if items else None
             return Repeated(self.span(first), value, repeated)
         return value
 
@@ -387,3 +398,8 @@ class ExpressionParser(AddressParser):
     def _empty_field(self) -> Argument:
         place = Span(self.source, self.starts[self.at], self.starts[self.at])
         return Argument(place, ArgumentKind.POSITIONAL, "", None)
+
+
+def _one_or_bare(span: Span, items: list[Expression]) -> Expression:
+    """What is repeated: one value, or several without brackets of their own."""
+    return items[0] if len(items) == 1 else ArrayLiteral(span, tuple(items), True)

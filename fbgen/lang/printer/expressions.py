@@ -187,8 +187,12 @@ class ExpressionPrinter:
         return items if array.bare and self._bare_arrays else f"[{items}]"
 
     def _repeated(self, repeated: Repeated) -> str:
-        value = "" if repeated.value is None else self.expression(repeated.value)
-        return f"{self.expression(repeated.count)}({value})"
+        value = repeated.value
+        if isinstance(value, ArrayLiteral) and value.bare:
+            text = ", ".join(self.expression(item) for item in value.items)
+        else:
+            text = "" if value is None else self.expression(value)
+        return f"{self.expression(repeated.count)}({text})"
 
     def _struct(self, struct: StructLiteral) -> str:
         return f"({self.arguments(struct.fields)})"
