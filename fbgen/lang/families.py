@@ -1,5 +1,7 @@
 """What the S7 CPU families lack: types and constructs of the language.
 
+Instructions: see `instruction_families`.
+
 Sources: TIA Portal help, "Overview of the valid data types", "Slice access", "REGION", "Value
 assignments" and "References"; for S7-300/400 also the STEP 7 V5 manual "S7-SCL".
 """
@@ -38,7 +40,7 @@ _LONG = frozenset(
 _ONLY_NEW = _LONG | frozenset(
     ["SINT", "USINT", "UINT", "UDINT", "LREAL", "DTL", "WSTRING", "WCHAR", "VARIANT"],
 )
-_NOT_ON_1200 = _LONG | {"S5TIME", "DATE_AND_TIME", "DT", "ANY", "POINTER"}
+_NOT_ON_1200 = _LONG | {"S5TIME", "DATE_AND_TIME", "DT", "ANY", "POINTER", "TIMER", "COUNTER"}
 
 MISSING_TYPES = MappingProxyType(
     {
