@@ -10,6 +10,7 @@ from fbgen.lang import ast
 from fbgen.lang.checked import Constant, Convert, Expression
 from fbgen.lang.checker.coercion import coerce
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.conversions import UNSIGNED_OF
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import (
     ERRONEOUS,
@@ -194,7 +195,8 @@ def whole_number(ctx: Context, node: ast.Expression, where: str) -> int | None:
             "use literals and VAR CONSTANT names only",
         )
         return None
-    if isinstance(kind, Elementary) and kind.is_integer:
+    counts = ctx.rules.bits_are_numbers and kind in UNSIGNED_OF
+    if isinstance(kind, Elementary) and (kind.is_integer or counts):
         return int(expression.value)
     ctx.findings.error(
         "FB4010", f"{where} is a whole number, not {kind}", node.span, "write an integer constant"

@@ -18,8 +18,10 @@ from fbgen.lang.checked import (
     VariableRef,
 )
 from fbgen.lang.checker.block_members import addressed_member
-from fbgen.lang.checker.coercion import as_counted, as_typed, spelled
+from fbgen.lang.checker.characters import character, has_characters
+from fbgen.lang.checker.coercion import as_counted, as_typed, converted, spelled
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.conversions import UNSIGNED_OF
 from fbgen.lang.checker.enumerations import (
     bare_enumerator,
     enumeration_named,
@@ -42,6 +44,7 @@ from fbgen.lang.types import (
     Family,
     OpenArrayType,
     ReferenceType,
+    StringType,
     StructType,
     Subrange,
     Type,
@@ -237,7 +240,9 @@ def as_place(expression: Expression) -> Place:
 def check_index(ctx: Context, node: ast.Index, _expected: Type | None = None) -> Expression:
     """An element of an array; constant indices are compared with the bounds."""
     base = check_expression(ctx, node.base)
-    indices = [as_counted(ctx, as_typed(check_expression(ctx, one))) for one in node.indices]
+    if isinstance(base.type, StringType) and has_characters(ctx, base.type, node):
+        return character(ctx, node, base.type)
+    indices = [_index(ctx, one) for one in node.indices]
     kind = base.type
     if kind == ERRONEOUS or any(index.type == ERRONEOUS for index in indices):
         return erroneous(node.span)
@@ -264,6 +269,13 @@ def check_index(ctx: Context, node: ast.Index, _expected: Type | None = None) ->
     for index, bounds in zip(indices, limits, strict=True):
         _check_one_index(ctx, index, bounds)
     return IndexRef(node.span, as_place(base), tuple(indices), kind.element)
+
+
+def _index(ctx: Context, node: ast.Expression) -> Expression:
+    index = as_counted(ctx, as_typed(check_expression(ctx, node)))
+    if ctx.rules.bits_are_numbers and isinstance(index.type, Elementary):
+        return converted(index, UNSIGNED_OF.get(index.type, index.type))
+    return index
 
 
 def _check_one_index(ctx: Context, index: Expression, bounds: tuple[int, int] | None) -> None:

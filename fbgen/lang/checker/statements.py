@@ -18,6 +18,7 @@ from fbgen.lang.checker.calls import (
     method_call,
     system_call,
 )
+from fbgen.lang.checker.characters import written_character
 from fbgen.lang.checker.coercion import as_typed, coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import SIGNED_OF
@@ -150,6 +151,13 @@ def _condition(ctx: Context, node: ast.Expression, keyword: str) -> Expression:
             "compare it with something: x <> 0",
         )
     return condition
+
+
+def _assignment(ctx: Context, node: ast.Assignment) -> Sequence[Statement]:
+    meant = written_character(ctx, node)
+    if meant is None:
+        return check_assignment(ctx, node)
+    return _if(ctx, meant) if isinstance(meant, ast.If) else meant
 
 
 def _if(ctx: Context, node: ast.If) -> Sequence[Statement]:
@@ -338,7 +346,7 @@ def _empty(_ctx: Context, _node: ast.Empty) -> Sequence[Statement]:
 
 
 _CHECKS: dict[type, Callable[[Context, Any], Sequence[Statement]]] = {
-    ast.Assignment: check_assignment,
+    ast.Assignment: _assignment,
     ast.CallStatement: _call,
     ast.If: _if,
     ast.Case: _case,

@@ -89,3 +89,19 @@ def test_text_that_is_no_number_of_the_type_is_reported(load: Load, text: str) -
     assert diagnostic.code == "FB6007"
     assert diagnostic.span is not None
     assert diagnostic.span.text == "STRING_TO_INT(#text)"
+
+
+@pytest.mark.parametrize(
+    ("place", "found", "is_dash", "changed"),
+    [
+        (1, "A", False, "*-1"),
+        (2, "-", True, "A*1"),
+        (3, "1", False, "A-*"),
+        (4, "\0", False, "A-1"),
+        (0, "\0", False, "A-1"),
+    ],
+)
+def test_single_characters(load: Load, place: int, found: str, is_dash: bool, changed: str) -> None:
+    block = load("characters.scl").instance("Letters")
+    block(word="A-1", place=place)
+    assert (block.found, block.isDash, block.changed) == (found, is_dash, changed)

@@ -1,7 +1,7 @@
 """Spellings that published sources have and manuals hardly mention: checked without an error."""
 
 import pytest
-from checking import errors_of, in_block
+from checking import errors_of, in_block, in_program
 
 from fbgen.lang.parser import parse_recovering
 from fbgen.source import Source
@@ -71,3 +71,36 @@ def test_tia_wants_every_argument_to_have_a_value(arguments: str) -> None:
     text = f'FUNCTION "f" : Void\nBEGIN\n"d"({arguments});\nEND_FUNCTION\n'
     _, findings = parse_recovering(Source("test", text), "tia")
     assert [one.code for one in findings] == ["FB3001"]
+
+
+@pytest.mark.parametrize(
+    ("dialect", "statement"),
+    [("tia", "#s[1] := 'ab';"), ("tia", "#s[1] := 5;"), ("tia", "#s[1, 2] := 'a';")],
+)
+def test_one_character_takes_one_character(dialect: str, statement: str) -> None:
+    assert len(errors_of(in_block("s : STRING;", statement), dialect)) == 1
+
+
+def test_an_unknown_text_is_reported_once() -> None:
+    (found,) = errors_of(in_block("c : CHAR;", "#missing[1] := #c;"), "tia")
+    assert found.code == "FB4001"
+
+
+@pytest.mark.parametrize(
+    "statement",
+    ["u := w;", "u := w + 1;", "w := n;", "i := b;", "w := 16#FF AND w;", "t[b] := 1;"],
+)
+def test_bit_strings_are_numbers_in_twincat(statement: str) -> None:
+    text = (
+        "PROGRAM main\nVAR CONSTANT size : BYTE := 4; END_VAR\n"
+        "VAR u : UDINT; n : UINT; w : WORD; b : BYTE; i : INT; t : ARRAY[0..size] OF INT; END_VAR\n"
+        f"{statement}\nEND_PROGRAM\n"
+    )
+    assert errors_of(text, "twincat") == []
+    assert errors_of(text, "iec") != []
+
+
+@pytest.mark.parametrize("statement", ["b := w;", "s := w;"])
+def test_bit_strings_do_not_narrow_in_twincat(statement: str) -> None:
+    text = in_program("b : BYTE; w : WORD; s : SINT; i : INT;", statement)
+    assert [one.code for one in errors_of(text, "twincat")] == ["FB4011"]
