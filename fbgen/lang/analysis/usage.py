@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from fbgen.lang.analysis.flow import Flow
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Variable, VariableKind
-from fbgen.lang.checker.objects import is_life_cycle
+from fbgen.lang.life_cycle import is_life_cycle
 from fbgen.lang.types import Elementary, StringType
 
 if TYPE_CHECKING:

@@ -16,6 +16,7 @@ from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Block, BlockMembers, Variable, VariableKind
 from fbgen.lang.checker.object_interfaces import ObjectInterfaces
+from fbgen.lang.life_cycle import LIFE_CYCLE
 from fbgen.lang.types import BlockType
 from fbgen.source import Span
 
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
 
 RECEIVER = "THIS"
 _WITH_MEMBERS = (BlockKind.FUNCTION_BLOCK, BlockKind.PROGRAM)
-_LIFE_CYCLE = ("fb_init", "fb_reinit", "fb_exit")
 """Derived blocks may give them more parameters."""
 _INHERITED = (*(VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT, VariableKind.STATIC),)
 
@@ -297,7 +297,7 @@ class Objects:
         message = ""
         if "FINAL" in overridden.modifiers:
             message = f"{overridden.owner.name}.{overridden.name} is FINAL"
-        elif method.name.casefold() in _LIFE_CYCLE:
+        elif method.name.casefold() in LIFE_CYCLE:
             return
         elif _shape(method.block) != _shape(overridden.block):
             message = f"{overridden.owner.name}.{overridden.name} has other parameters"
@@ -331,11 +331,6 @@ class Objects:
         """True if there can be no instance of the block itself."""
         block = self._library.user_block(kind.name)
         return block is not None and "ABSTRACT" in block.syntax.modifiers
-
-
-def is_life_cycle(block: Block) -> bool:
-    """True for FB_init and the like, whose parameters are prescribed."""
-    return block.name.rpartition(".")[2].casefold() in _LIFE_CYCLE
 
 
 def qualified(unit: ast.Unit, namespace: str) -> ast.Unit:
