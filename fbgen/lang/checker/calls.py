@@ -285,6 +285,14 @@ def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | Evaluate | Non
         return None
     if isinstance(block, StandardBlock) and block.name.casefold() in ctx.library.unmodelled:
         return unmodelled_instance_call(ctx, node, place, block)
+    if isinstance(block, Block) and ctx.library.is_class(block):
+        ctx.findings.error(
+            "FB4047",
+            f"{block.name} is a CLASS and has no body that could be called",
+            node.span,
+            f"call one of its methods: {callee.span.text}.Method()",
+        )
+        return None
     if isinstance(block, Block):
         ctx.calls.setdefault(block, node.span)
     bound = bind_variables(ctx, node, block.name, block, by_assignment=False)

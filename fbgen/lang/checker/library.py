@@ -68,6 +68,8 @@ class Library:
         self._blocks: dict[str, Block] = {}
         self._contexts: dict[Block, Context] = {}
         self._busy: list[str] = []
+        self._owners: list[str] = []
+        self._classes: set[str] = set()
         self._block_types: dict[str, BlockType] = {}
 
     # --- collecting ---------------------------------------------------------------------------
@@ -102,6 +104,7 @@ class Library:
             elif isinstance(unit, ast.Block):
                 if unit.kind is BlockKind.CLASS:
                     # A class is a function block that nobody can call.
+                    self._classes.add(key)
                     unit = replace(unit, kind=BlockKind.FUNCTION_BLOCK)
                 self._syntax[key] = unit
                 self.has_members |= bool(unit.members) or unit.extends is not None
@@ -299,7 +302,9 @@ class Library:
             self._report_recursion(key, node)
             return None
         self._busy.append(key)
+        self._owners.append(node.name.name)
         block = self._interface(node)
+        self._owners.pop()
         self._busy.pop()
         self._blocks[key] = block
         return block
@@ -380,11 +385,13 @@ class Library:
         if result is not None:
             ctx.scope.entries[result.name.casefold()] = result
         sections = [one for one in node.sections if one.keyword != "VAR_INST"]
+        name = f"{owner.name}.{node.name.name}"
+        self._owners.append(name)
         self._interfaces.declare_constants(ctx, sections, node.kind)
         variables += self._interfaces.declare(ctx, sections, node.kind)
+        self._owners.pop()
         if result is not None:
             variables.append(result)
-        name = f"{owner.name}.{node.name.name}"
         block = Block(node.span, name, node.kind, tuple(variables), result, node)
         ctx.block = block
         self._contexts[block] = ctx
@@ -393,6 +400,10 @@ class Library:
     def add_interface(self, block: Block) -> None:
         """What stands for an interface has no variables: its methods see global names only."""
         self._contexts[block] = Context(self, Scope(), block)
+
+    def is_class(self, block: Block) -> bool:
+        """True for a CLASS, whose instances have methods and no body."""
+        return block.name.casefold() in self._classes
 
     def share_context(self, owner: Block, action: Block) -> None:
         """An action sees what its block sees."""
@@ -430,11 +441,11 @@ class Library:
         return Variable(node.name.span, name, VariableKind.RESULT, resolved.type, resolved.initial)
 
     def name_of_shared(self, name: str) -> str:
-        """The global name of a VAR_STAT of the block whose interface is being resolved.
+        """The global name of a VAR_STAT of the block or method that is being resolved.
 
         All instances of the block share it, and it outlives the calls of a FUNCTION.
         """
-        return f"{self._units[self._busy[-1]][0]}.{name}"
+        return f"{self._owners[-1]}.{name}"
 
     def all_blocks(self) -> Mapping[str, Block]:
         """All blocks of the text by casefolded name, their interfaces resolved."""

@@ -182,6 +182,29 @@ def test_an_unknown_input_of_a_method_is_reported(twincat: Twincat) -> None:
     assert caught.value.diagnostics[0].code == "FB6020"
 
 
+def test_an_in_out_instance_is_the_instance_itself(twincat: Twincat) -> None:
+    block = twincat("shared.st").instance("User")
+    block()
+    assert (block.sum, block.left) == (5 + 6, 6)
+
+
+def test_var_stat_of_a_method_is_shared_by_all_instances(twincat: Twincat) -> None:
+    block = twincat("shared.st").instance("User")
+    block()
+    assert (block.first, block.second) == (1, 2)
+    block()
+    assert (block.first, block.second) == (3, 4)
+
+
+def test_an_instance_data_block_is_called_and_keeps_what_is_retained(engine_name: str) -> None:
+    path = __file__.replace("test_conformance_objects.py", "instance_block.scl")
+    program = load_program([path], engine=engine_name)
+    program.run("Main")
+    assert program.globals.Counter_DB.count == 4 + 4
+    program.reset(warm=True)
+    assert (program.globals.Counter_DB.count, program.globals.Counter_DB.step) == (0, 4)
+
+
 def test_names_in_namespaces_are_found_whole_and_from_inside(engine_name: str) -> None:
     path = __file__.replace("test_conformance_objects.py", "namespaces.st")
     block = load_program([path], dialect="iec", engine=engine_name).instance("User")
