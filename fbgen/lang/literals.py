@@ -228,6 +228,18 @@ def _float(text: str) -> float:
     return float(text.replace("_", ""))
 
 
+def duration_text(nanoseconds: int) -> str:
+    """A duration as a literal of TIME, such as T#1m30s."""
+    sign = "-" if nanoseconds < 0 else ""
+    rest = abs(nanoseconds)
+    parts: list[str] = []
+    for unit, size in _UNIT_NS.items():
+        count, rest = divmod(rest, size)
+        if count:
+            parts.append(f"{count}{unit}")
+    return f"T#{sign}{''.join(parts) or '0ms'}"
+
+
 def _duration(text: str) -> int:
     """Nanoseconds of `1d2h3m4s5ms6us7ns`, with a sign and underscores."""
     help_text = "durations look like T#5s, T#1m30s, T#250ms or T#1.5s, larger units first"

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from datetime import date, timedelta
 
 from fbgen.lang.ast import LiteralKind
-from fbgen.lang.literals import BadLiteralError, LiteralValue, read_literal
+from fbgen.lang.literals import BadLiteralError, LiteralValue, duration_text, read_literal
 from fbgen.lang.types import (
     LTIME,
     TIME_OF_DAY,
@@ -40,8 +40,6 @@ LITERALS = {
 _FIRST_DAY = date(1990, 1, 1)
 _EPOCH = date(1970, 1, 1)
 _TRUTHS = {"true": True, "false": False, "1": True, "0": False}
-_UNITS = (("d", 86_400 * NS_PER_S), ("h", 3_600 * NS_PER_S), ("m", 60 * NS_PER_S), ("s", NS_PER_S))
-_SMALL_UNITS = (("ms", NS_PER_MS), ("us", 1_000), ("ns", 1))
 _ESCAPES = {"$": "$$", "'": "$'", "\n": "$L", "\r": "$R", "\t": "$T", "\f": "$P"}
 
 
@@ -160,21 +158,11 @@ def _whole(kind: Type, value: int) -> str:
     if kind.family is Family.BITS:
         return f"16#{value:0{kind.bits // 4}X}"
     if kind.family is Family.DURATION:
-        return _duration(kind, value)
+        text = duration_text(value * (NS_PER_MS if counts_ms(kind) else 1))
+        return text if counts_ms(kind) else f"L{text}"
     if kind.family is Family.DATE:
         return _instant(kind, value)
     return str(value)
-
-
-def _duration(kind: Elementary, value: int) -> str:
-    rest = abs(value) * (NS_PER_MS if counts_ms(kind) else 1)
-    parts = []
-    for unit, ns in (*_UNITS, *_SMALL_UNITS):
-        count, rest = divmod(rest, ns)
-        if count:
-            parts.append(f"{count}{unit}")
-    prefix, nothing = ("T#", "0ms") if counts_ms(kind) else ("LT#", "0ns")
-    return f"{prefix}{'-' if value < 0 else ''}{''.join(parts) or nothing}"
 
 
 def _instant(kind: Elementary, value: int) -> str:

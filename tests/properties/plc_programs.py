@@ -439,8 +439,22 @@ class Writer:
 
     def program(self) -> str:
         """The text of the program; the block to run is `Outer`."""
+        self.name_variables()
         mark = self.mark
-        for kind in TYPES:
+        self.readable["BOOL"].append(f"{mark}instFall.Q")
+        if mark:
+            for places in (self.writable, self.readable):
+                places["INT"] += ["#toInt^", "#toFrame^.intPart"]
+        else:
+            self.readable["INT"].append("statLevel")
+            self.readable["BOOL"].append("(statMode = fast)")
+        body = self.statements(3, "    ")
+        return declarations(mark) + body + "END_FUNCTION_BLOCK\n"
+
+    def name_variables(self) -> None:
+        """The variables that programs of all kinds have, by their types."""
+        mark = self.mark
+        for kind in self.types:
             name = kind[0].upper() + kind[1:].lower()
             places = [f"{mark}stat{name}", f"{mark}out{name}"]
             if kind in ARRAY_TYPES:
@@ -449,18 +463,11 @@ class Writer:
                 places += [f"{mark}frame.{kind.lower()}Part", f"{mark}frames[2].{kind.lower()}Part"]
             self.writable[kind] = places
             self.readable[kind] = [*places, f"{mark}in{name}"]
-        self.readable["BOOL"] += [f"{mark}instOn.Q", f"{mark}instFall.Q", f"{mark}instCount.Q"]
+        self.readable["BOOL"] += [f"{mark}instOn.Q", f"{mark}instOff.Q", f"{mark}instCount.Q"]
         self.readable["TIME"].append(f"{mark}instPulse.ET")
         if mark:
             self.writable["BOOL"] += [f"{mark}statWord.%X3", f"{mark}statDint.%X31"]
             self.writable["BYTE"].append(f"{mark}statDword.%B2")
-            for places in (self.writable, self.readable):
-                places["INT"] += ["#toInt^", "#toFrame^.intPart"]
-        else:
-            self.readable["INT"].append("statLevel")
-            self.readable["BOOL"].append("(statMode = fast)")
-        body = self.statements(3, "    ")
-        return declarations(mark) + body + "END_FUNCTION_BLOCK\n"
 
 
 @st.composite

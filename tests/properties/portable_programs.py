@@ -71,23 +71,9 @@ class PortableWriter(Writer):
 
     def program(self) -> str:
         """The text of the program; the block to run is `Outer`."""
-        mark = self.mark
-        for kind in self.types:
-            name = kind[0].upper() + kind[1:].lower()
-            places = [f"{mark}stat{name}", f"{mark}out{name}"]
-            if kind in ARRAY_TYPES:
-                places += [f"{mark}list{name}[{index}]" for index in (1, 2, 3)]
-            if kind in ("INT", "REAL"):
-                places += [f"{mark}frame.{kind.lower()}Part", f"{mark}frames[2].{kind.lower()}Part"]
-            self.writable[kind] = places
-            self.readable[kind] = [*places, f"{mark}in{name}"]
-        self.readable["BOOL"] += [f"{mark}instOn.Q", f"{mark}instOff.Q", f"{mark}instCount.Q"]
-        self.readable["TIME"].append(f"{mark}instPulse.ET")
-        if mark:
-            self.writable["BOOL"] += [f"{mark}statWord.%X3", f"{mark}statDint.%X31"]
-            self.writable["BYTE"].append(f"{mark}statDword.%B2")
+        self.name_variables()
         body = self.statements(3, "    ")
-        return _declarations(mark, self.types) + body + "END_FUNCTION_BLOCK\n"
+        return _declarations(self.mark, self.types) + body + "END_FUNCTION_BLOCK\n"
 
 
 def _declarations(mark: str, types: Sequence[str]) -> str:

@@ -31,9 +31,10 @@ from fbgen.lang.ast import (
 )
 from fbgen.lang.checker.standard_calls import is_standard_function
 from fbgen.lang.checker.system_instructions import instruction_named
-from fbgen.lang.conversion.rewriting import Rewriter, Rule, replaced
+from fbgen.lang.conversion.rewriting import Rewriter, Rule, replaced, rewritten
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.plant import BlockScope, PlantText
+from fbgen.lang.lowering.spelling import S7_NAMES
 
 _TIMERS = {
     "SFB0": "CTU_INT",
@@ -42,12 +43,7 @@ _TIMERS = {
     "SFB3": "TP_TIME",
     "SFB4": "TON_TIME",
     "SFB5": "TOF_TIME",
-    "TP": "TP_TIME",
-    "TON": "TON_TIME",
-    "TOF": "TOF_TIME",
-    "CTU": "CTU_INT",
-    "CTD": "CTD_INT",
-    "CTUD": "CTUD_INT",
+    **S7_NAMES,
 }
 _FUNCTIONS = {"SFC14": "DPRD_DAT", "SFC15": "DPWR_DAT"}
 _ABSENT = {
@@ -63,15 +59,7 @@ _FLAGS = {"OK": "ENO"}
 def from_step7(files: Sequence[File], findings: Findings) -> list[File]:
     """The same files in dialect tia."""
     plant = PlantText(files)
-    return [
-        File(
-            file.source,
-            "tia",
-            tuple(_FromStep7(plant, findings, unit).rewrite(unit) for unit in file.units),
-            file.closing,
-        )
-        for file in files
-    ]
+    return rewritten(files, "tia", lambda unit: _FromStep7(plant, findings, unit))
 
 
 class _FromStep7(Rewriter):

@@ -51,15 +51,8 @@ from fbgen.lang.conversion.parameters import standard_with_names, with_names
 from fbgen.lang.conversion.rewriting import Rewriter, Rule, replaced
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.plant import BlockScope, PlantText
+from fbgen.lang.lowering.spelling import S7_NAMES
 
-_BLOCKS = {
-    "TON": "TON_TIME",
-    "TOF": "TOF_TIME",
-    "TP": "TP_TIME",
-    "CTU": "CTU_INT",
-    "CTD": "CTD_INT",
-    "CTUD": "CTUD_INT",
-}
 _SET = {"S=": True, "R=": False}
 _GONE = (Globals, Configuration)
 
@@ -205,7 +198,7 @@ class _IecToTia(Rewriter):
             return spec
         if key in self._plant.types or key in self._plant.blocks:
             return NamedType(node.span, node.name, True)
-        return NamedType(node.span, _BLOCKS[upper]) if upper in _BLOCKS else node
+        return NamedType(node.span, S7_NAMES[upper]) if upper in S7_NAMES else node
 
     def _subrange(self, node: SubrangeSpec) -> TypeSpec:
         return self._type(node.base)

@@ -5,7 +5,7 @@ a rule come back themselves where nothing in them changed. A rule for a statemen
 statements, or none; comments of what falls away go to the statement that follows.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, ClassVar, TypeAlias, TypeVar
 
 from fbgen.lang import ast
@@ -111,6 +111,21 @@ class Rewriter:
         if left is node.left and right is node.right:
             return node
         return ast.Binary(node.span, node.operator, left, right)
+
+
+def rewritten(
+    files: Sequence[ast.File], dialect: str, rewriter: Callable[[ast.Unit], Rewriter]
+) -> list[ast.File]:
+    """The files in another dialect, with a rewriter of its own for each unit."""
+    return [
+        ast.File(
+            file.source,
+            dialect,
+            tuple(rewriter(unit).rewrite(unit) for unit in file.units),
+            file.closing,
+        )
+        for file in files
+    ]
 
 
 class Inlined:

@@ -41,24 +41,17 @@ from fbgen.lang.ast import (
     VarSection,
 )
 from fbgen.lang.conversion.parameters import standard_with_names
-from fbgen.lang.conversion.rewriting import Inlined, Rewriter, Rule, replaced
+from fbgen.lang.conversion.rewriting import Inlined, Rewriter, Rule, replaced, rewritten
 from fbgen.lang.dialects import dialect_named
 from fbgen.lang.lowering.chains import links
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.names import is_identifier
 from fbgen.lang.lowering.plant import BlockScope, PlantText
 from fbgen.lang.lowering.slices import can_be_sliced, read_slice, write_slice
+from fbgen.lang.lowering.spelling import TYPES
 from fbgen.lang.walk import walk
 from fbgen.source import Span
 
-_TIMERS = {
-    "TON_TIME": "TON",
-    "TOF_TIME": "TOF",
-    "TP_TIME": "TP",
-    "CTU_INT": "CTU",
-    "CTD_INT": "CTD",
-    "CTUD_INT": "CTUD",
-}
 _EDGES = frozenset({"R_TRIG", "F_TRIG"})
 _PREFIXES = {"BYTE": "B", "WORD": "W", "DWORD": "DW", "DINT": "L"}
 _SHORT_TEXTS = frozenset({"AUTHOR", "FAMILY", "NAME"})
@@ -70,15 +63,7 @@ _ABSOLUTE = re.compile(r"(?:P?[IEQA]|M|D)[XBWD]?\d+|(?:DB|FB|FC|OB|SFB|SFC|UDT|T
 def to_step7(files: Sequence[File], findings: Findings) -> list[File]:
     """The same files in dialect step7. What STEP 7 has not is noted in the findings."""
     plant = PlantText(files)
-    return [
-        File(
-            file.source,
-            "step7",
-            tuple(_ToStep7(plant, findings, unit).rewrite(unit) for unit in file.units),
-            file.closing,
-        )
-        for file in files
-    ]
+    return rewritten(files, "step7", lambda unit: _ToStep7(plant, findings, unit))
 
 
 class _ToStep7(Rewriter):
@@ -174,8 +159,8 @@ class _ToStep7(Rewriter):
 
     def _type(self, node: NamedType) -> NamedType:
         upper = node.name.upper()
-        if not node.quoted and upper in _TIMERS:
-            return NamedType(node.span, _TIMERS[upper])
+        if not node.quoted and upper in TYPES:
+            return NamedType(node.span, TYPES[upper])
         if upper in _EDGES:
             self._findings.refuse(
                 f"the block {node.name}", node.span, "keep the last value and compare with it"

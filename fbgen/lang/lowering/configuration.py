@@ -15,9 +15,9 @@ from fbgen.lang.ast import (
     Task,
     VarSection,
 )
+from fbgen.lang.literals import duration_text
 from fbgen.lang.lowering.build import integer
 from fbgen.lang.lowering.schedule import Schedule
-from fbgen.lang.lowering.spelling import duration_text
 from fbgen.source import Span
 
 

@@ -8,6 +8,7 @@ import re
 
 from fbgen.lang.ast import Literal, LiteralKind
 from fbgen.lang.dialects.words import words
+from fbgen.lang.literals import duration_text
 from fbgen.lang.lowering.target import Target
 
 TYPES = {
@@ -20,6 +21,9 @@ TYPES = {
 }
 """Instances of system blocks that S7 names after their type of time or counter."""
 
+S7_NAMES = {plain: name for name, plain in TYPES.items()}
+"""The other way round."""
+
 STANDARD_BLOCKS = words("TON TOF TP CTU CTD CTUD R_TRIG F_TRIG SR RS")
 FUNCTIONS = words(
     "ABS SQRT LN LOG EXP SIN COS TAN ASIN ACOS ATAN EXPT ADD MUL SUB DIV MOD MOVE SHL SHR ROR ROL "
@@ -30,15 +34,6 @@ RENAMED_FUNCTIONS = {"ROUND": "REAL_TO_DINT"}
 """ROUND goes to the nearest DINT, ties to even, which is what the IEC conversion does."""
 
 _CONVERSION = re.compile(r"([A-Z_]+)_TO_([A-Z_]+)")
-_UNITS = (
-    ("d", 86_400_000_000_000),
-    ("h", 3_600_000_000_000),
-    ("m", 60_000_000_000),
-    ("s", 1_000_000_000),
-    ("ms", 1_000_000),
-    ("us", 1_000),
-    ("ns", 1),
-)
 
 
 def is_standard_function(name: str, target: Target) -> bool:
@@ -47,18 +42,6 @@ def is_standard_function(name: str, target: Target) -> bool:
     if conversion:
         return all(kind in target.elementary or kind == "STRING" for kind in conversion.groups())
     return name in FUNCTIONS
-
-
-def duration_text(nanoseconds: int) -> str:
-    """A duration as a literal, such as T#1m30s."""
-    sign = "-" if nanoseconds < 0 else ""
-    rest = abs(nanoseconds)
-    parts: list[str] = []
-    for unit, size in _UNITS:
-        count, rest = divmod(rest, size)
-        if count:
-            parts.append(f"{count}{unit}")
-    return f"T#{sign}{''.join(parts) or '0ms'}"
 
 
 def literal_text(literal: Literal, target: Target) -> str | None:
