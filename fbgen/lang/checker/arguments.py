@@ -48,6 +48,19 @@ def bind(
     return _by_name(ctx, call, name, parameters)
 
 
+def only_argument(ctx: Context, call: ast.Call, name: str) -> ast.Expression | None:
+    """The argument of a call that takes one variable; None after reporting another number."""
+    argument = call.arguments[0].value if len(call.arguments) == 1 else None
+    if argument is None:
+        ctx.findings.error(
+            "FB4042" if call.arguments else "FB4040",
+            f"{name} takes one variable",
+            call.span,
+            f"write {name}(variable)",
+        )
+    return argument
+
+
 def _by_position(
     ctx: Context, call: ast.Call, name: str, parameters: Sequence[tuple[str, _P]]
 ) -> list[tuple[_P, ast.Argument]] | None:

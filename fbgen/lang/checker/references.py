@@ -25,6 +25,7 @@ from fbgen.lang.checked import (
     VariableKind,
     VariableRef,
 )
+from fbgen.lang.checker.arguments import only_argument
 from fbgen.lang.checker.coercion import as_null, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression, check_itself
@@ -84,14 +85,8 @@ def check_dereference(ctx: Context, node: ast.Dereference, _expected: Type | Non
 
 def check_maker(ctx: Context, node: ast.Call, name: str) -> Expression:
     """REF(x) and ADR(x)."""
-    argument = node.arguments[0].value if len(node.arguments) == 1 else None
+    argument = only_argument(ctx, node, name)
     if argument is None:
-        ctx.findings.error(
-            "FB4042" if node.arguments else "FB4040",
-            f"{name} takes one variable",
-            node.span,
-            f"write {name}(variable)",
-        )
         return erroneous(node.span)
     return reference_to(ctx, node.span, argument, MAKERS[name])
 

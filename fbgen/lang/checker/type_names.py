@@ -316,6 +316,13 @@ class TypeResolver:
         for declaration in declarations:
             resolved = self.resolve(ctx, declaration.type)
             initial = resolved.initial
+            if declaration.arguments:
+                self._library.findings.error(
+                    "FB4054",
+                    "arguments for FB_init in a structure are not supported",
+                    declaration.arguments[0].span,
+                    "declare the instance in VAR of a block, or give it initial values in :=",
+                )
             if declaration.initial is not None and resolved.type != ERRONEOUS:
                 initial = self._library.initial(
                     ctx, declaration.initial, resolved.type, resolved.initial

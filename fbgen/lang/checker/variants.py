@@ -21,7 +21,7 @@ from fbgen.lang.checked import (
     TypeTest,
     Unary,
 )
-from fbgen.lang.checker.arguments import bind
+from fbgen.lang.checker.arguments import bind, only_argument
 from fbgen.lang.checker.binding import report_missing
 from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.context import Context
@@ -98,14 +98,8 @@ class _Asked:
 
 def _operand(ctx: Context, node: ast.Call, name: str) -> Expression | None:
     """The argument as a VARIANT, None after reporting errors; asking does not write."""
-    argument = node.arguments[0].value if len(node.arguments) == 1 else None
+    argument = only_argument(ctx, node, name)
     if argument is None:
-        ctx.findings.error(
-            "FB4042" if node.arguments else "FB4040",
-            f"{name} takes one variable",
-            node.span,
-            f"write {name}(variable)",
-        )
         return None
     value = check_expression(ctx, argument)
     if value.type in (VARIANT_VALUE, ERRONEOUS):

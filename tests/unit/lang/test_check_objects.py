@@ -85,3 +85,11 @@ def test_a_class_cannot_be_called() -> None:
         "END_METHOD\nEND_CLASS\nPROGRAM Main\nVAR axis : Axis; END_VAR\naxis();\nEND_PROGRAM\n"
     )
     assert _codes(text, "iec") == [("FB4047", "axis()")]
+
+
+def test_arguments_for_fb_init_in_a_structure_are_refused_by_name() -> None:
+    text = (
+        f"{_PUMP}TYPE Pair : STRUCT\nleft : Pump(number := 5);\nEND_STRUCT END_TYPE\n"
+        "FUNCTION_BLOCK Plant\nVAR pair : Pair; END_VAR\npair.left();\nEND_FUNCTION_BLOCK\n"
+    )
+    assert ("FB4054", "number := 5") in _codes(text)
