@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
+from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, Severity
 from fbgen.lang.ast import File, TriviaKind
 from fbgen.lang.containers import Document, read_document
 from fbgen.lang.containers.document import document_of
@@ -56,8 +56,8 @@ def format_file(path: Path, dialect: str | None = None) -> Formatted:
     """The file in its canonical layout; encoding, BOM and line ends stay.
 
     In XML only the code changes. Raises `DiagnosticError` where nothing can be read: FB3011,
-    FB3013, FB3014, FB3016, FB3018; FB3042 for comments in places where they cannot stay, FB3041 if
-    the new text would not say the same.
+    FB3013, FB3014, FB3016, FB3018; FB3041 if the new text would say something else or lose a
+    comment.
     """
     document = read_document(path, dialect)
     if any(one.severity is Severity.ERROR for one in document.findings):
@@ -69,7 +69,7 @@ def format_file(path: Path, dialect: str | None = None) -> Formatted:
 
 
 def _compare(document: Document, data: bytes) -> None:
-    """Raise FB3041 or FB3042 unless the new text says the same and stays as it is."""
+    """Raise FB3041 unless the new text says the same and stays as it is."""
     try:
         again = document_of(document.path, data, document.dialect)
     except DiagnosticError as unreadable:
@@ -80,36 +80,35 @@ def _compare(document: Document, data: bytes) -> None:
     if not same_tree(again.file, document.file):
         raise _changed(document, "says something else")
     if lost := _lost_comments(document.file, again.file):
-        raise DiagnosticError(lost)
+        raise _changed(document, "loses a comment", notes=lost)
     if again.rewritten(again.file) != data:
         raise _changed(document, "is not the last word: formatting it changes it again")
 
 
-def _changed(document: Document, what: str, errors: tuple[Diagnostic, ...] = ()) -> DiagnosticError:
+def _changed(
+    document: Document,
+    what: str,
+    errors: tuple[Diagnostic, ...] = (),
+    notes: tuple[Note, ...] = (),
+) -> DiagnosticError:
     found = Diagnostic(
         "FB3041",
         f"{document.path} is left alone: its formatted text {what}",
         help="this is a defect of fbgen: please report it with the file",
+        notes=notes,
     )
     return DiagnosticError((found, *errors))
 
 
-def _lost_comments(file: File, again: File) -> list[Diagnostic]:
-    """FB3042 for each comment of a text that the formatted one does not have."""
+def _lost_comments(file: File, again: File) -> tuple[Note, ...]:
+    """A note for each comment of a text that the formatted one does not have."""
     kept = Counter(text for text, _ in _comments(again))
-    lost: list[Diagnostic] = []
+    lost: list[Note] = []
     for text, place in _comments(file):
         kept[text] -= 1
         if kept[text] < 0:
-            lost.append(
-                Diagnostic(
-                    "FB3042",
-                    "this comment would be lost, so the file is left alone",
-                    place,
-                    "put it on a line of its own in front of the statement or declaration",
-                )
-            )
-    return lost
+            lost.append(Note("this one", place))
+    return tuple(lost)
 
 
 def _comments(file: File) -> Iterator[tuple[str, Span]]:

@@ -53,7 +53,6 @@ class Method:
     sections: tuple[VarSection, ...]
     body: tuple[Statement, ...]
     leading: TriviaList = ()
-    body_comments: TriviaList = ()
     closing: TriviaList = ()
 
 

@@ -67,7 +67,7 @@ def _sections(printer: UnitPrinter, node: Block | Method | Accessor) -> None:
 def body(node: Block | Method | Action | Accessor, dialect: str) -> str:
     """The statements, without an end of line behind the last one."""
     comments: TriviaList = ()
-    if isinstance(node, Block | Method):
+    if isinstance(node, Block):
         comments = without_last_blanks(node.body_comments)
     text = _written(
         dialect, lambda printer: _statements(printer, comments, node.body, node.closing)

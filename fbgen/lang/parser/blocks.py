@@ -288,6 +288,7 @@ class BlockParser(NamespaceParser):
                     break
                 self.at += 1
         text = self.source.text[self.ends[first + 1] : self.ends[self.at - 1]].strip()
+        self.drop_extras(self.ends[first + 1], self.ends[self.at - 1])
         return HeaderItem(self.span(first), word, text)
 
     def _raw_line(self, word: str) -> HeaderItem:
@@ -299,7 +300,7 @@ class BlockParser(NamespaceParser):
         end = len(text) if end < 0 else end
         while self.starts[self.at] < end:
             self.at += 1
-        self.drop_extras(self.starts[first], end)
+        self.drop_extras(self.ends[first + 1], end)
         raw = text[self.ends[first + 1] : end]
         return HeaderItem(Span(self.source, self.starts[first], end), word, raw.strip())
 

@@ -5,13 +5,14 @@ declarations and units catch it, skip to where something new can begin, and go o
 at the same token is dropped, as it follows from the first.
 """
 
+from collections.abc import Iterable
 from typing import NoReturn
 
 from fbgen.diagnostics import Diagnostic, Note
-from fbgen.lang.ast import HeaderItem, Trivia, TriviaKind, TriviaList
+from fbgen.lang.ast import Argument, HeaderItem, Trivia, TriviaKind, TriviaList
 from fbgen.lang.depth import DEEPEST
 from fbgen.lang.dialects.dialect import Dialect, Feature
-from fbgen.lang.lexer import tokenize
+from fbgen.lang.lexer import Extra, tokenize
 from fbgen.lang.parser.soft_words import settle_soft_words
 from fbgen.source import Source, Span
 
@@ -235,6 +236,17 @@ class Cursor:
                 leading = (*leading, trivia)
             self._step()
         return leading, self.take_same_line()
+
+    def put_back(self, arguments: Iterable[Argument]) -> None:
+        """Give back the comments of arguments that turned out to be indices or values.
+
+        Whoever settles next has them, as what stood inside of it.
+        """
+        for argument in arguments:
+            found = (*argument.leading, *((argument.trailing,) if argument.trailing else ()))
+            kept = [Extra(self.at, False, one) for one in found if one.text]
+            self._extras[self._next_extra : self._next_extra] = kept
+        self._look()
 
     def take_before(self, token: int) -> TriviaList:
         """The comments up to a token that has been read, without blank lines."""

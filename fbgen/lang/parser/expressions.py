@@ -21,6 +21,7 @@ from fbgen.lang.ast import (
     Repeated,
     Slice,
     StructLiteral,
+    TriviaList,
     Unary,
 )
 from fbgen.lang.dialects.dialect import Dialect, Feature
@@ -342,6 +343,7 @@ class ExpressionParser(AddressParser):
                 if one.kind is ArgumentKind.POSITIONAL and one.value is not None
             ]
             if len(given) == len(value.arguments):
+                self.put_back(value.arguments)
                 return Repeated(value.span, value.callee, _one_or_bare(value.span, given))
         if isinstance(value, Literal) and self.accept("("):
             self.deeper()
@@ -385,7 +387,7 @@ class ExpressionParser(AddressParser):
         first = self.at
         leading = self.take_leading()
         if self.kinds[first] == ",":
-            return self._empty_field()
+            return self._empty_field(leading)
         if self.kinds[first + 1] == ":=":
             name = self.name()
             self.at = first + 2
@@ -395,9 +397,9 @@ class ExpressionParser(AddressParser):
         value = self.initial_value()
         return Argument(self.span(first), ArgumentKind.POSITIONAL, "", value, leading)
 
-    def _empty_field(self) -> Argument:
+    def _empty_field(self, leading: TriviaList = ()) -> Argument:
         place = Span(self.source, self.starts[self.at], self.starts[self.at])
-        return Argument(place, ArgumentKind.POSITIONAL, "", None)
+        return Argument(place, ArgumentKind.POSITIONAL, "", None, leading)
 
 
 def _one_or_bare(span: Span, items: list[Expression]) -> Expression:

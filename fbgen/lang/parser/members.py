@@ -107,7 +107,6 @@ class MemberParser(ConfigurationParser, ABC):
         result: TypeSpec | None = self.type_spec() if self.accept(":") else None
         self.end_head()
         sections = self.sections_here()
-        body_comments = self.take_leading()
         body = self.body("END_METHOD")
         closing = self.take_leading()
         self._end_member("END_METHOD", first)
@@ -119,7 +118,6 @@ class MemberParser(ConfigurationParser, ABC):
             sections,
             body,
             leading,
-            body_comments,
             closing,
         )
 

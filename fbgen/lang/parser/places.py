@@ -206,6 +206,7 @@ class AddressParser(Cursor, ABC):
             if len(indices) == len(arguments) and (
                 address := self._indexed_address(callee, indices, place)
             ):
+                self.put_back(arguments)
                 return address
         return Call(place, callee, arguments)
 

@@ -76,7 +76,6 @@ class MemberPrinter(DeclarationPrinter):
     def _method(self, method: Method) -> None:
         self.lines.add(self.head_of_method(method), first_of(method.span))
         self.sections(method.sections)
-        self.lines.trivia(without_last_blanks(method.body_comments))
         self.statements(method.body, without_last_blanks(method.closing))
         self.lines.add("END_METHOD", last_of(method.span))
 

@@ -197,23 +197,13 @@ def test_a_file_that_cannot_be_written_stays_whole(
     assert rough.read_bytes() == ROUGH.encode()
 
 
-def test_a_comment_that_has_no_place_keeps_the_file_as_it_is(fbgen: Fbgen, tmp_path: Path) -> None:
-    path = tmp_path / "lost.scl"
-    text = (ROOT / "tests/unit/bad/FB3042_comment_in_title.scl").read_bytes()
-    path.write_bytes(text)
-    run = fbgen("fmt", str(path))
-    assert (run.status, run.out) == (1, "")
-    assert run.err.startswith("error[FB3042]: this comment would be lost")
-    assert f"--> {path}:2:7\n" in run.err
-    assert path.read_bytes() == text
-
-
 @pytest.mark.parametrize(
     ("change", "message"),
     [
         ((b"* 2", b"* 3"), "says something else"),
         ((b"* 2", b"* "), "cannot be read again"),
         ((b" * 2", b"  *  2"), "is not the last word"),
+        ((b"// the work", b""), "loses a comment"),
     ],
 )
 def test_a_defect_of_the_layout_never_reaches_a_file(

@@ -1,6 +1,7 @@
 """Our corpus reads without findings, and printing it keeps the tree, the comments and itself."""
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -72,3 +73,33 @@ def test_no_comment_is_lost(path: Path, dialect: str) -> None:
     )
     kept = [text for text in comments(parse(source, dialect)) if not text.startswith("{")]
     assert kept == written
+
+
+def _with_comments(path: Path, dialect: str, step: int) -> Iterator[Source]:
+    """The text with one comment more, in front of one token after the other."""
+    source = read_source(path)
+    starts = tokenize(source, dialect_named(dialect)).starts
+    for start in starts[1:-1:step]:
+        yield Source("commented", f"{source.text[:start]}(* zz9 *){source.text[start:]}")
+
+
+def _check_comments(path: Path, dialect: str, step: int) -> None:
+    """A comment stays wherever it stands, and printing is stable; some places take none."""
+    for source in _with_comments(path, dialect, step):
+        file, findings = parse_recovering(source, dialect)
+        if findings:
+            continue
+        once = print_file(file).text
+        assert once.count("zz9") == 1, source.text
+        assert print_file(parse(Source("once", once), dialect)).text == once, source.text
+
+
+@pytest.mark.parametrize(("path", "dialect"), _CASES)
+def test_a_comment_stays_wherever_it_stands(path: Path, dialect: str) -> None:
+    _check_comments(path, dialect, 29)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("path", "dialect"), _CASES)
+def test_a_comment_stays_in_front_of_each_token(path: Path, dialect: str) -> None:
+    _check_comments(path, dialect, 1)

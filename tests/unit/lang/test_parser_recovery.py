@@ -60,7 +60,7 @@ def test_a_broken_file_gives_its_code_at_each_place(
 _BLOCK = re.compile(r"```(scl|st)\n(.*?)```", re.DOTALL)
 _PAGES = sorted(path.stem for path in shipped("diagnostics").glob("FB3*.md"))
 _ABOUT_COMMANDS = (
-    *("FB3011", "FB3013", "FB3014", "FB3040", "FB3041", "FB3042", "FB3054", "FB3055", "FB3056"),
+    *("FB3011", "FB3013", "FB3014", "FB3040", "FB3041", "FB3054", "FB3055", "FB3056"),
 )
 _ABOUT_CONTAINERS = ("FB3016", "FB3017", "FB3018", "FB3019", "FB3060")
 _ABOUT_TEXT = [code for code in _PAGES if code not in _ABOUT_COMMANDS + _ABOUT_CONTAINERS]
