@@ -264,8 +264,8 @@ class Writer:
                 )
 
     def _limited_value(self, depth: int, indent: str) -> str:
-        """A subrange is assigned; rarely what it does not allow."""
-        value = self.expression("INT", 2)
+        """A subrange is assigned; rarely what it does not allow, and never a constant."""
+        value = f"({self.variable('INT')} + {self.expression('INT', 1)})"
         if self.number(0, 9):
             value = f"LIMIT(0, {value}, {self.one_of(('100', '100', '101'))})"
         return f"{indent}statLevel := {value};\n"
