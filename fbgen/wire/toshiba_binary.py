@@ -55,6 +55,7 @@ def encode_request(request: Request) -> bytes:
     return seal(number + _TELEGRAM(request.command, request.com_no, request.data))
 
 
+@lru_cache(maxsize=4096)
 def encode_reply(reply: Reply | ErrorReply) -> bytes:
     """The frame of a reply or refusal, with lower-case CMD if the drive is tripped."""
     number = _number(reply.address)

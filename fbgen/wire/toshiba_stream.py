@@ -60,7 +60,7 @@ class FrameStream(Generic[Message]):
         """
         if self.pending:
             return None
-        return self._parse_ascii(data) if data[:1] == b"(" else self._parse_binary(data)
+        return self._parse_binary(data) or self._parse_ascii(data)
 
     def feed(
         self, data: bytes, start_ns: int, byte_ns: int, marks: bytes | None = None

@@ -39,9 +39,11 @@ PARAMETERS = (
 
 _SENT_STOP_BITS = 2
 _NEVER = 1 << 62
+_BINARY = Form.BINARY
 _SINGLE = range(100)
 """Numbers that mean one inverter."""
 _READS = (Command.R, Command.G)
+_WRITE_RAM, _WRITE_EEPROM = Command.P, Command.W
 _EXPIRY_PRIORITY = 1
 """A telegram that ends at the very instant of the time-out is in time."""
 
@@ -111,13 +113,12 @@ class Communication:
         """Hear what has ended on the line."""
         if reception.start_ns < self._deaf_until_ns:
             return
-        if reception.marks is None and (whole := self.stream.whole(reception.data)) is not None:
+        data, marks = reception.data, reception.marks
+        if marks is None and (whole := self.stream.whole(data)) is not None:
             if whole.address == self.inv_no or whole.address not in _SINGLE:
                 self._take(whole)
             return
-        for message in self.stream.feed(
-            reception.data, reception.start_ns, reception.byte_ns, reception.marks
-        ):
+        for message in self.stream.feed(data, reception.start_ns, reception.byte_ns, marks):
             self._take(message)
             if reception.end_ns < self._deaf_until_ns:
                 self.stream.reset()
@@ -183,9 +184,9 @@ class Communication:
         error: ErrorCode | None = None
         if command in _READS:
             value = device.read(number)
-        elif command is Command.P:
+        elif command is _WRITE_RAM:
             error = device.write_ram(number, request.data)
-        elif command is Command.W:
+        elif command is _WRITE_EEPROM:
             error = device.write_eeprom(number, request.data)
         else:
             device.set_scaled(number, request.data)
@@ -207,7 +208,7 @@ class Communication:
         self._send_later(ErrorReply(message.address, error, tripped, message.form, message.checked))
 
     def _send_later(self, reply: Reply | ErrorReply) -> None:
-        if reply.form is Form.BINARY:
+        if reply.form is _BINARY:
             frame = toshiba_binary.encode_reply(reply)
         else:
             frame = toshiba_ascii.encode_reply(reply)
@@ -216,8 +217,9 @@ class Communication:
         delay_ns = times.minimum_ns + int(self._kernel.random.random() * (span_ns + 1))
         if self._registers.word("send_waiting_time"):
             delay_ns += round(self._registers.value("send_waiting_time") * NS_PER_S)
-        begin_ns = self._kernel.now_ns + delay_ns
-        self._reply = self._kernel.at(begin_ns, partial(self._send, frame))
+        kernel = self._kernel
+        begin_ns = kernel.now_ns + delay_ns
+        self._reply = kernel.at(begin_ns, partial(self._send, frame))
         self._deaf_until_ns = begin_ns + self.port.format.duration_ns(len(frame))
 
     def _send(self, frame: bytes) -> None:

@@ -40,9 +40,12 @@ class Inverter:
 
     __slots__ = (
         "_bits",
+        "_command_number",
         "_emergency_code",
         "_followed",
+        "_inv_no_number",
         "_timeout_code",
+        "_timeout_number",
         "communication",
         "monitors",
         "name",
@@ -70,8 +73,12 @@ class Inverter:
         self.powered = True
         self.registers = Registers(series, _delivered(series, settings))
         self._bits = CommandBits.of(series.command_word)
+        number = self.registers.number
+        self._command_number = number(series.link.command)
+        self._inv_no_number = number(series.link.inv_no)
+        self._timeout_number = number(series.link.timeout)
         followed = (*operation.PARAMETERS, series.link.setpoint)
-        self._followed = frozenset(self.registers.number(name) for name in followed)
+        self._followed = frozenset(number(name) for name in followed)
         self.trips = TripLog(series)
         self.operation = Operation(kernel, series, self.registers, settings.motor, settings.load)
         self.monitors = Monitors(series, self.registers, self.operation, self.trips)
@@ -259,13 +266,11 @@ class Inverter:
     # Inside
 
     def _written(self, number: int) -> None:
-        link, registers = self.series.link, self.registers
-        if number == registers.number(link.command):
-            self._command(registers.ram[number])
-            return
-        if number == registers.number(link.inv_no):
+        if number == self._command_number:
+            self._command(self.registers.ram[number])
+        elif number == self._inv_no_number:
             self.communication.number_changed()
-        elif number == registers.number(link.timeout):
+        elif number == self._timeout_number:
             self.communication.timeout_changed()
         elif number in self._followed:
             self._follow()

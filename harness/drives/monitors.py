@@ -17,6 +17,7 @@ from harness.drives.word_bits import StatusBits
 _CPU_VERSION = 0x0100
 _EEPROM_VERSION = 0x0100
 _RATED_VOLTAGE_PERCENT = 100.0
+_RUN, _DC_BRAKE = Mode.RUN, Mode.DC_BRAKE
 
 
 class Monitors:
@@ -61,8 +62,9 @@ class Monitors:
 
     def read(self, number: int) -> int | None:
         """The word of a cell, None if there is no such cell."""
-        if number in self._trips.frozen:
-            return self._trips.frozen[number]
+        frozen = self._trips.frozen
+        if number in frozen:
+            return frozen[number]
         reader = self._readers.get(number)
         return self._registers.ram.get(number) if reader is None else reader()
 
@@ -91,17 +93,17 @@ class Monitors:
             word |= bits.running
         if operation.reverse:
             word |= bits.reverse
-        if operation.mode is Mode.DC_BRAKE:
+        mode = operation.mode
+        if mode is _DC_BRAKE:
             word |= bits.dc_braking
-        elif wish.jog and operation.mode is Mode.RUN:
+        elif wish.jog and mode is _RUN:
             word |= bits.jog
-        for mask, is_set in (
-            (bits.pattern_2, wish.pattern_2),
-            (bits.pi_control_off, wish.pi_control_off),
-            (bits.motor_2, wish.motor_2),
-        ):
-            if is_set:
-                word |= mask
+        if wish.pattern_2:
+            word |= bits.pattern_2
+        if wish.pi_control_off:
+            word |= bits.pi_control_off
+        if wish.motor_2:
+            word |= bits.motor_2
         return word
 
     def _present(self) -> dict[str, Callable[[], int]]:

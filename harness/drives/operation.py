@@ -12,7 +12,6 @@ for jogging; after coasting the inverter starts at 0 Hz and does not search the 
 from dataclasses import dataclass, replace
 from enum import Enum
 from math import inf
-from typing import NamedTuple
 
 from fbgen.catalog import Drive
 from harness.drives.load import Load, Motor
@@ -47,6 +46,10 @@ class Mode(Enum):
     DC_BRAKE = "direct current"
 
 
+_RUN, _STOP = Mode.RUN, Mode.STOP
+"""By names of their own, as every telegram asks for them."""
+
+
 @dataclass(frozen=True, slots=True)
 class Panel:
     """The hands at the inverter: panel or terminals, for when the network has no priority."""
@@ -56,7 +59,8 @@ class Panel:
     frequency_hz: float = 0.0
 
 
-class Wish(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Wish:
     """What the commands ask for, wherever they come from. `hz` lies within the limits."""
 
     run: bool = False
@@ -133,14 +137,16 @@ class Operation:
     @property
     def output_hz(self) -> float:
         """Output frequency now, negative in reverse."""
-        if self.mode in (Mode.RUN, Mode.STOP):
+        mode = self.mode
+        if mode is _RUN or mode is _STOP:
             return self.ramp.at(self._kernel.now_ns)
         return 0.0
 
     @property
     def running(self) -> bool:
         """True while the output stage turns the motor, ramping down included."""
-        return self.mode is Mode.RUN or (self.mode is Mode.STOP and self.output_hz != 0.0)
+        mode = self.mode
+        return mode is _RUN or (mode is _STOP and self.output_hz != 0.0)
 
     @property
     def reverse(self) -> bool:

@@ -21,6 +21,7 @@ class Registers:
 
     __slots__ = (
         "_numbers",
+        "_ranges",
         "cells",
         "eeprom",
         "eeprom_faulty",
@@ -33,6 +34,9 @@ class Registers:
         """`delivered`: words by number that differ from the defaults of the series."""
         self.cells: dict[int, ComNo] = {comno.number: comno for comno in series.comnos}
         self._numbers: dict[str, int] = {comno.name: comno.number for comno in series.comnos}
+        self._ranges: dict[int, tuple[int, int]] = {
+            comno.number: (comno.minimum_word, comno.maximum_word) for comno in series.comnos
+        }
         self.eeprom: dict[int, int] = {
             comno.number: comno.default_word for comno in series.comnos if comno.storage == "eeprom"
         } | dict(delivered)
@@ -79,7 +83,10 @@ class Registers:
             return ErrorCode.COM_NO
         if "w" not in comno.access or (running and comno.requires_stop):
             return ErrorCode.CANNOT_EXECUTE
-        if not comno.minimum_word <= word <= self._greatest(comno):
+        lowest, greatest = self._ranges[number]
+        if comno.limited_by is not None:
+            greatest = min(greatest, comno.to_word(self.value(comno.limited_by)))
+        if not lowest <= word <= greatest:
             return ErrorCode.DATA
         return None
 
@@ -96,9 +103,3 @@ class Registers:
             self.write_cycles[number] += 1
         self.ram[number] = word
         return None
-
-    def _greatest(self, comno: ComNo) -> int:
-        greatest = comno.maximum_word
-        if comno.limited_by is None:
-            return greatest
-        return min(greatest, comno.to_word(self.value(comno.limited_by)))

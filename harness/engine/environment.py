@@ -5,6 +5,7 @@ The engines know nothing else of the controller. `harness.plc` implements it wit
 """
 
 from collections.abc import Mapping
+from struct import calcsize, unpack_from
 from typing import Protocol
 
 from fbgen.diagnostics import error
@@ -71,6 +72,14 @@ class Environment(Protocol):
         """`count` bytes (1, 2, 4) straight from the hardware, big endian, as an unsigned number."""
         ...
 
+    def read_adjacent(self, byte: int, layout: str) -> tuple[int, ...] | None:
+        """What several calls of `read_peripheral` give for values that lie one behind the other.
+
+        None, and nothing has happened yet, unless these calls have no effect but to take their
+        time. `layout` has the sizes of the values as the module `struct` spells them.
+        """
+        ...
+
     def write_peripheral(self, byte: int, count: int, value: int) -> None:
         """`count` bytes (1, 2, 4) straight to the hardware, big endian."""
         ...
@@ -103,6 +112,12 @@ class StandaloneEnvironment:
     def read_peripheral(self, byte: int, count: int) -> int:
         """Without hardware the inputs are what somebody put into the image."""
         return int.from_bytes(self.inputs[byte : byte + count], "big")
+
+    def read_adjacent(self, byte: int, layout: str) -> tuple[int, ...] | None:
+        """Without hardware nothing happens between two reads; beyond the image each reads alone."""
+        if byte + calcsize(layout) > len(self.inputs):
+            return None
+        return unpack_from(layout, self.inputs, byte)
 
     def write_peripheral(self, byte: int, count: int, value: int) -> None:
         """Without hardware the outputs end in the image."""

@@ -102,7 +102,11 @@ class Pair:
             tap(transmission)
         if self.broken:
             return
-        sender, sent_as, collided = transmission.sender, transmission.format, transmission.collided
+        sender, wire, collided = (
+            transmission.sender,
+            transmission.format.wire,
+            transmission.collided,
+        )
         for port in self.listeners:
             if port is sender or port.receive_open:
                 continue
@@ -110,7 +114,7 @@ class Pair:
             if collided:
                 reception = _heard_while_sending(port, heard)
             own = port.format
-            if own is not sent_as and own.wire != sent_as.wire:
+            if own.wire != wire:
                 reception = reception.with_format(own)
             if reception.data:
                 port.node.receive(reception)

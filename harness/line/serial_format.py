@@ -8,6 +8,7 @@ communications manual E6581222, p. 4).
 
 from dataclasses import dataclass, field
 from enum import Enum
+from sys import intern
 
 from harness.kernel import NS_PER_S
 
@@ -37,7 +38,7 @@ class SerialFormat:
     def __post_init__(self) -> None:
         parity_bits = 0 if self.parity is Parity.NONE else 1
         object.__setattr__(self, "char_bits", 1 + DATA_BITS + parity_bits + self.stop_bits)
-        object.__setattr__(self, "wire", f"{self.baud} {DATA_BITS}{self.parity.value}")
+        object.__setattr__(self, "wire", intern(f"{self.baud} {DATA_BITS}{self.parity.value}"))
 
     def duration_ns(self, characters: int) -> int:
         """Time that so many characters take one right behind the other, in nanoseconds."""

@@ -5,13 +5,15 @@ up to that instant happens first, so that PROFIBUS cycles fall between two acces
 """
 
 from collections.abc import Callable, Mapping
+from struct import Struct
+from typing import TypeAlias
 
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.types import Scalar
 from fbgen.source import Span
 from harness.engine.environment import Area
 from harness.engine.services import Services
-from harness.fieldbus import DpMaster
+from harness.fieldbus import DpMaster, Station
 from harness.kernel import Kernel
 from harness.plc.consistent_data import ConsistentData
 from harness.plc.link import MasterLink
@@ -20,6 +22,9 @@ from harness.plc.settings import CpuSettings
 
 Instruction = Callable[[Mapping[str, "Scalar | Area"], Span], Scalar]
 """What carries out a system instruction: arguments by name, where it is called, RET_VAL."""
+
+_AdjacentReads: TypeAlias = tuple[Station, int, Callable[[bytearray, int], tuple[int, ...]], int]
+"""Where adjacent inputs lie, what takes them apart, and how long so many accesses take."""
 
 
 class HardwareAccess:
@@ -38,6 +43,7 @@ class HardwareAccess:
         "_outputs_at",
         "_peripheral_ns",
         "_quiet_until_ns",
+        "_reads",
         "access_errors",
         "consistent_data",
         "inputs",
@@ -57,6 +63,7 @@ class HardwareAccess:
         self._outputs_at = self._modules.outputs
         self._image = self._modules.image
         self._peripheral_ns = settings.peripheral_ns
+        self._reads: dict[tuple[int, str], _AdjacentReads | None] = {}
         self.settings = settings
         self.services = Services()
         self.inputs = bytearray(settings.memory_bytes)
@@ -79,6 +86,7 @@ class HardwareAccess:
         Raises DiagnosticError FB7402 for addresses that are taken or lie outside of the memory.
         """
         self._modules.mount(mounting, self.settings)
+        self._reads.clear()
 
     def _begin(self) -> None:
         """A scan, or a start-up, begins now."""
@@ -107,6 +115,31 @@ class HardwareAccess:
         if count == 2:
             return inputs[offset] << 8 | inputs[offset + 1]
         return int.from_bytes(inputs[offset : offset + count], "big")
+
+    def read_adjacent(self, byte: int, layout: str) -> tuple[int, ...] | None:
+        """Several values by one call, or None if something may happen between the accesses."""
+        key = byte, layout
+        if key not in self._reads:
+            self._reads[key] = self._adjacent_reads(byte, layout)
+        reads = self._reads[key]
+        if reads is None:
+            return None
+        station, offset, unpack, took_ns = reads
+        instant_ns = self._instant_ns + took_ns
+        if instant_ns >= self._quiet_until_ns or station.failed or self.link.armed:
+            return None
+        self._instant_ns = instant_ns
+        return unpack(station.inputs, offset)
+
+    def _adjacent_reads(self, byte: int, layout: str) -> "_AdjacentReads | None":
+        """Where the values lie, None unless one station has all of them."""
+        values = Struct(layout)
+        places = [self._inputs_at.get(byte + index) for index in range(values.size)]
+        first = places[0]
+        if first is None or any(place is None or place[0] is not first[0] for place in places):
+            return None
+        took_ns = self._peripheral_ns * len(layout.lstrip(">"))
+        return (*first, values.unpack_from, took_ns)
 
     def write_peripheral(self, byte: int, count: int, value: int) -> None:
         """`count` bytes (1, 2, 4) straight to the master's image, big endian."""

@@ -81,13 +81,15 @@ def read_address(
     count = _bytes(address)
     bits = 8 * count
     safe = not address.peripheral
-    if address.peripheral:
+    if id(node) in procedure.at_hand:
+        code, safe = Code(procedure.at_hand[id(node)], simple=True), True
+    elif address.peripheral:
         code = Code(f"_environment.read_peripheral({address.byte}, {count})", depth=2, safe=False)
     elif outside := _outside(procedure, node, address):
         code = Code(outside, depth=2, safe=False)
     else:
         code = _image(_area(procedure, address), address.byte, count)
-    pure = not address.peripheral
+    pure = safe
     code = code._replace(low=0, high=(1 << bits) - 1, safe=code.safe and safe, pure=pure)
     if address.bits == 1:
         mask = hex(1 << address.bit)

@@ -165,12 +165,26 @@ def is_quiet(body: Sequence[Statement], interval: tuple[int, int], counter: Vari
 
 def _is_quiet(node: Node, interval: tuple[int, int], counter: Variable) -> bool:
     match node:
-        case Assignment() | If() | Branch() | Constant() | Unary():
+        case If() | Branch():
             return True
         case VariableRef():
             variable = node.variable
             is_own = variable.kind not in (VariableKind.GLOBAL, VariableKind.IN_OUT)
             return is_own and variable.address is None
+        case IndexRef():
+            kind = node.base.type
+            if not isinstance(kind, ArrayType) or len(node.indices) != 1:
+                return False
+            return _is_inside(node.indices[0], kind.bounds[0], interval, counter)
+        case _:
+            return only_calculates(node)
+
+
+def only_calculates(node: Node) -> bool:
+    """True if a node that is no variable, apart from what is in it, cannot stop or call."""
+    match node:
+        case Assignment() | Constant() | Unary():
+            return True
         case FieldRef():
             return isinstance(node.base.type, StructType)
         case Binary():
@@ -181,11 +195,6 @@ def _is_quiet(node: Node, interval: tuple[int, int], counter: Variable) -> bool:
             return all(is_counted(kind) or kind == BOOL for kind in (node.type, node.operand.type))
         case StandardCall():
             return node.name in _QUIET_FUNCTIONS
-        case IndexRef():
-            kind = node.base.type
-            if not isinstance(kind, ArrayType) or len(node.indices) != 1:
-                return False
-            return _is_inside(node.indices[0], kind.bounds[0], interval, counter)
         case _:
             return False
 

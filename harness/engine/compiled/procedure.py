@@ -120,8 +120,9 @@ class Procedure:
     """One Python function while it is written.
 
     `aliases` has the locals that hold the value of a variable, too, and `known` what is known of
-    values: of loop variables, and behind conditions. `split` marks a function that was split off;
-    any other one returns by `return_line`. `unwritten` is there while attributes need not be
+    values: of loop variables, and behind conditions. `at_hand` has the locals with what was read
+    from the hardware already, by the identity of the node. `split` marks a function that was split
+    off; any other one returns by `return_line`. `unwritten` is there while attributes need not be
     written: it has those that a local has a newer value of, with the local.
     """
 
@@ -132,6 +133,7 @@ class Procedure:
             "_temporaries",
             "aliases",
             "arguments",
+            "at_hand",
             "context",
             "known",
             "listing",
@@ -151,6 +153,7 @@ class Procedure:
         self.loops: list[Loop] = []
         self.aliases: dict[Variable, str] = {}
         self.known: Intervals = {}
+        self.at_hand: dict[int, str] = {}
         self._sites: list[Site] = []
         self._reads: list[tuple[checked.Place, str]] = []
         self._temporaries = 0

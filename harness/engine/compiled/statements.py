@@ -29,6 +29,7 @@ from harness.engine.compiled.calls import (
     instruction_statement,
 )
 from harness.engine.compiled.evaluation import value
+from harness.engine.compiled.hardware_reads import adjacent_reads, write_adjacent_reads
 from harness.engine.compiled.instances import instance_call
 from harness.engine.compiled.intervals import written_inside
 from harness.engine.compiled.jumps import Dispatcher, has_jumps
@@ -101,6 +102,18 @@ def _probe(procedure: Procedure, node: Statement | Branch | CaseArm) -> None:
 
 def write_statements(procedure: Procedure, body: Sequence[Statement]) -> None:
     """Statements at the present level."""
+    at = 0
+    while at < len(body):
+        reads = adjacent_reads(body, at, procedure.context.block)
+        if reads is None:
+            _write_each(procedure, body[at : at + 1])
+            at += 1
+        else:
+            write_adjacent_reads(procedure, reads, _write_each)
+            at += len(reads.statements)
+
+
+def _write_each(procedure: Procedure, body: Sequence[Statement]) -> None:
     for statement in body:
         if procedure.known:
             procedure.forget(written_inside(statement))

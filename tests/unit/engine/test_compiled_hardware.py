@@ -209,3 +209,32 @@ END_FUNCTION
     for target, code in ((at(16, 6), "FB6010"), (at(16, 0, number=8), "FB6011")):
         with pytest.raises(DiagnosticError, match=code):
             loaded(Assignment(block.span, target, at(16, 0))).run_block("Main")
+
+
+READING = """
+FUNCTION_BLOCK "Reader"
+VAR_IN_OUT single : BYTE; END_VAR
+VAR a : BYTE; b : WORD; bits : ARRAY[0..1] OF BYTE; END_VAR
+BEGIN
+{}
+END_FUNCTION_BLOCK
+"""
+
+
+@pytest.mark.parametrize(
+    ("statements", "layout"),
+    [
+        ("#a := %IB1:P; #b := %IW2:P;", "(1, '>BH')"),
+        ("#a := %IB1:P; #b := SHL(IN := #b, N := 1); #a := %IB2:P; #b := W#16#1;", "(1, '>BB')"),
+        ("#a := %IB1:P; #b := %IW3:P;", ""),
+        ("#a := %IB1:P; #single := %IB2:P;", ""),
+        ("#a := %IB1:P; %QB1:P := #a; #a := %IB2:P;", ""),
+        ("#a := %IB1:P; #bits[BYTE_TO_INT(#a)] := %IB2:P;", ""),
+        ("#a := %IB1:P; #b := %IW2;", ""),
+    ],
+)
+def test_only_what_nothing_can_come_between_is_read_at_once(statements, layout):
+    program = read_program([Source("main.scl", READING.format(statements))])
+    text = CompiledEngine(program, StandaloneEnvironment()).python_source("Reader")
+    _, found, behind = text.partition("_environment.read_adjacent")
+    assert (behind.partition("):")[0] + ")" if found else "") == layout

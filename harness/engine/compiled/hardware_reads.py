@@ -1,0 +1,113 @@
+"""Reading adjacent inputs straight from the hardware, by one call instead of one for each.
+
+Every access to the hardware has an instant of its own, and what happens up to it happens first. As
+long as nothing does, several reads give the same as one; only the controller knows, and says so by
+giving no values. Then the statements run as they are written. Between the reads may stand what
+neither reaches the hardware nor stops.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from fbgen.lang.checked import (
+    AddressRef,
+    Assignment,
+    Block,
+    Statement,
+    VariableKind,
+    VariableRef,
+)
+from fbgen.lang.types import StructType
+from harness.engine.compiled.caching import only_calculates
+from harness.engine.compiled.model import is_scalar, may_be_unconnected
+from harness.engine.compiled.procedure import Procedure
+from harness.engine.compiled.walk import every_node
+
+_LAYOUT = {8: "B", 16: "H", 32: "I", 64: "Q"}
+
+
+class AdjacentReads(NamedTuple):
+    """Statements with reads of inputs that lie one behind the other, from byte `byte` on.
+
+    `layout` has their sizes as the module `struct` spells them.
+    """
+
+    statements: Sequence[Statement]
+    reads: list[AddressRef]
+    byte: int
+    layout: str
+
+
+def adjacent_reads(body: Sequence[Statement], start: int, block: Block) -> AdjacentReads | None:
+    """The reads that begin with the statement at `start`, or None if there are not several."""
+    first = _read(body[start])
+    if first is None:
+        return None
+    reads: list[AddressRef] = []
+    end, behind = start, first.address.byte
+    for at in range(start, len(body)):
+        statement = body[at]
+        if not isinstance(statement, Assignment) or not _stays_inside(statement, block):
+            break
+        read = _read(statement)
+        if read is not None:
+            if read.address.byte != behind:
+                break
+            reads.append(read)
+            behind += read.address.bits // 8
+            end = at + 1
+    if len(reads) < 2:
+        return None
+    layout = ">" + "".join(_LAYOUT[read.address.bits] for read in reads)
+    return AdjacentReads(body[start:end], reads, first.address.byte, layout)
+
+
+def write_adjacent_reads(
+    procedure: Procedure,
+    found: AdjacentReads,
+    write: Callable[[Procedure, Sequence[Statement]], None],
+) -> None:
+    """The statements, once with all values read before and once as they are."""
+    listing = procedure.listing
+    listing.span = found.statements[0].span
+    procedure.forget_sites()
+    values = procedure.temporary()
+    names = [procedure.temporary() for _ in found.reads]
+    call = f"_environment.read_adjacent({found.byte}, {found.layout!r})"
+    procedure.line(f"if {values} := {call}:")
+    listing.indent += 4
+    procedure.line(f"{', '.join(names)} = {values}")
+    procedure.at_hand = {id(read): name for read, name in zip(found.reads, names, strict=True)}
+    write(procedure, found.statements)
+    procedure.at_hand = {}
+    listing.indent -= 4
+    procedure.line("else:")
+    listing.indent += 4
+    write(procedure, found.statements)
+    listing.indent -= 4
+
+
+def _read(statement: Statement) -> AddressRef | None:
+    """The input that an assignment reads from the hardware and does nothing else with."""
+    if not isinstance(statement, Assignment) or not isinstance(statement.value, AddressRef):
+        return None
+    address = statement.value.address
+    is_input = address.peripheral and address.area == "I"
+    return statement.value if is_input and address.bits in _LAYOUT else None
+
+
+def _stays_inside(statement: Assignment, block: Block) -> bool:
+    """True if an assignment, apart from the read, reaches no hardware and cannot stop."""
+    parts = [statement.target] if _read(statement) is not None else [statement]
+    return is_scalar(statement.target.type) and all(
+        _is_memory(node, block) if isinstance(node, VariableRef) else only_calculates(node)
+        for node in every_node(parts)
+    )
+
+
+def _is_memory(node: VariableRef, block: Block) -> bool:
+    """True for a variable of the program; a single value that an in-out is may lie anywhere."""
+    variable = node.variable
+    if variable.kind is VariableKind.IN_OUT:
+        return isinstance(variable.type, StructType) and not may_be_unconnected(variable, block)
+    return variable.address is None
