@@ -13,6 +13,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum
 
+from fbgen.excerpt import harmless, shown_line
 from fbgen.source import Span
 
 
@@ -85,33 +86,30 @@ def render(diagnostic: Diagnostic) -> str:
        |        ^^^^
        = help: write the condition between IF and THEN
     """
-    lines = [f"{diagnostic.severity.value}[{diagnostic.code}]: {diagnostic.message}"]
+    lines = [f"{diagnostic.severity.value}[{diagnostic.code}]: {harmless(diagnostic.message)}"]
     gutter = 0
     if diagnostic.span is not None:
         gutter = len(str(diagnostic.span.line))
         lines += _excerpt(diagnostic.span, gutter)
     for note in diagnostic.notes:
-        lines.append(f"{' ' * gutter} = note: {note.message}")
+        lines.append(f"{' ' * gutter} = note: {harmless(note.message)}")
         if note.span is not None:
             lines += _excerpt(note.span, max(gutter, len(str(note.span.line))))
     if diagnostic.help:
-        lines.append(f"{' ' * gutter} = help: {diagnostic.help}")
+        lines.append(f"{' ' * gutter} = help: {harmless(diagnostic.help)}")
     return "\n".join(lines)
 
 
 def _excerpt(span: Span, gutter: int) -> list[str]:
-    line, column = span.line, span.column
-    text = span.source.line_text(line)
-    pad = "".join("\t" if char == "\t" else " " for char in text[: column - 1])
-    last = span.end_column if span.end_line == line else len(text) + 1
-    carets = "^" * max(1, min(last, len(text) + 1) - column)
-    lines = [f"{' ' * gutter}--> {span}"]
+    line = span.line
+    shown = shown_line(span)
+    lines = [f"{' ' * gutter}--> {harmless(str(span))}"]
     if origin := span.origin:
         lines.append(f"{' ' * gutter}  = from {origin.what} ({origin.file}:{origin.line})")
     lines += [
         f"{' ' * gutter} |",
-        f"{line:>{gutter}} | {text}",
-        f"{' ' * gutter} | {pad}{carets}",
+        f"{line:>{gutter}} | {shown.text}",
+        f"{' ' * gutter} | {shown.pad}{shown.carets}",
     ]
     return lines
 

@@ -7,6 +7,8 @@ _LISTED = 12
 _NEAR = 3
 _SEARCHED = 300
 """Looking for near names among more than this takes longer than it helps."""
+_LONGER = 2
+"""Among many names only those are near that begin alike and have about the same length."""
 
 
 def near_names(name: str, known: Iterable[str]) -> list[str]:
@@ -15,9 +17,15 @@ def near_names(name: str, known: Iterable[str]) -> list[str]:
     Upper and lower case and the difference between `-` and `_` do not count as distance.
     """
     plain = {_plain(candidate): candidate for candidate in sorted(set(known))}
+    wanted = _plain(name)
+    if len(plain) > _SEARCHED:
+        plain = {
+            candidate: spelled
+            for candidate, spelled in plain.items()
+            if candidate[:1] == wanted[:1] and abs(len(candidate) - len(wanted)) <= _LONGER
+        }
     if len(plain) > _SEARCHED:
         return []
-    wanted = _plain(name)
     near = get_close_matches(wanted, plain, n=_NEAR, cutoff=0.6)
     if not near and len(wanted) > 1:
         near = [candidate for candidate in plain if wanted in candidate][:_NEAR]
@@ -29,10 +37,16 @@ def nearest(name: str, known: Iterable[str]) -> str:
     names = sorted(set(known))
     if not names:
         return "there is none yet"
-    if near := near_names(name, names):
-        return "did you mean " + " or ".join(f"'{match}'" for match in near) + "?"
+    if near := did_you_mean(name, names):
+        return near
     listed = ", ".join(names[:_LISTED])
     return f"known: {listed}" + (", ..." if len(names) > _LISTED else "")
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """A help text with the nearest known names; empty if none is near."""
+    near = near_names(name, known)
+    return "did you mean " + " or ".join(f"'{match}'" for match in near) + "?" if near else ""
 
 
 def _plain(name: str) -> str:

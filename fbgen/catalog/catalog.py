@@ -200,13 +200,16 @@ def _file(entry: Entry) -> str:
     return span.source.name if span is not None else ""
 
 
+_NO_YAML = "name a YAML file that you may read; fbgen init writes a plant file to start from"
+
+
 def read_source(path: Path, name: str) -> Source:
     """The text of a YAML file. Raises DiagnosticError FB1008 if it cannot be read as UTF-8."""
     try:
         data = path.read_bytes()
     except OSError as problem:
         reason = problem.strerror or type(problem).__name__
-        raise error("FB1008", f"{name} cannot be read: {reason}") from None
+        raise error("FB1008", f"{name} cannot be read: {reason}", help=_NO_YAML) from None
     try:
         return Source(name, data.decode("utf-8-sig"))
     except UnicodeDecodeError as problem:

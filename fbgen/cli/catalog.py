@@ -28,7 +28,11 @@ commands = typer.Typer(help="Show what the catalogue holds.", no_args_is_help=Tr
 
 def register(program: typer.Typer) -> None:
     """Add the commands to the program."""
-    program.add_typer(commands, name="catalog")
+    program.add_typer(
+        commands,
+        name="catalog",
+        epilog=examples("fbgen catalog list", "fbgen catalog show vf-s11.command"),
+    )
 
 
 @commands.command(

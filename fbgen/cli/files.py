@@ -1,11 +1,10 @@
 """Single files that commands write: whole or not at all, and never over somebody's work."""
 
-import os
-import shutil
 from collections.abc import Mapping
 from pathlib import Path
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
+from fbgen.writing import replace_file, why_not_written
 
 
 def write_file(path: Path, text: str, *, overwrite: bool) -> None:
@@ -34,24 +33,16 @@ def write_files(contents: Mapping[Path, bytes], *, overwrite: bool) -> None:
             path.parent.mkdir(parents=True, exist_ok=True)
         except OSError as problem:
             raise _not_writable(path, problem) from None
-        replace_file(path, data)
+        rewrite_file(path, data)
 
 
-def replace_file(path: Path, data: bytes) -> None:
+def rewrite_file(path: Path, data: bytes) -> None:
     """Put this content in a file, whole or not at all; it keeps its rights.
 
     Links stay links: what they lead to is replaced. Raises DiagnosticError FB9002.
     """
     try:
-        target = path.resolve()
-        temporary = target.with_name(f".{target.name}.{os.getpid()}.tmp")
-        try:
-            temporary.write_bytes(data)
-            if target.exists():
-                shutil.copymode(target, temporary)
-            temporary.replace(target)
-        finally:
-            temporary.unlink(missing_ok=True)
+        replace_file(path.resolve(), data)
     except OSError as problem:
         raise _not_writable(path, problem) from None
 
@@ -64,9 +55,5 @@ def _differs(path: Path, data: bytes) -> bool:
 
 
 def _not_writable(path: Path, problem: OSError) -> DiagnosticError:
-    reason = problem.strerror or type(problem).__name__
-    return error(
-        "FB9002",
-        f"{path} cannot be written: {reason}",
-        help="choose a place that you may write to",
-    )
+    reason, remedy = why_not_written(problem)
+    return error("FB9002", f"{path} cannot be written: {reason}", help=remedy)

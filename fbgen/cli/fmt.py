@@ -95,7 +95,7 @@ def _formatted(paths: list[Path], dialect: str | None, jobs: int) -> "Iterator[F
 
 def _outcome(one: "Formatted", *, write: bool) -> str:
     """What becomes of a file: changed, unchanged or failed. Its findings are reported."""
-    from fbgen.cli.files import replace_file
+    from fbgen.cli.files import rewrite_file
     from fbgen.diagnostics import DiagnosticError
 
     report(one.findings)
@@ -105,7 +105,7 @@ def _outcome(one: "Formatted", *, write: bool) -> str:
         return "unchanged"
     if write:
         try:
-            replace_file(one.path, one.after)
+            rewrite_file(one.path, one.after)
         except DiagnosticError as refused:
             report(refused.diagnostics)
             return "failed"

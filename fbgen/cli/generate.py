@@ -1,14 +1,16 @@
 """`fbgen generate`: a plant file to PLC text."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fbgen.cli.dialects import DialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import CatalogOption
 from fbgen.cli.output import report, result, say
+
+if TYPE_CHECKING:
+    from fbgen.plant import PlantDialect
 
 
 def register(program: typer.Typer) -> None:
@@ -27,7 +29,10 @@ def generate(
     folder: Annotated[
         Path, typer.Option("-o", "--output", metavar="DIR", help="Where the PLC text goes.")
     ],
-    dialect: DialectOption = None,
+    dialect: Annotated[
+        str | None,
+        typer.Option("--dialect", metavar="D", help="tia or iec; else that of the plant file."),
+    ] = None,
     catalog: CatalogOption = None,
     templates: Annotated[
         list[Path] | None,
@@ -45,15 +50,15 @@ def generate(
 
     Standard output lists the files that were written.
     A file that was changed by hand since it was generated is never overwritten without --force.
-    The dialect is that of the plant file unless --dialect names another one.
     """
     from fbgen.catalog import load_catalog
     from fbgen.emit.generator import generate as generate_text
     from fbgen.emit.writing import write_set
     from fbgen.plant import load_plant
 
+    wanted = _generated(dialect)
     known = load_catalog(catalog or ())
-    generated = generate_text(load_plant(plant, known), known, dialect, templates or ())
+    generated = generate_text(load_plant(plant, known), known, wanted, templates or ())
     report(generated.warnings)
     written = write_set(generated, folder, force=force)
     for name in written.written:
@@ -61,4 +66,19 @@ def generate(
     say(
         f"{len(written.written)} written, {len(written.unchanged)} unchanged, "
         f"{len(written.removed)} removed in {folder} (dialect {generated.dialect})"
+    )
+
+
+def _generated(name: str | None) -> "PlantDialect | None":
+    """The dialect, if blocks are generated in it; wrong usage if not."""
+    from fbgen.plant import PLANT_DIALECTS
+
+    if name is None:
+        return None
+    for dialect in PLANT_DIALECTS:
+        if dialect == name:
+            return dialect
+    raise typer.BadParameter(
+        f"blocks are generated in {' or '.join(PLANT_DIALECTS)}, not in '{name}'; "
+        "fbgen convert brings PLC text into other dialects"
     )

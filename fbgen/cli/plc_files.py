@@ -74,6 +74,8 @@ def programs_of(paths: Sequence[Path], dialect: str | None) -> list[ProgramFiles
     by_dialect: dict[str, list[Path]] = {}
     for path in paths:
         told = SUFFIXES.get(path.suffix.lower())
+        if told is None and not path.exists():
+            raise typer.BadParameter(f"there is no file or folder {path}")
         if told is None:
             raise typer.BadParameter(f"the name of {path} does not tell its dialect: add --dialect")
         by_dialect.setdefault(told, []).append(path)

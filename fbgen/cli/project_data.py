@@ -81,10 +81,11 @@ def _pairs(
 def _unread(option: str, text: str) -> "DiagnosticError":
     from fbgen.diagnostics import error
 
-    shown = "MAX_PUMPS=8" if option == "--constant" else "Exchange=100"
-    return error(
-        "FB9014", f"'{text}' gives nothing a value", help=f"write it like this: {option} {shown}"
-    )
+    if option == "--constant":
+        message, example = f"'{text}' gives no constant a value", "MAX_PUMPS=8"
+    else:
+        message, example = f"'{text}' gives no data block a number (1 to 65535)", "Exchange=100"
+    return error("FB9014", message, help=f"write it like this: {option} {example}")
 
 
 def _twice(option: str, name: str) -> "DiagnosticError":

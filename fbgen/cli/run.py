@@ -129,22 +129,27 @@ def run(
         tags=tags or (),
     )
     trial = Trial(program, block, wanted, watch or ())
-    faults: list[DiagnosticError] = []
-    rows = _until_fault(trial.rows(cycles, every_ns), faults)
+    ends: list[DiagnosticError | KeyboardInterrupt] = []
+    rows = _until_stopped(trial.rows(cycles, every_ns), ends)
     _WRITERS[output](trial, _changed(rows) if changes else rows)
-    if faults:
-        report(faults[0].diagnostics)
+    for end in ends:
+        if isinstance(end, KeyboardInterrupt):
+            raise end
+        report(end.diagnostics)
         say("the rows above end in front of the fault")
         raise typer.Exit(FINDINGS)
 
 
-def _until_fault(rows: Iterator["Row"], faults: list["DiagnosticError"]) -> Iterator["Row"]:
+def _until_stopped(
+    rows: Iterator["Row"], ends: list["DiagnosticError | KeyboardInterrupt"]
+) -> Iterator["Row"]:
+    """The rows up to a fault of the program, or to Ctrl-C: what has been done is not lost."""
     from fbgen.diagnostics import DiagnosticError
 
     try:
         yield from rows
-    except DiagnosticError as fault:
-        faults.append(fault)
+    except (DiagnosticError, KeyboardInterrupt) as end:
+        ends.append(end)
 
 
 def _changed(rows: Iterable["Row"]) -> Iterator["Row"]:
@@ -161,7 +166,7 @@ def _ms(now_ns: int) -> str:
 
 def _table(trial: "Trial", rows: Iterable["Row"]) -> None:
     headings = ("cycle", "ms", *trial.watched)
-    lines = [(str(row.cycle), _ms(row.now_ns), *trial.texts(row)) for row in rows]
+    lines = [(str(row.cycle), _ms(row.now_ns), *trial.texts(row)) for row in list(rows)]
     result(table(headings, lines))
 
 

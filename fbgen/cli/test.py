@@ -67,7 +67,11 @@ def run_scenarios(
         finished=(lambda _: None) if as_json else _show,
     )
     if not done.results:
-        raise error("FB9006", f"no scenario fits -k '{select}'", help="fbgen test lists them all")
+        raise error(
+            "FB9006",
+            f"no scenario fits -k '{select}'",
+            help="without -k all run, each with its title",
+        )
     failed = sum(not scenario.passed for scenario in done.results)
     if as_json:
         result_json({"scenarios": [scenario.as_json() for scenario in done.results]})

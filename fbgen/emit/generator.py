@@ -16,7 +16,7 @@ from fbgen.lang import ast
 from fbgen.lang.checker import check
 from fbgen.lang.lowering import Schedule, lower_files
 from fbgen.lang.printer import print_generated
-from fbgen.plant import Plant
+from fbgen.plant import Plant, PlantDialect
 from fbgen.source import Origin
 
 
@@ -46,7 +46,7 @@ class GeneratedSet:
 def generate(
     plant: Plant,
     catalog: Catalog,
-    dialect: str | None = None,
+    dialect: PlantDialect | None = None,
     templates: Sequence[Path] = (),
 ) -> GeneratedSet:
     """The PLC text of a plant, in its own dialect or another one.

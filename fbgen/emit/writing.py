@@ -7,7 +7,6 @@ renamed, the list goes last, so an interrupted run loses nothing.
 """
 
 import json
-import os
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -16,6 +15,7 @@ from pathlib import Path
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.emit.generator import GeneratedSet
+from fbgen.writing import replace_file, why_not_written
 
 FILE_LIST = "fbgen-files.json"
 _FILE_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\.(scl|udt|db|st)")
@@ -47,11 +47,11 @@ def write_set(generated: GeneratedSet, folder: Path, *, force: bool = False) -> 
     try:
         folder.mkdir(parents=True, exist_ok=True)
         for name in written:
-            _replace(folder / name, texts[name])
+            replace_file(folder / name, texts[name])
         hashes = {name: sha256(data).hexdigest() for name, data in sorted(texts.items())}
         content = json.dumps({"inputs": generated.inputs_hash, "files": hashes}, indent=2) + "\n"
         if _read(folder / FILE_LIST) != content.encode("ascii"):
-            _replace(folder / FILE_LIST, content.encode("ascii"))
+            replace_file(folder / FILE_LIST, content.encode("ascii"))
         for name in stale:
             (folder / name).unlink()
     except OSError as problem:
@@ -104,20 +104,7 @@ def _read(path: Path) -> bytes | None:
         raise _not_writable(path, problem) from None
 
 
-def _replace(path: Path, data: bytes) -> None:
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
-    try:
-        temporary.write_bytes(data)
-        temporary.replace(path)
-    except OSError:
-        temporary.unlink(missing_ok=True)
-        raise
-
-
 def _not_writable(path: Path, problem: OSError) -> DiagnosticError:
-    reason = problem.strerror or type(problem).__name__
-    return error(
-        "FB5021",
-        f"{problem.filename or path} cannot be written: {reason}",
-        help="choose a folder that you may write to",
-    )
+    reason, remedy = why_not_written(problem)
+    place = problem.filename or path
+    return error("FB5021", f"{place} cannot be written: {reason}", help=remedy)

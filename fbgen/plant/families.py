@@ -6,10 +6,12 @@ largest CPU of a family (recalled from the CPU manuals, found in no document at 
 
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Literal
+from typing import Literal, get_args
 
 PlcFamily = Literal["s7-1200", "s7-1500", "s7-300", "s7-400", "iec"]
 PlantDialect = Literal["tia", "iec"]
+PLANT_DIALECTS: tuple[PlantDialect, ...] = get_args(PlantDialect)
+"""The dialects that blocks are generated in."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,11 +5,11 @@ differs from family to family, or stops; here the scan ends, so that a test sees
 """
 
 from collections.abc import Sequence
-from difflib import get_close_matches
 
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.checked import RoutineCall
 from fbgen.lang.types import VOID, Subrange, Type
+from fbgen.nearest import did_you_mean
 from fbgen.source import Span
 
 # --- what the program does --------------------------------------------------------------------
@@ -238,14 +238,8 @@ def unknown_output(node: RoutineCall, name: str, known: Sequence[str]) -> Diagno
 
 def unknown_name(what: str, name: str, known: Sequence[str]) -> DiagnosticError:
     """FB6020: nothing has this name; `what` is "block", "variable", "input" and the like."""
-    by_key = {entry.casefold(): entry for entry in known}
-    near = get_close_matches(name.casefold(), list(by_key), n=1, cutoff=0.6)
-    if near:
-        advice = f"did you mean '{by_key[near[0]]}'?"
-    elif known:
-        advice = f"there is: {', '.join(sorted(known, key=str.casefold)[:12])}"
-    else:
-        advice = ""
+    there = f"there is: {', '.join(sorted(known, key=str.casefold)[:12])}" if known else ""
+    advice = did_you_mean(name, known) or there
     return error("FB6020", f"there is no {what} '{name}'", None, advice)
 
 

@@ -7,7 +7,7 @@ from fbgen.diagnostics import error
 from fbgen.lang.ast import LiteralKind
 from fbgen.lang.literals import BadLiteralError, read_literal
 
-_SETTING = re.compile(r"(?P<path>[^=]+?)=(?P<text>'(?:[^'$]|\$.)*'|.*?)(?:@(?P<when>[0-9][^@']*))?")
+_SETTING = re.compile(r"(?P<path>[^=]+?)=(?P<text>'(?:[^'$]|\$.)*'|.*?)(?:@(?P<when>[^@']*))?")
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,20 +40,32 @@ def read_setting(text: str) -> Setting:
     path, value, when = match["path"].strip(), match["text"].strip(), match["when"]
     if when is None:
         return Setting(path, value)
-    if when.isdecimal():
+    if when.isdecimal() and int(when):
         return Setting(path, value, cycle=int(when))
-    return Setting(path, value, at_ns=read_duration(when))
+    if not when.isdecimal() and (at_ns := _duration(when)) is not None and at_ns >= 0:
+        return Setting(path, value, at_ns=at_ns)
+    raise error(
+        "FB9010",
+        f"'@{when}' of '{text}' is neither a cycle nor a time",
+        help="write @1 for the first cycle, @2 for the second, or @200ms",
+    )
 
 
 def read_duration(text: str) -> int:
     """Nanoseconds of `10ms`, `1.5s` or `T#1m30s`. Raises DiagnosticError FB9010."""
-    literal = text if "#" in text else f"T#{text}"
-    try:
-        found = read_literal(literal)
-    except BadLiteralError:
-        found = None
-    if found is None or found.kind is not LiteralKind.DURATION or not isinstance(found.value, int):
+    found = _duration(text)
+    if found is None:
         raise error("FB9010", f"'{text}' is no time", help="write a time such as 10ms, 1.5s or 2m")
-    if found.value < 0:
+    if found < 0:
         raise error("FB9010", f"'{text}' is in the past", help="write a time that is not negative")
+    return found
+
+
+def _duration(text: str) -> int | None:
+    try:
+        found = read_literal(text if "#" in text else f"T#{text}")
+    except BadLiteralError:
+        return None
+    if found.kind is not LiteralKind.DURATION or not isinstance(found.value, int):
+        return None
     return found.value

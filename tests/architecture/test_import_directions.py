@@ -6,7 +6,15 @@ import pytest
 
 from tests.architecture.sources import Import, imports, modules, tree
 
-BASE = {"fbgen", "fbgen.diagnostics", "fbgen.nearest", "fbgen.resources", "fbgen.source"}
+BASE = {
+    "fbgen",
+    "fbgen.diagnostics",
+    "fbgen.excerpt",
+    "fbgen.nearest",
+    "fbgen.resources",
+    "fbgen.source",
+    "fbgen.writing",
+}
 BASE |= {"fbgen.pages"}
 DEVICES = {"harness.drives", "harness.fieldbus", "harness.gateways", "harness.line"}
 PLANT = {*DEVICES, "harness.engine", "harness.kernel", "harness.installation", "harness.plc"}
@@ -17,7 +25,9 @@ MAY_IMPORT: dict[str, set[str]] = {
     "fbgen.source": set(),
     "fbgen.resources": set(),
     "fbgen.nearest": set(),
-    "fbgen.diagnostics": {"fbgen.source"},
+    "fbgen.writing": set(),
+    "fbgen.diagnostics": {"fbgen.excerpt", "fbgen.source"},
+    "fbgen.excerpt": {"fbgen.source"},
     "fbgen.pages": {"fbgen.diagnostics", "fbgen.resources"},
     "fbgen.wire": BASE,
     "fbgen.lang": BASE,

@@ -9,9 +9,10 @@ from typing import TypeAlias
 from fbgen.lang.checked import Binary, Constant, Convert, Expression, StandardCall
 from fbgen.lang.checker.coercion import converted, spelled
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.conversions import elementary_named, is_convertible
+from fbgen.lang.checker.conversions import UNSIGNED_OF, elementary_named, is_convertible
 from fbgen.lang.checker.folding import fold_conversion
 from fbgen.lang.checker.literals import erroneous
+from fbgen.lang.checker.rules import Rules
 from fbgen.lang.checker.stamps import as_stamp, in_parts
 from fbgen.lang.checker.standard_functions import STANDARD_FUNCTIONS, TEXT_CONVERSIONS
 from fbgen.lang.types import (
@@ -97,7 +98,7 @@ def convert_to_type(
         return erroneous(span)
     if source == target:
         return operand
-    if target == BOOL and not ctx.rules.lowest_bit_is_bool and is_integer(source):
+    if target == BOOL and _whole_number_decides(ctx.rules, source):
         assert isinstance(source, Elementary)
         return Binary(span, "<>", operand, Constant(span, 0, source), BOOL)
     if isinstance(operand, Constant):
@@ -105,6 +106,12 @@ def convert_to_type(
         if value is not None:
             return Constant(span, value, target)
     return Convert(span, operand, target, rounding=rounding)
+
+
+def _whole_number_decides(rules: Rules, source: Type) -> bool:
+    """X_TO_BOOL asks for a number other than 0; CODESYS takes a bit string for a number there."""
+    counts = is_integer(source) or (rules.bits_are_numbers and source in UNSIGNED_OF)
+    return counts and not rules.lowest_bit_is_bool
 
 
 def _not_zero(span: Span, operand: Expression) -> Expression:

@@ -131,6 +131,22 @@ def test_a_name_without_a_dialect_is_wrong_usage(fbgen: Fbgen, folder: Path) -> 
     assert fbgen("check", str(folder / "a.txt"), "--dialect", "tia").status == 0
 
 
+@pytest.mark.parametrize("command", ["check", "fmt", "run"])
+def test_a_name_that_is_not_there_is_called_that(
+    fbgen: Fbgen, tmp_path: Path, command: str
+) -> None:
+    run = fbgen(command, str(tmp_path / "blokcs"))
+    assert (run.status, run.out) == (2, "")
+    assert f"there is no file or folder {tmp_path / 'blokcs'}" in " ".join(run.err.split())
+
+
+def test_a_call_of_a_block_in_another_file_says_so(fbgen: Fbgen, folder: Path) -> None:
+    (folder / "main.scl").write_text(GOOD.replace("#number * 2", '"Helper"(#number)'), "utf-8")
+    run = fbgen("check", str(folder / "main.scl"))
+    assert "error[FB4004]: there is no function or block 'Helper'" in run.err
+    assert "name the file that has it as well" in run.err
+
+
 @pytest.fixture
 def warned(folder: Path) -> str:
     """A file with a warning and a hint."""

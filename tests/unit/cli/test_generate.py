@@ -50,6 +50,19 @@ def test_another_dialect_can_be_asked_for(fbgen: Fbgen, plant: Path) -> None:
     assert fbgen("check", str(out)).status == 0
 
 
+@pytest.mark.parametrize("dialect", ["step7", "twincat", "cobol"])
+@pytest.mark.parametrize("access", ["per_identifier", "process_image"])
+def test_a_dialect_that_blocks_are_not_generated_in_is_wrong_usage(
+    fbgen: Fbgen, plant: Path, dialect: str, access: str
+) -> None:
+    text = plant.read_text(encoding="utf-8")
+    plant.write_text(text.replace("per_identifier", access), encoding="utf-8")
+    out = plant.parent / "out"
+    run = fbgen("generate", str(plant), "-o", str(out), "--dialect", dialect)
+    assert (run.status, run.out, out.exists()) == (2, "", False)
+    assert f"blocks are generated in tia or iec, not in '{dialect}'" in run.err
+
+
 def test_a_file_changed_by_hand_is_kept_unless_forced(fbgen: Fbgen, plant: Path) -> None:
     arguments = ("generate", str(plant), "-o", str(plant.parent / "out"))
     path = Path(fbgen(*arguments).out.splitlines()[0])

@@ -20,6 +20,7 @@ COMMANDS = [
         ("encode",),
         ("explain",),
         ("schemas",),
+        ("catalog",),
         ("catalog", "list"),
         ("catalog", "show"),
     ],

@@ -103,12 +103,15 @@ def test_a_table_that_cannot_be_read_is_told_once_and_the_syntax_is_checked(
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        (("--constant", "MAX"), "'MAX' gives nothing a value"),
-        (("--constant", "=8"), "'=8' gives nothing a value"),
+        (("--constant", "MAX"), "'MAX' gives no constant a value"),
+        (("--constant", "=8"), "'=8' gives no constant a value"),
         (("--constant", "MAX=8", "--constant", "max=9"), "'max' is given twice"),
-        (("--db-number", "Exchange"), "'Exchange' gives nothing a value"),
-        (("--db-number", "Exchange=0"), "'Exchange=0' gives nothing a value"),
-        (("--db-number", "Exchange=first"), "'Exchange=first' gives nothing a value"),
+        (("--db-number", "Exchange"), "'Exchange' gives no data block a number (1 to 65535)"),
+        (("--db-number", "Exchange=0"), "'Exchange=0' gives no data block a number (1 to 65535)"),
+        (
+            ("--db-number", "Exchange=first"),
+            "'Exchange=first' gives no data block a number (1 to 65535)",
+        ),
     ],
 )
 @pytest.mark.parametrize("command", ["check", "run"])

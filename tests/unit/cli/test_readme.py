@@ -32,6 +32,33 @@ def test_every_command_of_the_readme_succeeds_in_its_order(
         assert run.status == 0, f"fbgen {shlex.join(command)}\n{run.out}{run.err}"
 
 
+def shown_commands() -> list[tuple[str, list[str]]]:
+    """Page and words of each command line that a page or a workflow file in it shows."""
+    pages = [ROOT / "README.md", *sorted((ROOT / "docs" / "how-to").glob("*.md"))]
+    found: list[tuple[str, list[str]]] = []
+    for page in pages:
+        fenced = re.findall(
+            r"^```(?:console|sh|yaml)\n(.+?)^```$", page.read_text("utf-8"), re.M | re.S
+        )
+        for line in re.findall(r"^(?:\s*- (?:run: )?)?fbgen (.+)$", "".join(fenced), re.M):
+            found.append((page.name, shlex.split(line, comments=True)))
+    return found
+
+
+def test_every_option_that_a_page_shows_exists(fbgen: Fbgen) -> None:
+    shown = shown_commands()
+    assert {"README.md", "check-in-ci.md", "check-your-own-blocks.md"} <= {
+        page for page, _ in shown
+    }
+    for page, words in shown:
+        name = words[:2] if words[0] == "catalog" else words[:1]
+        known = fbgen(*name, "--help").out
+        for word in words:
+            option = word.partition("=")[0]
+            if option.startswith("-"):
+                assert re.search(rf"(?<![\w-]){option}(?![\w-])", known), f"{page}: {words}"
+
+
 def test_every_make_target_of_the_pages_exists() -> None:
     targets = set(re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text("utf-8"), re.M))
     for page in ("README.md", "CONTRIBUTING.md"):

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from harness.engine.loading import Clock
 from tests.unit.cli.running import Fbgen
 
 RAMP = """\
@@ -124,6 +125,21 @@ def test_a_fault_ends_the_run_behind_the_rows_before_it(fbgen: Fbgen, ramp: str)
     assert run.err.endswith("the rows above end in front of the fault\n")
 
 
+@pytest.mark.parametrize("form", ["table", "csv"])
+def test_ctrl_c_ends_the_run_behind_the_rows_before_it(
+    fbgen: Fbgen, ramp: str, monkeypatch: pytest.MonkeyPatch, form: str
+) -> None:
+    def interrupt(clock: Clock, *, ns: int) -> None:
+        if clock.now_ns >= 20_000_000:
+            raise KeyboardInterrupt
+        clock.kernel.run_for(ns)
+
+    monkeypatch.setattr(Clock, "advance", interrupt)
+    run = fbgen("run", ramp, "--cycles", "1000", "--format", form)
+    assert (run.status, run.err) == (130, "")
+    assert run.out.splitlines()[-1].split("," if form == "csv" else None)[:2] == ["3", "20"]
+
+
 def test_a_function_keeps_its_inputs_and_shows_result_and_outputs(fbgen: Fbgen, scale: str) -> None:
     run = fbgen("run", scale, "--set", "hz=50.0", "--cycles", "1", "--format", "csv")
     assert run.out == "cycle,ms,HzToWord,limited\n1,0,16#1388,FALSE\n"
@@ -155,7 +171,9 @@ def test_a_name_is_needed_where_it_is_not_clear(fbgen: Fbgen, ramp: str, scale: 
     [
         (("--set", "start"), "FB9010", "'start' does not say what to set"),
         (("--every", "10"), "FB9010", "'10' is no time"),
-        (("--set", "enable=1@-5ms"), "FB9013", "'1@-5ms' is no value for enable"),
+        (("--set", "enable=1@-5ms"), "FB9010", "'@-5ms' of 'enable=1@-5ms' is neither a cycle nor"),
+        (("--set", "enable=1@soon"), "FB9010", "'@soon' of 'enable=1@soon' is neither a cycle nor"),
+        (("--set", "enable=1@0"), "FB9010", "'@0' of 'enable=1@0' is neither a cycle nor a time"),
         (("--set", "target=T#5s"), "FB9013", "'T#5s' is no value for target"),
         (("--set", "enabel=1"), "FB6020", "there is no variable 'enabel'"),
         (("--watch", "valu"), "FB6020", "there is no variable 'valu'"),

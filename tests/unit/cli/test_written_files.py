@@ -39,7 +39,7 @@ def test_a_place_that_cannot_be_written_is_fb9002(fbgen: Fbgen, tmp_path: Path) 
     run = fbgen("init", str(tmp_path / "file"))
     assert (run.status, run.out) == (1, "")
     assert run.err.startswith("error[FB9002]: ")
-    assert "cannot be written" in run.err
+    assert "cannot be written: a file stands where a folder is meant\n" in run.err
 
 
 def test_a_failed_write_leaves_nothing_behind(
