@@ -93,7 +93,8 @@ def check(
         Switch | None,
         typer.Option(
             "--iec-check",
-            help="The setting of TIA Portal; by default on, and off for S7-300/400 and step7.",
+            help="The setting of TIA Portal. By default off for S7-300/400 and step7, on for"
+            " S7-1200/1500; without --cpu what needs it off is a warning.",
         ),
     ] = None,
     lowest: Annotated[

@@ -95,16 +95,17 @@ def _check(program: ProgramFiles, settings: Settings, progress: Progress) -> lis
         else:
             trees.append(document.file)
             found += document.findings
-    if not settings.syntax_only and not any(one.severity is Severity.ERROR for one in found):
+    unread = {one.span.source.name for one in found if one.severity is Severity.ERROR and one.span}
+    if not settings.syntax_only and any(tree.source.name not in unread for tree in trees):
         progress.step("names and types")
         rules = _rules(program.dialect, settings)
         tables = global_file(program.dialect, settings.constants, settings.tags)
         _, more = check_reporting(
             [*trees, tables], program.dialect, rules=rules, db_numbers=settings.db_numbers
         )
-        found += more
         if settings.cpu is not None:
-            found += missing_on(settings.cpu, trees)
+            more += tuple(missing_on(settings.cpu, trees))
+        found += [one for one in more if one.span is None or one.span.source.name not in unread]
     return _in_order(found, program.paths)
 
 
@@ -113,9 +114,10 @@ def _rules(dialect: str, settings: Settings) -> Rules:
     rules = rules_for(dialect)
     if settings.cpu is not None:
         classic = settings.cpu.is_classic
-        rules = replace(rules, iec_check=not classic, bool_is_bits=classic)
+        rules = replace(rules, iec_check=not classic, iec_check_open=False, bool_is_bits=classic)
+        rules = replace(rules, narrows_unchecked=not classic)
     if settings.iec_check is not None:
-        rules = replace(rules, iec_check=settings.iec_check)
+        rules = replace(rules, iec_check=settings.iec_check, iec_check_open=False)
     return rules
 
 

@@ -25,7 +25,7 @@ def counts_its_calls(block: StandardBlock) -> bool:
 
 
 def resets(call: InstanceCall) -> bool:
-    """True for a call that only puts the block back: it may be followed by another one."""
+    """True for a call that only puts the block back: another one may come before or after it."""
     for variable, value in call.inputs:
         if isinstance(value, Constant) and (
             (variable.name.upper() in _STARTS and value.value is False)
@@ -59,7 +59,7 @@ class InstanceTracker:
                 node.span,
                 "call it once outside of the loop, or use an array of instances",
             )
-        elif flow.may & bit:
+        elif flow.may & bit and not resets(node):
             self._report.warning(
                 "FB4221",
                 f"'{node.instance.span.text}' is called a second time in the same cycle",

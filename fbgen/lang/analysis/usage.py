@@ -64,6 +64,7 @@ def _parameter(flow: Flow, ctx: "Context", entry: Variable) -> None:
         entry.kind is VariableKind.OUTPUT
         and entry.initial is None
         and entry not in flow.facts.written
+        and not any(written.overlay is entry for written in flow.facts.written)
     ):
         flow.report.warning(
             "FB4202",

@@ -12,7 +12,12 @@ from fbgen.lang.checked import (
     VariableRef,
 )
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.conversions import changes_sign, conversion_between, is_implicit
+from fbgen.lang.checker.conversions import (
+    changes_sign,
+    conversion_between,
+    is_implicit,
+    is_likely_unchecked,
+)
 from fbgen.lang.checker.folding import fold_conversion
 from fbgen.lang.checker.literals import (
     ERRONEOUS,
@@ -41,6 +46,7 @@ from fbgen.lang.types import (
     Type,
     counting_type,
 )
+from fbgen.source import Span
 
 
 def spelled(kind: Type) -> str:
@@ -94,6 +100,9 @@ def coerce(ctx: Context, expression: Expression, target: Type, where: str) -> Ex
         return expression
     if is_implicit(source, target, ctx.rules):
         return converted(expression, target)
+    if ctx.rules.iec_check_open and is_likely_unchecked(source, target, ctx.rules):
+        warn_unchecked(ctx, expression.span, source, target)
+        return converted(expression, target)
     if changes_sign(source, target, ctx.rules):
         _warn_of_change(ctx, expression, target, where)
         return converted(expression, target)
@@ -104,6 +113,17 @@ def coerce(ctx: Context, expression: Expression, target: Type, where: str) -> Ex
         return limited
     _refuse(ctx, expression, target, where)
     return erroneous(expression.span)
+
+
+def warn_unchecked(ctx: Context, span: Span, source: Type, target: Type) -> None:
+    """Report once for a block that it needs TIA Portal's IEC check to be off."""
+    name = ctx.block.name if ctx.block is not None else "this"
+    ctx.findings.repeated_warning(
+        "FB4112",
+        f"{name} needs the IEC check to be off",
+        span,
+        f"write {conversion_between(source, target)}(...); or say --iec-check off, if it is off",
+    )
 
 
 def _warn_of_change(ctx: Context, expression: Expression, target: Type, where: str) -> None:

@@ -6,7 +6,7 @@ Sources as for `standard_functions`.
 from fbgen.lang.checked import Constant, Expression
 from fbgen.lang.checker.coercion import as_typed
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.conversions import common_type, is_implicit
+from fbgen.lang.checker.conversions import common_type, widens
 from fbgen.lang.checker.function_signatures import FAMILIES, WITH_TEXT, Common, Function
 from fbgen.lang.checker.literals import fitted, is_untyped, settled_bits
 from fbgen.lang.types import (
@@ -91,7 +91,7 @@ def _within(ctx: Context, function: Function, kind: Type) -> Type | None:
         return kind if common is Common.ANY else None
     if common is Common.TEXT:
         text = StringType(wide=kind.bits == 16)
-        return text if is_implicit(kind, text, ctx.rules) else None
+        return text if widens(kind, text, ctx.rules) else None
     if common is Common.DAYS:
         return kind if kind in (DATE, DATE_AND_TIME, LDT) else None
     if kind.family in FAMILIES[common] and not (common is Common.SWAPPED and kind.bits < 16):
@@ -99,5 +99,5 @@ def _within(ctx: Context, function: Function, kind: Type) -> Type | None:
     if common is Common.SHIFTED and kind.is_integer and ctx.rules.shifts_integers:
         return kind
     if common is Common.FLOATING:
-        return next((real for real in (REAL, LREAL) if is_implicit(kind, real, ctx.rules)), None)
+        return next((real for real in (REAL, LREAL) if widens(kind, real, ctx.rules)), None)
     return None

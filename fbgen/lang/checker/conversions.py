@@ -18,21 +18,22 @@ What a `Convert` does, for each pair of families (both engines follow this table
 * CHAR and WCHAR to a number: the code; back: the character. CHAR to STRING: that one character.
   STRING to a shorter STRING: cut; WSTRING to STRING: characters above 255 become `?`.
 
-By itself a value widens within its family, never narrows. BOOL converts by itself in `step7` only:
-IEC 61131-3 would let it become a bit string, TIA Portal does not, and text that means to be
-portable should not depend on it. DINT becomes REAL by itself on S7 although REAL holds only
-24 bits. Without the IEC check, bit strings and integers mix as long as nothing gets narrower, and
-a bit string becomes a time, date or character of the same width. In `twincat` a bit string is an
-unsigned integer in all this, and the sign may change with a warning.
+By itself a value widens within its family. BOOL converts by itself in `step7` only: IEC 61131-3
+would let it become a bit string, TIA Portal does not, and text that means to be portable should
+not depend on it. DINT becomes REAL by itself on S7 although REAL holds only 24 bits. Without the
+IEC check, bit strings and integers mix as long as nothing gets narrower, and a bit string becomes
+a time, date or character of the same width; an assignment on S7-1200/1500 narrows, too, and rounds
+REAL to whole numbers. In `twincat` a bit string is an unsigned integer in all this, and the sign
+may change with a warning.
 
 Sources: IEC 61131-3 third edition, section 6.6.2.5.2 and figures 11 and 12; TIA Portal help,
-"Explicit data type conversion" and "Setting and canceling the IEC check"; the rules of the other
-dialects: see `rules`; ties to even: conformance rule of the project for all dialects.
+"Implicit conversion of BYTE" to "of WSTRING", "Activate or deactivate IEC check"; the rules of
+the other dialects: see `rules`; ties to even: conformance rule of the project for all dialects.
 """
 
 from functools import cache
 
-from fbgen.lang.checker.rules import Rules
+from fbgen.lang.checker.rules import Rules, without_iec_check
 from fbgen.lang.types import (
     ALIASES,
     BOOL,
@@ -94,6 +95,17 @@ _ASCENDING = (*_INTEGERS, REAL, LREAL, *_BITS, TIME, LTIME)
 _COUNTS = (Family.SIGNED, Family.UNSIGNED, Family.BITS)
 _SAME_WIDTH = (CHAR, DATE, TIME, TIME_OF_DAY)
 """What a bit string of the same width becomes without the IEC check."""
+_COUNTED = (DATE, TIME, TIME_OF_DAY, LTIME, LTIME_OF_DAY, LDT)
+"""What becomes a whole number of the same width, and back, without the IEC check."""
+_SHORTENED = (
+    (LREAL, REAL),
+    (LTIME, TIME),
+    (LTIME_OF_DAY, TIME_OF_DAY),
+    (LDT, DATE_AND_TIME),
+    (DTL, DATE_AND_TIME),
+)
+_STAMPS = ((DATE_AND_TIME, DTL), (LDT, DTL), (DTL, LDT))
+"""What TIA Portal converts always."""
 UNSIGNED_OF = {BYTE: USINT, WORD: UINT, DWORD: UDINT, LWORD: ULINT}
 """The integer that a bit string acts as in a calculation."""
 SIGNED_OF = {USINT: SINT, UINT: INT, UDINT: DINT, ULINT: LINT}
@@ -148,7 +160,51 @@ def changes_sign(source: Type, target: Type, rules: Rules) -> bool:
 
 
 def is_implicit(source: Type, target: Type, rules: Rules) -> bool:
-    """True if a value of `source` becomes `target` without anybody writing it."""
+    """True if a value of `source` becomes `target` in an assignment without anybody writing it."""
+    if widens(source, target, rules) or (rules.dialect == "tia" and (source, target) in _STAMPS):
+        return True
+    return not rules.iec_check and rules.narrows_unchecked and _is_unchecked(source, target)
+
+
+def _is_unchecked(source: Type, target: Type) -> bool:
+    """What TIA Portal converts without the IEC check only, losing digits where they do not fit.
+
+    DWORD to REAL and LWORD to LREAL are left out: the help contradicts itself on their value.
+    """
+    if (source, target) in _SHORTENED:
+        return True
+    if not isinstance(source, Elementary) or not isinstance(target, Elementary):
+        return False
+    if isinstance(source, Enumeration | Subrange) or isinstance(target, Enumeration | Subrange):
+        return False
+    if source.family in _COUNTS:
+        return (
+            target.family in (*_COUNTS, Family.CHAR)
+            or (target.family is Family.REAL and source.is_integer)
+            or (target in _COUNTED and source.bits == target.bits)
+            or (source, target) == (WORD, S5TIME)
+        )
+    if target.family in _COUNTS:
+        counted = source in _COUNTED and source.bits == target.bits
+        copied = (source, target) in ((REAL, DWORD), (LREAL, LWORD), (S5TIME, WORD))
+        rounded = source.family is Family.REAL and target.is_integer
+        return counted or copied or rounded or source.family is Family.CHAR
+    return False
+
+
+def is_likely_unchecked(source: Type, target: Type, rules: Rules) -> bool:
+    """True if the text most likely relies on the IEC check being off.
+
+    REAL to a whole number is left out: nobody rounds without saying so.
+    """
+    rounds = isinstance(source, Elementary) and source.family is Family.REAL
+    if rounds and isinstance(target, Elementary) and target.is_integer:
+        return False
+    return is_implicit(source, target, without_iec_check(rules))
+
+
+def widens(source: Type, target: Type, rules: Rules) -> bool:
+    """True if a value of `source` becomes `target` by itself, also in a calculation."""
     if isinstance(source, Elementary) and isinstance(target, Elementary):
         return source == target or _implicit(source, target, rules)
     if isinstance(target, StringType):
@@ -162,9 +218,9 @@ def common_type(left: Type, right: Type, rules: Rules) -> Type | None:
     """The smallest type that both become by themselves; None if there is none."""
     if left != right:
         left, right = _limitless(left), _limitless(right)
-    if left == right or is_implicit(right, left, rules):
+    if left == right or widens(right, left, rules):
         return left
-    if is_implicit(left, right, rules):
+    if widens(left, right, rules):
         return right
     if isinstance(left, Elementary) and isinstance(right, Elementary):
         for kind in _ASCENDING:

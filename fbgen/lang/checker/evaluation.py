@@ -47,6 +47,9 @@ def check_itself(ctx: Context, node: ast.Expression, expected: Type | None = Non
     try:
         if ctx.too_deep(node.span):
             return erroneous(node.span)
-        return _CHECKS[type(node)](ctx, node, expected)
+        found = _CHECKS[type(node)](ctx, node, expected)
+        if found.type is ERRONEOUS:
+            ctx.findings.unclear.append(node.span)
+        return found
     finally:
         ctx.depth -= 1

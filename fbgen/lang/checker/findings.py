@@ -1,19 +1,24 @@
 """The errors and warnings of one check, in the order of the text."""
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
 
 from fbgen.diagnostics import Diagnostic, Note, Severity
 from fbgen.source import Span
 
-_MOST_MENTIONS = 20
-"""How many places of one unknown name are shown."""
+_SHOWN = 2
+"""How many more places of one unknown name are shown; of the others there is the line."""
+_LISTED = 12
 
 
 class Findings:
-    """Collects findings; the same finding at the same place is kept once."""
+    """Collects findings; the same finding at the same place is kept once.
+
+    `unclear` are the expressions without a type, because of an error there or in a declaration.
+    """
 
     def __init__(self) -> None:
+        self.unclear: list[Span] = []
         self._found: dict[tuple[str, Span | None, str], Diagnostic] = {}
         self._more: dict[tuple[str, str], list[Span]] = {}
         self.has_errors = False
@@ -38,22 +43,28 @@ class Findings:
         `help_text` looks for names that are near, so it is asked for the first mention only.
         """
         self.has_errors = True
-        places = self._more.setdefault((code, message), [])
-        if not places:
+        self.unclear.append(span)
+        if self._mentioned_first(code, message, span):
             self.error(code, message, span, help_text())
+
+    def repeated_warning(self, code: str, message: str, span: Span, help_text: str) -> None:
+        """A warning that many places have in common: one, however many there are."""
+        if self._mentioned_first(code, message, span):
+            self.warning(code, message, span, help_text)
+
+    def _mentioned_first(self, code: str, message: str, span: Span) -> bool:
+        places = self._more.setdefault((code, message), [])
         if span not in places[-1:]:
             places.append(span)
+        return places == [span]
 
     def error_places(self) -> list[Span]:
-        """Where errors are, each mention of an unknown name included."""
-        places = [
+        """Where errors are, and what has no meaning because of them."""
+        return self.unclear + [
             one.span
             for one in self._found.values()
             if one.severity is Severity.ERROR and one.span is not None
         ]
-        for mentions in self._more.values():
-            places += mentions[1:]
-        return places
 
     def warning(self, code: str, message: str, span: Span | None, help_text: str = "") -> None:
         """Something that works and is likely a mistake."""
@@ -91,7 +102,16 @@ class Findings:
         others = self._more.get((diagnostic.code, diagnostic.message), [])[1:]
         if not others:
             return diagnostic
-        notes = [Note("and here", span) for span in others[:_MOST_MENTIONS]]
-        if len(others) > _MOST_MENTIONS:
-            notes.append(Note(f"and in {len(others) - _MOST_MENTIONS} more places"))
+        notes = [Note("and here", span) for span in others[:_SHOWN]]
+        if len(others) > _SHOWN:
+            notes.append(Note(_further(others[_SHOWN:])))
         return replace(diagnostic, notes=(*diagnostic.notes, *notes))
+
+
+def _further(places: Sequence[Span]) -> str:
+    lines = [f"{one.source.name}:{one.line}" for one in places[:_LISTED]]
+    if all(one.source is places[0].source for one in places):
+        lines = [str(one.line) for one in places[:_LISTED]]
+    listed = ", ".join(dict.fromkeys(lines)) + (", ..." if len(places) > _LISTED else "")
+    plural = "s" if len(places) > 1 else ""
+    return f"and in {len(places)} more place{plural}, line{plural} {listed}"

@@ -14,6 +14,7 @@ from fbgen.lang.checker.coercion import (
     as_typed,
     converted,
     spelled,
+    warn_unchecked,
     without_limits,
 )
 from fbgen.lang.checker.context import Context
@@ -32,6 +33,7 @@ from fbgen.lang.checker.literals import (
 )
 from fbgen.lang.checker.operator_help import operator_help
 from fbgen.lang.checker.reference_comparison import compare
+from fbgen.lang.checker.rules import without_iec_check
 from fbgen.lang.checker.stamps import as_stamp, is_stamp
 from fbgen.lang.checker.standard_functions import DATE_ARITHMETIC
 from fbgen.lang.checker.variants import compares_types, type_comparison
@@ -152,6 +154,10 @@ def unify(
         adapted = _adapt(ctx, right, left)
         return None if adapted is None else (adapted[1], adapted[0])
     kind = common_type(left.type, right.type, ctx.rules)
+    if kind is None and ctx.rules.iec_check_open:
+        kind = common_type(left.type, right.type, without_iec_check(ctx.rules))
+        if kind is not None:
+            warn_unchecked(ctx, left.span, left.type, kind)
     if kind is None:
         return None
     if isinstance(kind, StringType):

@@ -22,6 +22,7 @@ from fbgen.lang.checker.characters import character, has_characters
 from fbgen.lang.checker.coercion import as_counted, as_typed, converted, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import UNSIGNED_OF
+from fbgen.lang.checker.elsewhere import value_help
 from fbgen.lang.checker.enumerations import (
     bare_enumerator,
     enumeration_named,
@@ -49,11 +50,10 @@ from fbgen.lang.types import (
     Subrange,
     Type,
 )
-from fbgen.nearest import near_names, nearest
+from fbgen.nearest import nearest
 from fbgen.source import Span
 
 _SIZES = {"X": BOOL, "B": BYTE, "W": WORD, "D": DWORD, "L": LWORD}
-_OUTSIDE = "--tags FILE or --constant NAME=VALUE"
 _PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)
 
 
@@ -153,11 +153,11 @@ def _unknown_name(ctx: Context, node: ast.Name) -> None:
 
 
 def _near_names(ctx: Context, node: ast.Name) -> str:
+    if node.quoted and not node.local:
+        return value_help(node.name, ctx.library.globals.names())
     known = ctx.scope.names()
     if not node.local:
         known += ctx.library.globals.names()
-    if node.quoted and not node.local and not near_names(node.name, known):
-        return f"a constant or PLC tag is in no source: give it with {_OUTSIDE}"
     return nearest(node.name, known)
 
 
@@ -171,7 +171,7 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
     base = check_expression(ctx, node.base)
     kind = base.type
     if kind == ERRONEOUS:
-        return base
+        return erroneous(node.span)
     if isinstance(kind, StructType):
         field = kind.field(node.name)
         if field is not None and is_place(base):

@@ -6,7 +6,8 @@ for BOOL on S7-300/400 the conversion functions of class A in the manual "S7-SCL
 "Type conversion operators" and "Compiler errors" C0195 to C0197.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cache
 
 from fbgen.diagnostics import error
 
@@ -15,7 +16,9 @@ from fbgen.diagnostics import error
 class Rules:
     """One dialect's rules for the checker.
 
-    `iec_check`: bit strings and integers do not mix implicitly. `bit_string_arithmetic`: a bit
+    `iec_check`: bit strings and integers do not mix implicitly. `iec_check_open`: the text does not
+    tell the setting, so what only the IEC check refuses is a warning. `narrows_unchecked`: without
+    the IEC check a value becomes one of a narrower type too. `bit_string_arithmetic`: a bit
     string counts as the unsigned integer of its width. `inputs_writable`: a block may change its
     own inputs. `statics_visible`: the static variables of an instance can be read from outside.
     `inputs_complete`: a call of a FUNCTION gives every input. `quoted_blocks`: an unquoted name in
@@ -33,6 +36,8 @@ class Rules:
 
     dialect: str
     iec_check: bool
+    iec_check_open: bool
+    narrows_unchecked: bool
     bit_string_arithmetic: bool
     inputs_writable: bool
     statics_visible: bool
@@ -53,6 +58,8 @@ class Rules:
 _TIA = Rules(
     dialect="tia",
     iec_check=True,
+    iec_check_open=True,
+    narrows_unchecked=True,
     bit_string_arithmetic=True,
     inputs_writable=True,
     statics_visible=True,
@@ -72,6 +79,8 @@ _TIA = Rules(
 _STEP7 = Rules(
     dialect="step7",
     iec_check=False,
+    iec_check_open=False,
+    narrows_unchecked=False,
     bit_string_arithmetic=True,
     inputs_writable=True,
     statics_visible=True,
@@ -91,6 +100,8 @@ _STEP7 = Rules(
 _IEC = Rules(
     dialect="iec",
     iec_check=True,
+    iec_check_open=False,
+    narrows_unchecked=False,
     bit_string_arithmetic=False,
     inputs_writable=False,
     statics_visible=False,
@@ -110,6 +121,8 @@ _IEC = Rules(
 _TWINCAT = Rules(
     dialect="twincat",
     iec_check=True,
+    iec_check_open=False,
+    narrows_unchecked=False,
     bit_string_arithmetic=True,
     inputs_writable=True,
     statics_visible=True,
@@ -129,6 +142,12 @@ _TWINCAT = Rules(
 
 RULES = {rules.dialect: rules for rules in (_TIA, _STEP7, _IEC, _TWINCAT)}
 """By the name of the dialect."""
+
+
+@cache
+def without_iec_check(rules: Rules) -> Rules:
+    """The same rules with the IEC check off."""
+    return replace(rules, iec_check=False, iec_check_open=False)
 
 
 def rules_for(dialect: str) -> Rules:

@@ -9,6 +9,7 @@ from fbgen.lang import ast
 from fbgen.lang.checked import Expression
 from fbgen.lang.checker.constants import whole_number
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.elsewhere import type_help
 from fbgen.lang.checker.enumerations import enumeration, subrange, typed_enumerator
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.references import reference_type
@@ -248,14 +249,10 @@ class TypeResolver:
                 "only a FUNCTION_BLOCK is a type; call a FUNCTION by its name",
             )
             return Resolved(ERRONEOUS)
-        findings.unknown(
-            "FB4003",
-            f"there is no type '{name}'",
-            span,
-            lambda: nearest(
-                name, [*self.names(), *self._library.type_names(), *ELEMENTARY, "STRING"]
-            ),
-        )
+        known = [*self.names(), *self._library.type_names(), *ELEMENTARY, "STRING"]
+        advise = type_help if on_s7 else nearest
+        message = f"there is no type '{name}'"
+        findings.unknown("FB4003", message, span, lambda: advise(name, known))
         return Resolved(ERRONEOUS)
 
     def all_user_types(self) -> None:

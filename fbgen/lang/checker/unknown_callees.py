@@ -2,12 +2,12 @@
 
 from fbgen.lang import ast
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.elsewhere import block_help
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.routines import MODELLED
 from fbgen.lang.checker.standard_blocks import standard_block
 from fbgen.lang.checker.standard_functions import OPERATORS_BY_NAME, STANDARD_FUNCTIONS
 from fbgen.lang.checker.system_instructions import INSTRUCTIONS
-from fbgen.nearest import did_you_mean
 
 _NOT_RUN = ("__NEW", "__DELETE", "__QUERYINTERFACE", "__QUERYPOINTER")
 """Operators of CODESYS and TwinCAT for memory and interfaces that are made while running."""
@@ -18,9 +18,6 @@ _NOT_MODELLED = (
     *("GETSYMBOLFORREFERENCE", "GETINSTANCENAME", "GETINSTANCEPATH", "GETBLOCKNAME"),
 )
 """Instructions of TIA for the numbers and names of what a program is made of."""
-
-
-_ELSEWHERE = "name the file that has it as well: all files of a command are one program"
 
 
 def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
@@ -41,7 +38,7 @@ def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
         "FB4004",
         f"there is no function or block '{name}'",
         node.callee.span,
-        lambda: did_you_mean(name, _callable_names(ctx)) or _ELSEWHERE,
+        lambda: block_help(name, _callable_names(ctx)),
     )
     check_arguments_alone(ctx, node)
 

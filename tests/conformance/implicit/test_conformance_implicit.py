@@ -1,9 +1,10 @@
 """Which type becomes which other by itself, as a table for each dialect and IEC check.
 
-Sources: IEC 61131-3 third edition, figures 11 and 12; TIA Portal help, "Setting and canceling the
-IEC check", "Overview of data type conversion" and "Expressions"; manual "S7-SCL", conversion
-functions of class A (BOOL); TwinCAT 3 help, "Type conversion operators", C0195 to C0197. What a
-table leaves out has to be written.
+Sources: IEC 61131-3 third edition, figures 11 and 12; TIA Portal help, "Implicit conversion of
+BYTE" and the pages of the other types (S7-1500; DWORD to REAL is left out because the help
+contradicts itself), "Overview of data type conversion" and "Expressions"; manual "S7-SCL",
+conversion functions of class A (BOOL); TwinCAT 3 help, "Type conversion operators", C0195 to
+C0197. What a table leaves out has to be written.
 """
 
 from dataclasses import replace
@@ -33,29 +34,44 @@ _WIDER = {
     "DWORD": "LWORD",
 }
 _S7 = {**_WIDER, "DINT": "LINT REAL LREAL", "UDINT": "ULINT LINT REAL LREAL"}
+_COUNTS = "BYTE WORD DWORD LWORD SINT USINT INT UINT DINT UDINT LINT ULINT"
+_NUMBERS = "SINT USINT INT UINT DINT UDINT LINT ULINT"
+
+
+def _besides(kind: str, *more: str) -> str:
+    """The whole numbers and bit strings besides itself, and more."""
+    return " ".join([*(one for one in _COUNTS.split() if one != kind), *more])
+
+
 _UNCHECKED = {
-    "BYTE": "WORD DWORD LWORD SINT USINT INT UINT DINT UDINT LINT ULINT CHAR",
-    "WORD": "DWORD LWORD INT UINT DINT UDINT LINT ULINT DATE",
-    "DWORD": "LWORD DINT UDINT LINT ULINT TIME TOD",
-    "LWORD": "LINT ULINT",
-    "SINT": _S7["SINT"] + " BYTE WORD DWORD LWORD",
-    "USINT": _S7["USINT"] + " BYTE WORD DWORD LWORD",
-    "INT": _S7["INT"] + " WORD DWORD LWORD",
-    "UINT": _S7["UINT"] + " WORD DWORD LWORD",
-    "DINT": _S7["DINT"] + " DWORD LWORD",
-    "UDINT": _S7["UDINT"] + " DWORD LWORD",
-    "LINT": "LWORD",
-    "ULINT": "LWORD",
-    "REAL": "LREAL",
+    "BYTE": _besides("BYTE", "CHAR WCHAR"),
+    "WORD": _besides("WORD", "CHAR WCHAR DATE"),
+    "DWORD": _besides("DWORD", "CHAR WCHAR TIME TOD"),
+    "LWORD": _besides("LWORD", "CHAR WCHAR"),
+    "SINT": _besides("SINT", "CHAR WCHAR REAL LREAL"),
+    "USINT": _besides("USINT", "CHAR WCHAR REAL LREAL"),
+    "INT": _besides("INT", "CHAR WCHAR REAL LREAL DATE"),
+    "UINT": _besides("UINT", "CHAR WCHAR REAL LREAL DATE"),
+    "DINT": _besides("DINT", "CHAR WCHAR REAL LREAL TIME TOD"),
+    "UDINT": _besides("UDINT", "CHAR WCHAR REAL LREAL TIME TOD"),
+    "LINT": _besides("LINT", "CHAR WCHAR REAL LREAL"),
+    "ULINT": _besides("ULINT", "CHAR WCHAR REAL LREAL"),
+    "REAL": f"{_NUMBERS} DWORD LREAL",
+    "LREAL": f"{_NUMBERS} LWORD REAL",
+    "TIME": "DWORD DINT UDINT",
+    "TOD": "DWORD DINT UDINT",
+    "DATE": "WORD INT UINT",
+    "CHAR": _COUNTS,
+    "WCHAR": _COUNTS,
 }
-_STEP7 = {
-    "BOOL": "BYTE WORD DWORD",
+_CLASSIC_UNCHECKED = {
     "BYTE": "WORD DWORD INT DINT CHAR",
     "WORD": "DWORD INT DINT DATE",
     "DWORD": "DINT TIME TOD",
     "INT": "DINT REAL WORD DWORD",
     "DINT": "REAL DWORD",
 }
+_STEP7 = {**_CLASSIC_UNCHECKED, "BOOL": "BYTE WORD DWORD"}
 _TWINCAT = {
     "BYTE": "USINT WORD DWORD LWORD UINT UDINT ULINT INT DINT LINT REAL LREAL",
     "USINT": "BYTE WORD DWORD LWORD UINT UDINT ULINT INT DINT LINT REAL LREAL",
@@ -85,10 +101,13 @@ _TWINCAT_WARNED = {
     "ULINT": "LINT",
     "LREAL": "REAL",
 }
+_ON = replace(RULES["tia"], iec_check_open=False)
 _OFF = replace(RULES["tia"], iec_check=False)
+_OFF_ON_300 = replace(_OFF, narrows_unchecked=False)
 _TABLES = {
-    "tia": (RULES["tia"], _ALL, _S7, {}),
+    "tia with IEC check": (_ON, _ALL, _S7, {}),
     "tia without IEC check": (_OFF, _ALL, _UNCHECKED, {}),
+    "tia without IEC check, S7-300": (_OFF_ON_300, _CLASSIC, _CLASSIC_UNCHECKED, {}),
     "step7": (RULES["step7"], _CLASSIC, _STEP7, {}),
     "iec": (RULES["iec"], _ALL, _WIDER, {}),
     "twincat": (RULES["twincat"], _ALL, _TWINCAT, _TWINCAT_WARNED),
@@ -119,6 +138,40 @@ def _judged(rules: Rules, kinds: tuple[str, ...]) -> tuple[set[tuple[str, str]],
 def test_what_converts_by_itself(name: str) -> None:
     rules, kinds, silent, warned = _TABLES[name]
     assert _judged(rules, kinds) == (_pairs(silent), _pairs(warned))
+
+
+def test_a_source_does_not_tell_the_iec_check_so_a_block_is_warned_of_once() -> None:
+    text = (
+        'FUNCTION_BLOCK "Many"\nVAR w : WORD; n : INT; x : LREAL; r : REAL; END_VAR\nBEGIN\n'
+        "#n := #w;\n#r := #x;\n#w := #n;\nIF #n = #w THEN #n := 0; END_IF;\nEND_FUNCTION_BLOCK\n"
+    )
+    _, found = check_reporting([parse(Source("x", text), "tia")])
+    assert [one.code for one in found if one.code < "FB42"] == ["FB4112"]
+    (warned,) = [one for one in found if one.code == "FB4112"]
+    assert warned.span is not None
+    assert warned.span.line == 4
+    assert len(warned.notes) == 3
+
+
+@pytest.mark.parametrize(
+    ("target", "source", "value", "expected"),
+    [
+        ("BYTE", "DWORD", 0x1234_56FE, 0xFE),
+        ("INT", "UINT", 65_535, -1),
+        ("SINT", "INT", 300, 44),
+        ("REAL", "LREAL", 0.1, 0.10000000149011612),
+        ("DWORD", "REAL", 1.0, 0x3F80_0000),
+        ("DINT", "TIME", 1500, 1500),
+        ("CHAR", "INT", 66, "B"),
+    ],
+)
+def test_without_the_iec_check_a_value_is_cut_or_rounded(
+    engine_name: str, target: str, source: str, value: float, expected: object
+) -> None:
+    declared = f'FUNCTION "F" : {target}\nVAR_INPUT v : {source}; END_VAR\n'
+    source_text = Source("f.scl", f"{declared}BEGIN\n#F := #v;\nEND_FUNCTION\n")
+    program = load_program([source_text], engine=engine_name)
+    assert program.call("F", v=value) == expected
 
 
 @pytest.mark.parametrize(

@@ -177,8 +177,9 @@ def test_findings_are_shown_from_a_severity_on(
 @pytest.mark.parametrize(
     ("arguments", "status"),
     [
-        ((), 1),
-        (("--iec-check", "off"), 0),
+        ((), 0),
+        (("--strict",), 1),
+        (("--iec-check", "off", "--strict"), 0),
         (("--iec-check", "on"), 1),
         (("--cpu", "s7-300"), 0),
         (("--cpu", "s7-1500"), 1),

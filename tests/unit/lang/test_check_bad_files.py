@@ -79,6 +79,7 @@ def _dialect_of(path: Path) -> str:
         ("FB4084_enable_inside.scl", 10, 20),
         ("FB4110_number_for_enumerator.twincat", 6, 10),
         ("FB4111_sign.twincat", 4, 8),
+        ("FB4112_unchecked.scl", 6, 13),
         ("FB4092_not_a_reference.scl", 6, 3),
         ("FB4093_reference_to_temporary.scl", 5, 17),
         ("FB4094_no_type.scl", 3, 31),

@@ -32,14 +32,16 @@ def codes(text: str, dialect: str, rules: str) -> list[str]:
 def test_byte_and_int_mix_without_the_iec_check() -> None:
     text = in_block("x : INT; b : BYTE;", "#x := #b;\n#b := BYTE#16#1;")
     assert codes(text, "tia", "step7") == []
-    assert codes(text, "tia", "tia") == ["FB4011"]
+    assert codes(text, "tia", "tia") == ["FB4112"]
 
 
 def test_settings_of_a_project_replace_those_of_the_dialect() -> None:
     text = in_block("x : INT; b : BYTE;", "#x := #b;")
     file = parse(Source("test", text), "tia")
-    program, _ = check_reporting([file], rules=replace(RULES["tia"], iec_check=False))
-    assert program is not None
+    off = replace(RULES["tia"], iec_check=False)
+    on = replace(RULES["tia"], iec_check_open=False)
+    assert "FB4011" not in [one.code for one in check_reporting([file], rules=off)[1]]
+    assert "FB4011" in [one.code for one in check_reporting([file], rules=on)[1]]
 
 
 def test_own_input_may_be_changed_in_tia_with_a_warning() -> None:
