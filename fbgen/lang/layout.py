@@ -21,14 +21,15 @@ from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.types import (
     DATE,
     DATE_AND_TIME,
-    AnyType,
     ArrayType,
     BlockType,
     Elementary,
     Field,
+    ReferenceType,
     StringType,
     StructType,
     Type,
+    is_area_pointer,
 )
 from fbgen.source import Span
 
@@ -63,8 +64,8 @@ class Sizes:
         if isinstance(kind, StructType):
             ends = [bit + self.size_bits(field.type) for field, bit in self.placed(kind)]
             return _up(max(ends, default=0), self.alignment(kind))
-        if isinstance(kind, AnyType) and kind.name in _POINTER_BITS:
-            return _POINTER_BITS[kind.name]
+        if isinstance(kind, ReferenceType) and kind.keyword in _POINTER_BITS:
+            return _POINTER_BITS[kind.keyword]
         raise no_layout(None, kind)
 
     def used_bits(self, kind: Type) -> int:
@@ -143,12 +144,12 @@ def sizes_of(dialect: str) -> Sizes:
 
 
 def holds_values(kind: Type) -> bool:
-    """True for types without references, which have no address here."""
+    """True for types without references that lie in no memory: ANY and POINTER do."""
     if isinstance(kind, ArrayType):
         return holds_values(kind.element)
     if isinstance(kind, StructType):
         return all(holds_values(field.type) for field in kind.fields)
-    return isinstance(kind, Elementary | StringType | BlockType)
+    return isinstance(kind, Elementary | StringType | BlockType) or is_area_pointer(kind)
 
 
 def holds_blocks(kind: Type) -> bool:

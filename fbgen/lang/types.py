@@ -341,10 +341,24 @@ class AnyType:
 
 VARIANT = AnyType("VARIANT")
 ANY = AnyType("ANY")
-POINTER = AnyType("POINTER")
 
 VARIANT_VALUE = ReferenceType("VARIANT", "", lambda: VOID)
 """VARIANT in a block of the user: it refers to a variable of a type that the program asks for."""
+
+ANY_VALUE = ReferenceType("ANY", "", lambda: VOID)
+POINTER_VALUE = ReferenceType("POINTER", "", lambda: VOID)
+"""ANY and POINTER in a block of the user: where an overlay shows them they are 10 and 6 bytes."""
+
+
+def refers_to_anything(kind: "Type") -> bool:
+    """True for VARIANT, ANY and POINTER."""
+    return isinstance(kind, ReferenceType) and kind.keyword in ("VARIANT", "ANY", "POINTER")
+
+
+def is_area_pointer(kind: "Type") -> bool:
+    """True for ANY and POINTER, which can lie in memory as bytes."""
+    return isinstance(kind, ReferenceType) and kind.keyword in ("ANY", "POINTER")
+
 
 Type: TypeAlias = (
     Elementary

@@ -11,6 +11,7 @@ from fbgen.lang.checked import RoutineCall
 from fbgen.lang.types import VOID, Subrange, Type
 from fbgen.nearest import did_you_mean
 from fbgen.source import Span
+from harness.engine.area_pointers import NULL_ANY
 
 # --- what the program does --------------------------------------------------------------------
 
@@ -241,6 +242,18 @@ def unknown_name(what: str, name: str, known: Sequence[str]) -> DiagnosticError:
     there = f"there is: {', '.join(sorted(known, key=str.casefold)[:12])}" if known else ""
     advice = did_you_mean(name, known) or there
     return error("FB6020", f"there is no {what} '{name}'", None, advice)
+
+
+def no_such_area(span: Span | None, pattern: bytes, reason: str) -> DiagnosticError:
+    """FB6017: the bytes of an ANY or POINTER that is followed do not mean an area."""
+    shown = " ".join(f"{byte:02X}" for byte in pattern)
+    kind = "ANY" if len(pattern) == len(NULL_ANY) else "POINTER"
+    return error(
+        "FB6017",
+        f"the {kind} {shown} means no area: {reason}",
+        span,
+        "write 16#10, type code, count, number of the data block, 16#84000000 + 8 * byte + bit",
+    )
 
 
 def wrong_value(path: str, value: object, kind: Type, reason: str) -> DiagnosticError:

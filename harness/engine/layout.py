@@ -18,6 +18,7 @@ from fbgen.lang.types import (
     ArrayType,
     Elementary,
     Family,
+    ReferenceType,
     Scalar,
     StringType,
     StructType,
@@ -62,7 +63,7 @@ class Layout(Sizes):
         elif isinstance(kind, Elementary) and kind.bits == 1 and self.is_s7:
             mask = 1 << (bit & 7)
             memory[bit >> 3] = memory[bit >> 3] & ~mask | (mask if value else 0)
-        else:
+        elif not isinstance(kind, ReferenceType):  # what it points to is written by the engine
             assert isinstance(value, bool | int | float | str)
             data = self._scalar_bytes(kind, value)
             memory[bit >> 3 : (bit >> 3) + len(data)] = data
@@ -78,6 +79,8 @@ class Layout(Sizes):
             return [
                 self.read(memory, bit + start, kind.element) for start in self.element_bits(kind)
             ]
+        if isinstance(kind, ReferenceType):
+            return any(memory[bit >> 3 : (bit >> 3) + self.size_bytes(kind)])
         if isinstance(kind, Elementary) and kind.bits == 1:
             return bool(memory[bit >> 3] >> (bit & 7) & 1)
         return self._scalar(kind, bytes(memory[bit >> 3 : (bit >> 3) + self.size_bytes(kind)]))

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.lang.checked import Block, Program, Variable, VariableKind
 from fbgen.lang.layout import holds_blocks, holds_values
-from fbgen.lang.types import ArrayType, BlockType, StructType, Type
+from fbgen.lang.types import ArrayType, BlockType, StructType, Type, is_area_pointer
 from harness.engine.interface import Engine, Value
 
 _KEPT = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.STATIC)
@@ -62,7 +62,7 @@ def _parts(program: Program, path: str, kind: Type, is_kept: bool) -> Iterator[s
         elif isinstance(kind, ArrayType):
             for index in _indices(kind.bounds):
                 yield from _parts(program, f"{path}[{index}]", kind.element, is_kept)
-    elif is_kept and holds_values(kind):
+    elif is_kept and holds_values(kind) and not is_area_pointer(kind):
         yield path
 
 

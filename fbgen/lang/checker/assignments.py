@@ -26,14 +26,23 @@ from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enabling import enabled, speaks_of_enable
 from fbgen.lang.checker.evaluation import check_expression
-from fbgen.lang.checker.literals import ERRONEOUS, NULL
+from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.members import Receiver, find_setter, made_call
+from fbgen.lang.checker.memory_instructions import check_pointer_constant, points
 from fbgen.lang.checker.objects import Method
 from fbgen.lang.checker.operators import combine
 from fbgen.lang.checker.references import bind_reference
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.checker.variants import assignment_attempt
-from fbgen.lang.types import BOOL, VARIANT_VALUE, BlockType, OpenArrayType, Type
+from fbgen.lang.types import (
+    BOOL,
+    VARIANT_VALUE,
+    BlockType,
+    OpenArrayType,
+    Type,
+    is_area_pointer,
+    refers_to_anything,
+)
 from fbgen.source import Span
 
 _WHERE = "this assignment"
@@ -82,11 +91,17 @@ def _assignment(ctx: Context, node: ast.Assignment, call: ast.Call | None) -> Se
     while isinstance(rest, ast.Chained):
         links.append(_Link(ctx, rest))
         rest = rest.value
-    value = check_expression(ctx, call or rest, links[-1].type)
+    value = _value(ctx, call or rest, links[-1].type)
     if value.type == ERRONEOUS or any(link.type is None for link in links):
         return ()
     found = _written(ctx, links, value)
     return () if found is None else found
+
+
+def _value(ctx: Context, node: ast.Expression, target: Type | None) -> Expression:
+    if target is not None and is_area_pointer(target) and points(node):
+        return check_pointer_constant(ctx, node, target, _WHERE)
+    return check_expression(ctx, node, target)
 
 
 def _input(setter: Method) -> Variable:
@@ -126,7 +141,7 @@ def _written(ctx: Context, links: Sequence[_Link], value: Expression) -> list[St
         if link.operator in _UNKNOWN:
             _refuse_unknown(ctx, link)
             return None
-        if place.type == VARIANT_VALUE and value.type not in (VARIANT_VALUE, NULL):
+        if place.type == VARIANT_VALUE and not refers_to_anything(value.type):
             ctx.findings.error(
                 "FB4010",
                 f"{_WHERE} takes VARIANT, not {spelled(value.type)}",

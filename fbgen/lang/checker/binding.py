@@ -19,7 +19,7 @@ from fbgen.lang.checker.conversions import fits_place
 from fbgen.lang.checker.enabling import ENABLED
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import default_value
-from fbgen.lang.checker.memory_instructions import check_area_literal, points
+from fbgen.lang.checker.memory_instructions import check_pointer_constant, points
 from fbgen.lang.checker.numbered import numbered
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.checker.unknown_callees import (
@@ -27,11 +27,11 @@ from fbgen.lang.checker.unknown_callees import (
 )
 from fbgen.lang.types import (
     NUMBER_TYPES,
-    VARIANT_VALUE,
     Elementary,
     OpenArrayType,
     StringType,
     Type,
+    refers_to_anything,
 )
 
 _PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)
@@ -109,8 +109,8 @@ def bind_variables(
         elif variable.kind is VariableKind.INPUT:
             if variable.type in NUMBER_TYPES.values():
                 value = numbered(ctx, argument.value, variable.type, where)
-            elif variable.type == VARIANT_VALUE and points(argument.value):
-                value = check_area_literal(ctx, argument.value, where)
+            elif refers_to_anything(variable.type) and points(argument.value):
+                value = check_pointer_constant(ctx, argument.value, variable.type, where)
             else:
                 value = check_expression(ctx, argument.value, variable.type)
             inputs.append((variable, coerce(ctx, value, variable.type, where)))

@@ -61,6 +61,8 @@ from fbgen.lang.checker.variants import (
     variant_function,
 )
 from fbgen.lang.types import (
+    ANY_VALUE,
+    POINTER_VALUE,
     VARIANT_VALUE,
     VOID,
     AnyType,
@@ -68,6 +70,7 @@ from fbgen.lang.types import (
     Elementary,
     ReferenceType,
     Type,
+    refers_to_anything,
 )
 
 _ARROW = ast.ArgumentKind.OUTPUT
@@ -399,18 +402,24 @@ def _area(ctx: Context, node: ast.Expression, written: bool, where: str) -> Expr
         return check_area_literal(ctx, node, where)
     if written:
         target = check_target(ctx, node, where)
-        if target is not None and target.type == VARIANT_VALUE:
-            return Dereference(node.span, target, VARIANT_VALUE)
-        return target or erroneous(node.span)
+        return _area_of(ctx, target, where) if target is not None else erroneous(node.span)
     expression = check_expression(ctx, node)
-    if expression.type == VARIANT_VALUE and isinstance(expression, Place):
-        return Dereference(node.span, expression, VARIANT_VALUE)
-    if expression.type != ERRONEOUS and not is_place(expression):
+    if isinstance(expression, Place):
+        return _area_of(ctx, expression, where)
+    if expression.type != ERRONEOUS:
         ctx.findings.error(
             "FB4022",
             f"{where} takes a variable, not a value",
             node.span,
             "put the value into a variable and give that",
         )
-        return erroneous(node.span)
-    return expression
+    return erroneous(node.span)
+
+
+def _area_of(ctx: Context, place: Place, where: str) -> Expression:
+    """The variable itself, or what it refers to."""
+    if not refers_to_anything(place.type):
+        return place
+    if place.type == POINTER_VALUE:
+        return coerce(ctx, place, ANY_VALUE, where)
+    return Dereference(place.span, place, VARIANT_VALUE)

@@ -30,8 +30,8 @@ from fbgen.lang.checker.literals import (
 )
 from fbgen.lang.types import (
     BOOL,
+    POINTER_VALUE,
     REAL,
-    VARIANT_VALUE,
     AnyType,
     ArrayType,
     BlockType,
@@ -45,6 +45,7 @@ from fbgen.lang.types import (
     Subrange,
     Type,
     counting_type,
+    refers_to_anything,
 )
 from fbgen.source import Span
 
@@ -84,8 +85,8 @@ def coerce(ctx: Context, expression: Expression, target: Type, where: str) -> Ex
         return expression
     if ERRONEOUS in (source, target):
         return erroneous(expression.span)
-    if target == VARIANT_VALUE:
-        return as_variant(ctx, expression, where)
+    if isinstance(target, ReferenceType) and refers_to_anything(target):
+        return as_anything(ctx, expression, target, where)
     if isinstance(target, ReferenceType):
         nothing = as_null(expression, target)
         if nothing is not None:
@@ -151,19 +152,27 @@ def as_null(expression: Expression, target: ReferenceType) -> Expression | None:
     return None
 
 
-def as_variant(ctx: Context, expression: Expression, where: str) -> Expression:
-    """A variable, a VARIANT or NULL as a VARIANT; reports anything else."""
-    if expression.type in (VARIANT_VALUE, ERRONEOUS):
+def as_anything(
+    ctx: Context, expression: Expression, target: ReferenceType, where: str
+) -> Expression:
+    """A variable, a VARIANT or NULL as a VARIANT, ANY or POINTER; reports anything else."""
+    source = expression.type
+    if source == ERRONEOUS:
         return expression
-    if expression.type == NULL:
-        return ReferenceTo(expression.span, None, VARIANT_VALUE)
+    if source == NULL:
+        return ReferenceTo(expression.span, None, target)
+    if refers_to_anything(source):
+        if POINTER_VALUE not in (source, target):
+            return expression
+        _refuse(ctx, expression, target, where)
+        return erroneous(expression.span)
     root = expression
     while isinstance(root, FieldRef | IndexRef):
         root = root.base
     if isinstance(root, VariableRef):
         ctx.written.add(root.variable)
     if isinstance(expression, Place) and not isinstance(root, SliceRef):
-        return ReferenceTo(expression.span, expression, VARIANT_VALUE)
+        return ReferenceTo(expression.span, expression, target)
     ctx.findings.error(
         "FB4022",
         f"{where} takes a variable, not a value",

@@ -16,7 +16,7 @@ from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.overlays import Home, check_overlay, overlay_kind
 from fbgen.lang.checker.places import address_of
 from fbgen.lang.checker.symbols import NamedConstant, PendingSymbol
-from fbgen.lang.checker.type_names import is_variant
+from fbgen.lang.checker.type_names import type_of_anything
 from fbgen.lang.types import (
     BlockType,
     Elementary,
@@ -161,7 +161,7 @@ class Interfaces:
         bound = kind is VariableKind.IN_OUT or (
             kind is VariableKind.INPUT and block is BlockKind.FUNCTION
         )
-        if is_variant(self._library, declaration.type) and block is not None:
+        if type_of_anything(self._library, declaration.type) and block is not None:
             bound = kind in (VariableKind.INPUT, VariableKind.IN_OUT, VariableKind.TEMP)
             # The reference is the value: what it refers to is changed either way.
             kind = VariableKind.INPUT if kind is VariableKind.IN_OUT else kind
@@ -207,7 +207,7 @@ class Interfaces:
         declaration: ast.Declaration,
         home: Home,
     ) -> list[Variable]:
-        kind = self._library.types.resolve(ctx, declaration.type).type
+        kind = self._library.types.parameter(ctx, declaration.type).type
         root = check_overlay(ctx, declaration, kind, home)
         variables = []
         for declared in declaration.names:

@@ -15,17 +15,43 @@ from fbgen.lang.checker.literals import ERRONEOUS, erroneous
 from fbgen.lang.checker.memory_access import DATA_BLOCK, INPUTS, MARKERS, OUTPUTS, use_block
 from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, ON_VARIANTS, Instruction
 from fbgen.lang.layout import holds_blocks
-from fbgen.lang.types import BYTE, DINT, ELEMENTARY, INT, ArrayType, Elementary
-
-_AREA = re.compile(
-    r"(?:DB([0-9]{1,5})\.DB|([IQMEA]))X? ?([0-9]{1,5})\.([0-7]) ([A-Z_]+) ([0-9]{1,5})"
+from fbgen.lang.types import (
+    BOOL,
+    BYTE,
+    DINT,
+    ELEMENTARY,
+    INT,
+    POINTER_VALUE,
+    ArrayType,
+    Elementary,
+    Type,
 )
+
+_PLACE = r"(?:DB([0-9]{1,5})\.DB|([IQMEA]))X? ?([0-9]{1,5})\.([0-7])"
+_POINTER = re.compile(_PLACE)
+_AREA = re.compile(_PLACE + " ([A-Z_]+) ([0-9]{1,5})")
 _AREAS = {"I": INPUTS, "E": INPUTS, "Q": OUTPUTS, "A": OUTPUTS, "M": MARKERS}
 
 
 def points(node: ast.Expression) -> TypeGuard[ast.Literal]:
     """True for `P#...`."""
     return isinstance(node, ast.Literal) and node.kind is ast.LiteralKind.POINTER
+
+
+def check_pointer_constant(ctx: Context, node: ast.Literal, target: Type, where: str) -> Expression:
+    """`P#DB1.DBX0.0 BYTE 10` for an ANY, `P#DB1.DBX0.0` for a POINTER, as a reference to it."""
+    if target != POINTER_VALUE:
+        return check_area_literal(ctx, node, where)
+    match = _POINTER.fullmatch(str(node.value))
+    if match is None:
+        ctx.findings.error(
+            "FB4075",
+            f"{where} takes a pointer to a place, not {node.text}",
+            node.span,
+            "write area and first bit: P#DB1.DBX0.0",
+        )
+        return erroneous(node.span)
+    return _pointed(ctx, node, match, BOOL)
 
 
 def check_area_literal(ctx: Context, node: ast.Literal, where: str) -> Expression:
@@ -40,7 +66,10 @@ def check_area_literal(ctx: Context, node: ast.Literal, where: str) -> Expressio
             "write area, first bit, type and number: P#DB1.DBX0.0 BYTE 10",
         )
         return erroneous(node.span)
+    return _pointed(ctx, node, match, ArrayType(((1, int(match[6])),), kind))
 
+
+def _pointed(ctx: Context, node: ast.Literal, match: re.Match[str], kind: Type) -> Expression:
     def number(text: str | None) -> Constant:
         return Constant(node.span, int(text or 0), DINT)
 
@@ -50,9 +79,7 @@ def check_area_literal(ctx: Context, node: ast.Literal, where: str) -> Expressio
         use_block(ctx, db)
     area = Constant(node.span, code, BYTE)
     bit = Constant(node.span, int(match[4]), INT)
-    return MemoryRef(
-        node.span, area, db, number(match[3]), bit, ArrayType(((1, int(match[6])),), kind)
-    )
+    return MemoryRef(node.span, area, db, number(match[3]), bit, kind)
 
 
 def check_memory_instruction(

@@ -94,6 +94,14 @@ def names_block(ctx: Context, node: ast.Name) -> bool:
     return node.quoted and is_own and ctx.library.user_block(node.name) is not None
 
 
+def _is_null(ctx: Context, node: ast.Name) -> bool:
+    """True for NULL, and for NIL of STEP 7."""
+    name = node.name.upper()
+    return not (node.local or node.quoted) and (
+        name == "NULL" or (name == "NIL" and ctx.rules.dialect == "step7")
+    )
+
+
 def check_name(ctx: Context, node: ast.Name, expected: Type | None = None) -> Expression:
     """A variable, or the value of a named constant or enumerator."""
     symbol = find_symbol(ctx, node)
@@ -105,7 +113,7 @@ def check_name(ctx: Context, node: ast.Name, expected: Type | None = None) -> Ex
         enumerator = None if node.local else bare_enumerator(ctx, node, expected)
         if enumerator is not None:
             return enumerator
-        if node.name.upper() == "NULL" and not node.local and not node.quoted:
+        if _is_null(ctx, node):
             return ReferenceTo(node.span, None, NULL)
         if node.name and not _is_known_as_erroneous(ctx, node):
             _unknown_name(ctx, node)

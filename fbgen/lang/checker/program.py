@@ -16,6 +16,7 @@ from fbgen.lang.checker.enabling import begin_enabled
 from fbgen.lang.checker.findings import Findings
 from fbgen.lang.checker.jumps import check_jumps
 from fbgen.lang.checker.library import Library
+from fbgen.lang.checker.pointed_memory import lay_out_what_is_pointed_to
 from fbgen.lang.checker.recursion import report_recursive_calls
 from fbgen.lang.checker.rules import Rules, rules_for
 from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS
@@ -112,6 +113,7 @@ def _check(files: Sequence[ast.File], library: Library) -> tuple[Program, Librar
         bodies[block] = begin_enabled(ctx, check_body(ctx, block.syntax.body))
         check_jumps(ctx, block.syntax)
     report_recursive_calls(library, blocks)
+    lay_out_what_is_pointed_to(library, bodies)
     library.starts.write()
     bodies.update(library.starts.bodies)
     tasks = tasks_of(library)

@@ -4,7 +4,7 @@ from fbgen.lang.checked import Expression, ReferenceTo, SameReference, Unary
 from fbgen.lang.checker.coercion import as_null
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import NULL
-from fbgen.lang.types import BOOL, VARIANT_VALUE, ReferenceType
+from fbgen.lang.types import BOOL, ReferenceType, refers_to_anything
 from fbgen.source import Span
 
 
@@ -20,7 +20,7 @@ def compare(
     if operator not in ("=", "<>"):
         return None
     if isinstance(left.type, ReferenceType) and left.type != NULL:
-        same = right.type == left.type and left.type != VARIANT_VALUE
+        same = right.type == left.type and not refers_to_anything(left.type)
         other = right if same else as_null(right, left.type)
         if other is None and left.type.is_interface:
             other = ctx.library.objects.interfaces.value_of(right, left.type)

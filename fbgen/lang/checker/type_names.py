@@ -17,11 +17,13 @@ from fbgen.lang.checker.system_types import system_type
 from fbgen.lang.layout import holds_blocks, holds_values
 from fbgen.lang.types import (
     ALIASES,
+    ANY_VALUE,
     DTL,
     DWORD,
     ELEMENTARY,
     INT,
     NUMBER_TYPES,
+    POINTER_VALUE,
     UINT,
     VARIANT_VALUE,
     WORD,
@@ -32,6 +34,7 @@ from fbgen.lang.types import (
     Field,
     Initial,
     OpenArrayType,
+    ReferenceType,
     StringType,
     StructType,
     Type,
@@ -78,12 +81,16 @@ class Resolved:
     initial: Initial | None = None
 
 
-def is_variant(library: "Library", node: ast.TypeSpec) -> bool:
-    """True for VARIANT of S7-1200 and S7-1500, and for ANY, which is handed on like one."""
+_ANYTHING = {"variant": VARIANT_VALUE, "any": ANY_VALUE, "pointer": POINTER_VALUE}
+_OF_DIALECT = {"tia": ("variant", "any", "pointer"), "step7": ("any", "pointer")}
+
+
+def type_of_anything(library: "Library", node: ast.TypeSpec) -> ReferenceType | None:
+    """VARIANT of S7-1200 and S7-1500, ANY and POINTER; None for every other type."""
     if not isinstance(node, ast.NamedType) or node.quoted:
-        return False
-    known = {"tia": ("variant", "any"), "step7": ("any",)}
-    return node.name.casefold() in known.get(library.rules.dialect, ())
+        return None
+    key = node.name.casefold()
+    return _ANYTHING[key] if key in _OF_DIALECT.get(library.rules.dialect, ()) else None
 
 
 def elementary_type(name: str) -> Elementary | None:
@@ -151,8 +158,9 @@ class TypeResolver:
 
     def parameter(self, ctx: Context, node: ast.TypeSpec) -> Resolved:
         """What the type of a parameter means that is bound to an argument."""
-        if is_variant(self._library, node):
-            return Resolved(VARIANT_VALUE)
+        anything = type_of_anything(self._library, node)
+        if anything is not None:
+            return Resolved(anything)
         if not isinstance(node, ast.ArraySpec) or any(one.first for one in node.bounds):
             return self.resolve(ctx, node)
         element = self.resolve(ctx, node.element).type
@@ -224,7 +232,7 @@ class TypeResolver:
         if not quoted and name.upper() in NUMBER_TYPES and on_s7:
             return Resolved(NUMBER_TYPES[name.upper()])
         findings = self._library.findings
-        if is_variant(self._library, ast.NamedType(span, name, quoted)):
+        if type_of_anything(self._library, ast.NamedType(span, name, quoted)):
             findings.error(
                 "FB4095",
                 f"{name.upper()} takes what it refers to from an argument, and there is none here",

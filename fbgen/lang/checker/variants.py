@@ -38,6 +38,7 @@ from fbgen.lang.types import (
     StringType,
     Type,
     is_of_type,
+    refers_to_anything,
 )
 from fbgen.source import Span
 
@@ -102,7 +103,7 @@ def _operand(ctx: Context, node: ast.Call, name: str) -> Expression | None:
     if argument is None:
         return None
     value = check_expression(ctx, argument)
-    if value.type in (VARIANT_VALUE, ERRONEOUS):
+    if value.type == ERRONEOUS or refers_to_anything(value.type):
         return None if value.type == ERRONEOUS else value
     if isinstance(value, Place):
         return ReferenceTo(value.span, value, VARIANT_VALUE)
@@ -283,7 +284,7 @@ def variant_access(ctx: Context, node: ast.Call, name: str) -> Sequence[Statemen
     variant = _variant(ctx, given["DST"], f"parameter DST of {name}")
     if variant is None or value.type == ERRONEOUS:
         return ()
-    if not isinstance(value, Place) or value.type == VARIANT_VALUE:
+    if not isinstance(value, Place) or refers_to_anything(value.type):
         ctx.findings.error(
             "FB4022",
             f"parameter SRC of {name} takes a variable",
@@ -299,7 +300,7 @@ def _variant(ctx: Context, node: ast.Expression, where: str) -> Place | None:
     value = check_expression(ctx, node)
     if value.type == ERRONEOUS:
         return None
-    if value.type == VARIANT_VALUE and isinstance(value, Place):
+    if refers_to_anything(value.type) and isinstance(value, Place):
         return value
     ctx.findings.error(
         "FB4010",
@@ -335,7 +336,7 @@ def assignment_attempt(ctx: Context, node: ast.Assignment) -> Sequence[Statement
     if target is None or value.type == ERRONEOUS:
         return ()
     kind = target.type
-    if not isinstance(kind, ReferenceType) or kind == VARIANT_VALUE:
+    if not isinstance(kind, ReferenceType) or refers_to_anything(kind):
         ctx.findings.error(
             "FB4092",
             f"?= binds a reference, and {spelled(kind)} is none",

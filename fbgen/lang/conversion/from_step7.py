@@ -4,6 +4,7 @@ Source: TIA Portal help, "Migrating SCL programs": `#` in front of locals, quote
 that belongs to the whole program, ENO for the OK flag, constants with a type, labels undeclared.
 """
 
+import re
 from collections.abc import Mapping, Sequence
 from math import inf
 from typing import ClassVar
@@ -29,8 +30,10 @@ from fbgen.lang.ast import (
     Unary,
     VarSection,
 )
+from fbgen.lang.checker.routines import routine_named
 from fbgen.lang.checker.standard_calls import is_standard_function
 from fbgen.lang.checker.system_instructions import instruction_named
+from fbgen.lang.conversion.output_arrows import with_arrows
 from fbgen.lang.conversion.rewriting import Rewriter, Rule, replaced, rewritten
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.plant import BlockScope, PlantText
@@ -45,7 +48,8 @@ _TIMERS = {
     "SFB5": "TOF_TIME",
     **S7_NAMES,
 }
-_FUNCTIONS = {"SFC14": "DPRD_DAT", "SFC15": "DPWR_DAT"}
+_NUMBERED = re.compile(r"SFC[0-9]+", re.IGNORECASE)
+"""TIA Portal knows an instruction by its name only."""
 _ABSENT = {
     "NIL": "NULL exists for references only: use a flag of your own",
     "BLOCK_FB": "call the block by its name",
@@ -88,6 +92,11 @@ class _FromStep7(Rewriter):
             return section
         declarations = tuple(self._typed(item) for item in section.declarations)
         return replaced(section, declarations=declarations)
+
+    def _declaration(self, node: Declaration) -> Declaration:
+        """What an overlay lies over stands there without a mark."""
+        declaration: Declaration = self.inside(node)
+        return replaced(declaration, at=node.at) if isinstance(node.at, Name) else declaration
 
     def _typed(self, node: Declaration) -> Declaration:
         """A constant with the type of its value."""
@@ -162,14 +171,16 @@ class _FromStep7(Rewriter):
             self._scope is not None and self._scope.is_declared(callee)
         ):
             return call
-        upper = callee.name.upper()
-        is_own = callee.name.casefold() in self._plant.blocks
-        if not is_own and (
-            upper in _FUNCTIONS or is_standard_function(upper) or instruction_named(upper)
-        ):
-            name = _FUNCTIONS.get(upper, callee.name)
-            return Call(call.span, Name(callee.span, name), call.arguments)
-        return call
+        call = with_arrows(call, callee.name, self._plant.blocks)
+        if callee.name.casefold() in self._plant.blocks:
+            return call
+        known = instruction_named(callee.name) or routine_named(callee.name)
+        if known is None and not is_standard_function(callee.name.upper()):
+            return call
+        name = callee.name
+        if known is not None and _NUMBERED.fullmatch(name):
+            name = known.name
+        return Call(call.span, Name(callee.span, name), call.arguments)
 
     def _indexed(self, node: IndexedAddress) -> Expression:
         """`PIB[4]` is `%IB4:P`; what is worked out at run time stays so."""
@@ -203,6 +214,7 @@ class _FromStep7(Rewriter):
         DataBlock: _unit,
         TypeDeclaration: _unit,
         VarSection: _section,
+        Declaration: _declaration,
         NamedType: _type,
         Name: _name,
         Call: _call,

@@ -1,6 +1,6 @@
 """Cells: references to single values, for in-outs and areas that Python cannot refer to itself."""
 
-from typing import Protocol
+from typing import Any, Protocol
 
 from fbgen.lang.types import Scalar
 from harness.engine.compiled.library.stops import NullReference
@@ -39,6 +39,16 @@ class AttributeCell:
         )
 
     __hash__ = None  # type: ignore[assignment]  # the way Python marks what cannot be hashed
+
+    @property
+    def owner(self) -> Any:
+        """The object."""
+        return self._owner
+
+    @property
+    def name(self) -> str:
+        """The name of the attribute."""
+        return self._name
 
     @property
     def value(self) -> Scalar:

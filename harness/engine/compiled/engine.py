@@ -70,11 +70,6 @@ class CompiledEngine:
         with room_for_generation():
             self._facts.counts_loops = may_exceed(program, self._facts, limits.loop_passes)
         self._cpu = Cpu(limits)
-        image_sizes = {
-            "I": len(environment.inputs),
-            "Q": len(environment.outputs),
-            "M": len(environment.markers),
-        }
         self._namespace: dict[str, Any] = {
             **LIBRARY,
             **library,
@@ -86,7 +81,7 @@ class CompiledEngine:
             "_stopped_by": self._stopped,
             **(probe.names if probe is not None else {}),
         }
-        self._bytes = Bytes(self._model, self._namespace, image_sizes)
+        self._bytes = Bytes(self._model, self._namespace, environment)
         self._memory = Memory(self._model, self._facts, self._namespace)
         self._namespace |= hardware(self._memory, self._bytes, environment)
         self._routines = Routines(program, environment, self._memory, self._cpu.retrigger)

@@ -32,7 +32,14 @@ from fbgen.lang.checked import (
     VariableRef,
     While,
 )
-from fbgen.lang.types import VARIANT_VALUE, ArrayType, BlockType, OpenArrayType, StructType, Type
+from fbgen.lang.types import (
+    ArrayType,
+    BlockType,
+    OpenArrayType,
+    StructType,
+    Type,
+    refers_to_anything,
+)
 from harness.engine.compiled.instructions import areas
 from harness.engine.compiled.model import has_memory, is_scalar
 from harness.engine.compiled.walk import Node, every_node, root_of, written_places
@@ -209,7 +216,7 @@ class Facts:
                         found.written.add(root)
                         if root.kind is VariableKind.IN_OUT and is_scalar(root.type):
                             self.cells.add(root)
-                    if node.type == VARIANT_VALUE:
+                    if refers_to_anything(node.type):
                         self._box([node.place])
                 case SystemCall():
                     self._box(areas(node).values())

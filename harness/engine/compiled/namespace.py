@@ -6,10 +6,11 @@ from math import atan2, inf, isfinite, nan
 from typing import Any
 
 from fbgen.diagnostics import DiagnosticError
-from fbgen.lang.checked import Place, SystemCall
+from fbgen.lang.checked import Expression, Place, SystemCall
 from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, INSTRUCTIONS, ON_VARIANTS
 from fbgen.lang.types import Scalar, Type
 from harness.engine.compiled.areas import VariableArea, cell_location, fixed_location
+from harness.engine.compiled.bound_variants import Variant
 from harness.engine.compiled.cells import AttributeCell, ElementCell, ValueCell, same, target
 from harness.engine.compiled.instructions import areas
 from harness.engine.compiled.library import (
@@ -28,11 +29,13 @@ from harness.engine.compiled.memory_access import access
 from harness.engine.compiled.memory_instructions import BlockPokes, move_area, move_elements
 from harness.engine.compiled.model import is_scalar
 from harness.engine.compiled.open_arrays import OpenArray
+from harness.engine.compiled.placed_pointers import PlacedVariant
 from harness.engine.compiled.placement import FUNCTIONS, Bytes
 from harness.engine.compiled.variants import FUNCTIONS as VARIANT_FUNCTIONS
-from harness.engine.compiled.variants import Variant
+from harness.engine.compiled.variants import area_of
 from harness.engine.compiled.variants import run as run_on_variants
 from harness.engine.environment import Environment
+from harness.engine.faults import no_such_area
 from harness.engine.interface import Limits
 from harness.engine.layout import size_bits
 from harness.engine.values import accept_scalar
@@ -200,7 +203,8 @@ def hardware(
         if node.name == "POKE_BLK":
             return block_pokes.run(node, *arguments)
         if node.name in ON_VARIANTS:
-            return run_on_variants(node, memory, *arguments)
+            given = zip(node.arguments, arguments, strict=True)
+            return run_on_variants(node, memory, *(_bound(one, data) for (_, one), data in given))
         by_name: dict[str, Scalar | VariableArea] = {}
         places = areas(node)
         for (name, _), argument in zip(node.arguments, arguments, strict=True):
@@ -208,9 +212,10 @@ def hardware(
             if place is None:
                 by_name[name] = argument
                 continue
+            argument = _bound(place, argument)
             if isinstance(argument, Variant):
                 _check_layout(place, argument.kind)
-                by_name[name] = argument.area(memory)
+                by_name[name] = area_of(memory, argument)
                 continue
             _check_layout(place, place.type)
             if is_scalar(place.type):
@@ -228,6 +233,16 @@ def hardware(
         memory.fill(place.span.text, place.type, data, value)
 
     return {"_instruction": instruction, "_fill": fill, **access(data, environment)}
+
+
+def _bound(node: Expression, argument: Any) -> Any:
+    """What an ANY in memory means; any other argument as it is. Raises FB6017."""
+    if not isinstance(argument, PlacedVariant):
+        return argument
+    try:
+        return Variant(argument.kind, argument.target)
+    except stops.NoArea as problem:
+        raise no_such_area(node.span, problem.pattern, problem.reason) from None
 
 
 def _check_layout(place: Place, kind: Type) -> None:

@@ -9,10 +9,12 @@ from fbgen.lang.types import (
     ArrayType,
     BlockType,
     Initial,
+    ReferenceType,
     StructInitial,
     StructType,
     Type,
 )
+from harness.engine.area_memories import AreaMemories
 from harness.engine.block_memory import Placement
 from harness.engine.compiled.initials import default_scalar
 from harness.engine.compiled.library.placed import (
@@ -25,6 +27,8 @@ from harness.engine.compiled.library.placed import (
     fill,
 )
 from harness.engine.compiled.model import Model, Part, has_memory, is_scalar
+from harness.engine.compiled.placed_pointers import Pointers
+from harness.engine.environment import Environment
 from harness.engine.interface import Value
 
 _FRAME = (VariableKind.TEMP, VariableKind.RESULT)
@@ -39,16 +43,20 @@ def frame_kinds(block: Block) -> tuple[VariableKind, ...]:
 class Bytes:
     """Makes what lies in bytes. `names` are the module-level names of the generated code.
 
-    `image_sizes` has the bytes of the areas I, Q and M.
+    `image_sizes` has the bytes of the areas I, Q and M of the controller.
     """
 
-    __slots__ = ("_classes", "_codecs", "_model", "_names", "image_sizes", "layout")
+    __slots__ = ("_classes", "_codecs", "_model", "_names", "_pointers", "image_sizes", "layout")
 
-    def __init__(
-        self, model: Model, names: Mapping[str, Any], image_sizes: Mapping[str, int]
-    ) -> None:
+    def __init__(self, model: Model, names: Mapping[str, Any], environment: Environment) -> None:
         self.layout = model.layout
-        self.image_sizes = image_sizes
+        self.image_sizes = {
+            "I": len(environment.inputs),
+            "Q": len(environment.outputs),
+            "M": len(environment.markers),
+        }
+        numbers = model.program.data_blocks
+        self._pointers = Pointers(AreaMemories(environment, numbers, self.block), self.view)
         self._model = model
         self._names = names
         self._classes: dict[StructType, type[ByteStructure]] = {}
@@ -117,7 +125,11 @@ class Bytes:
     def codec(self, kind: Type) -> Codec:
         """How a single value is read and written."""
         if kind not in self._codecs:
-            self._codecs[kind] = codec(kind, self.layout)
+            self._codecs[kind] = (
+                self._pointers.codec(kind)
+                if isinstance(kind, ReferenceType)
+                else codec(kind, self.layout)
+            )
         return self._codecs[kind]
 
     def view(self, kind: Type, memory: bytearray, bit: int) -> Any:

@@ -29,6 +29,7 @@ from fbgen.lang.types import (
     StringType,
     StructType,
     Type,
+    refers_to_anything,
 )
 from harness.engine.compiled.addresses import as_memory_ref, read_address, write_address
 from harness.engine.compiled.code import Code, Level
@@ -406,7 +407,7 @@ def cell(procedure: Procedure, node: Place) -> Code:
     if isinstance(node, Dereference):
         reference = place(procedure, node.base)
         text = f"_target({reference.text})"
-        if node.base.type == VARIANT_VALUE != node.type:
+        if refers_to_anything(node.base.type) and node.type != VARIANT_VALUE:
             text = f"{reference.text}.target"
         procedure.site(text, node)
         return Code(text, depth=reference.depth + 1, safe=False)

@@ -10,7 +10,7 @@ from fbgen.lang.checked import (
     TypeTest,
     VariableRef,
 )
-from fbgen.lang.types import VARIANT_VALUE, OpenArrayType
+from fbgen.lang.types import VARIANT_VALUE, OpenArrayType, refers_to_anything
 from harness.engine.compiled.addresses import as_memory_ref
 from harness.engine.compiled.code import Code, Level
 from harness.engine.compiled.evaluation import Write, value
@@ -23,7 +23,7 @@ from harness.engine.compiled.ranges import limits
 def _dereference(procedure: Procedure, node: Dereference) -> Code:
     base = place(procedure, node.base)
     low, high = limits(node.type)
-    if node.base.type == VARIANT_VALUE:
+    if refers_to_anything(node.base.type):
         # Its type is known by now, but for an area, which any type is good for.
         text = f"{base.text}.target"
         if node.type == VARIANT_VALUE:
@@ -41,7 +41,7 @@ def _dereference(procedure: Procedure, node: Dereference) -> Code:
 def _reference(procedure: Procedure, node: ReferenceTo) -> Code:
     if node.place is None:
         return Code("None", simple=True)
-    if node.type == VARIANT_VALUE:
+    if refers_to_anything(node.type):
         return _variant(procedure, node.place)
     if is_scalar(node.place.type):
         return cell(procedure, node.place)
@@ -64,9 +64,9 @@ def _has_type(procedure: Procedure, node: TypeTest) -> Code:
     code = value(procedure, node.variant)
     wanted = procedure.context.table("kind", node.wanted)
     function = "_elements_have_type" if node.of_elements else "_has_type"
-    return code._replace(
-        text=f"{function}({code.text}, {wanted})", level=Level.ATOM, depth=code.depth + 1
-    )
+    text = f"{function}({code.text}, {wanted})"
+    procedure.site(text, node.variant)
+    return code._replace(text=text, level=Level.ATOM, depth=code.depth + 1)
 
 
 def _same_types(procedure: Procedure, node: SameTypes) -> Code:

@@ -133,6 +133,8 @@ def _of_site(exception: Exception, site: Site, frame: FrameType) -> DiagnosticEr
         case stops.OutsideLimits():
             assert isinstance(node.type, Subrange)
             return faults.outside_subrange(node.span, exception.value, node.type)
+        case stops.NoArea():
+            return faults.no_such_area(node.span, exception.pattern, exception.reason)
         case stops.NullReference():
             return faults.null_reference(node.span)
         case stops.NoDate():

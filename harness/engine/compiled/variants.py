@@ -1,7 +1,4 @@
-"""VARIANT: a reference together with the type of what it refers to; None is NULL.
-
-The target is a cell for a single value, a flat list for an array, else the object itself.
-"""
+"""VARIANT: questions about it, and the instructions that work on variables of any type."""
 
 from collections.abc import Callable
 from typing import Any
@@ -9,29 +6,16 @@ from typing import Any
 from fbgen.lang.checked import SystemCall
 from fbgen.lang.types import BOOL, BYTE, CHAR, ArrayType, Type, is_of_type
 from harness.engine.compiled.areas import VariableArea, cell_location, fixed_location
+from harness.engine.compiled.bound_variants import Variant
 from harness.engine.compiled.memory import Memory
 from harness.engine.compiled.model import is_scalar
 from harness.engine.compiled.open_arrays import OpenArray
 
 
-class Variant:
-    """What a VARIANT is bound to."""
-
-    __slots__ = ("kind", "target")
-
-    def __init__(self, kind: Type, target: Any) -> None:
-        self.kind = kind
-        self.target = target
-
-    def area(self, memory: Memory) -> VariableArea:
-        """Its bytes."""
-        locate = cell_location if is_scalar(self.kind) else fixed_location
-        return VariableArea(memory, locate(self.kind, self.target))
-
-    @property
-    def element(self) -> Type | None:
-        """The type of the elements of an array."""
-        return self.kind.element if isinstance(self.kind, ArrayType) else None
+def area_of(memory: Memory, variant: Variant) -> VariableArea:
+    """The bytes of what a VARIANT is bound to."""
+    locate = cell_location if is_scalar(variant.kind) else fixed_location
+    return VariableArea(memory, locate(variant.kind, variant.target))
 
 
 def _of_open(element: Type, array: OpenArray) -> Variant:
@@ -163,7 +147,7 @@ def _serialize(
     start, room = position.target.value, len(buffer.target)
     if start < 0 or start >= room:
         return 0x8382 - _SIGN
-    data = source.area(memory).read()
+    data = area_of(memory, source).read()
     end = start + len(data)
     if end > room:
         return 0x8253 - _SIGN
@@ -186,11 +170,11 @@ def _deserialize(
     start, room = position.target.value, len(buffer.target)
     if start < 0 or start >= room:
         return 0x8382 - _SIGN
-    area = target.area(memory)
+    area = area_of(memory, target)
     end = start + area.length
     if end > room:
         return 0x8153 - _SIGN
-    area.write(buffer.area(memory).read()[start:end])
+    area.write(area_of(memory, buffer).read()[start:end])
     position.target.value = end
     return 0
 

@@ -35,11 +35,13 @@ from fbgen.lang.types import (
     StructType,
     Type,
 )
+from harness.engine.area_memories import AreaMemories
 from harness.engine.block_memory import BlockLayout
 from harness.engine.layout import layout_of
 from harness.engine.reference.behaviour import Behaviour
 from harness.engine.reference.memory import Memory, MemoryCell
 from harness.engine.reference.placed import ByteCell
+from harness.engine.reference.placed_pointers import PointerCell, Pointers
 from harness.engine.reference.pointers import ReferenceCell
 from harness.engine.reference.standard_blocks import new_behaviour
 from harness.engine.reference.storage import (
@@ -77,11 +79,14 @@ class _Spot:
 class Allocator:
     """Storages for the variables of one program on one controller."""
 
-    __slots__ = ("_layout", "_memory", "_program")
+    __slots__ = ("_layout", "_memory", "_pointers", "_program")
 
     def __init__(self, program: Program, memory: Memory) -> None:
         self._program = program
         self._memory = memory
+        numbers = program.data_blocks
+        memories = AreaMemories(memory.environment, numbers, memory.data_block)
+        self._pointers = Pointers(memories, self.view)
         self._layout = BlockLayout(layout_of(program.dialect).is_s7, program)
 
     def variable(self, variable: Variable) -> Storage:
@@ -127,7 +132,9 @@ class Allocator:
         if isinstance(kind, ArrayType):
             return Array(kind, self._elements(kind, spot), self._stretch(kind, spot))
         if isinstance(kind, ReferenceType):
-            return ReferenceCell(kind)
+            if spot is None:
+                return ReferenceCell(kind)
+            return PointerCell(kind, self._pointers, spot.memory, spot.bit >> 3)
         if isinstance(kind, OpenArrayType):
             return Array(ArrayType(((0, -1),) * kind.dimensions, kind.element), [])
         if isinstance(kind, StructType):

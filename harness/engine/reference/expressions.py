@@ -24,7 +24,14 @@ from fbgen.lang.checked import (
     Unary,
 )
 from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, INSTRUCTIONS, ON_VARIANTS
-from fbgen.lang.types import VARIANT_VALUE, AnyType, ArrayType, Scalar, StringType, StructType
+from fbgen.lang.types import (
+    AnyType,
+    ArrayType,
+    Scalar,
+    StringType,
+    StructType,
+    refers_to_anything,
+)
 from harness.engine.environment import Area, Environment
 from harness.engine.interface import Value
 from harness.engine.reference.areas import StorageArea
@@ -128,7 +135,7 @@ class Expressions:
             return ON_VARIANTS_BY_NAME[call.name](
                 [
                     self.pointed(argument, frame)
-                    if argument.type == VARIANT_VALUE
+                    if refers_to_anything(argument.type)
                     else self.integer(argument, frame)
                     for _, argument in call.arguments
                 ],
@@ -228,7 +235,7 @@ class Expressions:
         """What a reference or a VARIANT refers to."""
         value = self.value(expression, frame)
         assert isinstance(value, Pointed)
-        return value.storage
+        return value.find(expression.span)
 
     def _chain(self, expression: Binary | Convert, frame: Frame) -> Value:
         """A left-deep tree, which may have conversions between its links, from the left up."""

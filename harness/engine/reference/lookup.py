@@ -20,9 +20,10 @@ def _named(storage: Storage, name: str, path: str) -> Storage:
     key = name.casefold()
     if name == FOLLOW:
         pointed = storage.read()
-        if not isinstance(pointed, Pointed) or pointed.storage is None:
+        target = pointed.find(None) if isinstance(pointed, Pointed) else None
+        if target is None:
             raise wrong_path(path, "there is no reference in front of ^, or it refers to nothing")
-        return pointed.storage
+        return target
     if isinstance(storage, Structure):
         if key not in storage.parts:
             names = [field.name for field in storage.kind.fields]

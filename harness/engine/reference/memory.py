@@ -61,6 +61,14 @@ class MemoryCell(Storage):
         """The type of the scalar."""
         return self._kind
 
+    def place(self) -> tuple[bytearray, int] | None:
+        """The memory and the first bit; None past the process image, and for no data block."""
+        address = self._address
+        if address.peripheral:
+            return None
+        memory = self._memory.data_block(address.db) if address.area == "DB" else self._image()
+        return None if memory is None else (memory, 8 * address.byte + address.bit)
+
     def read(self) -> Scalar:
         """The scalar at the address. Raises FB6010 and FB6011."""
         address = self._address

@@ -24,6 +24,10 @@ class ByteCell(Storage):
         """The type of the scalar."""
         return self._kind
 
+    def place(self) -> tuple[bytearray, int]:
+        """The memory and the bit."""
+        return self._memory, self._bit
+
     def read(self) -> Scalar:
         """What the bytes mean as a value of the type."""
         value = self._layout.read(self._memory, self._bit, self._kind)

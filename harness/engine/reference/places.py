@@ -111,9 +111,10 @@ class Places:
             case Dereference():
                 pointed = self.find(place.base, frame).read()
                 assert isinstance(pointed, Pointed)
-                if pointed.storage is None:
+                target = pointed.find(place.span)
+                if target is None:
                     raise null_reference(place.span)
-                return pointed.storage
+                return target
             case AddressRef():
                 return MemoryCell(place.type, place.address, self._memory, place.span)
             case MemoryRef():

@@ -215,6 +215,32 @@ def test_classic_text_becomes_that_of_tia() -> None:
     )
 
 
+OVERLAID = """FUNCTION COPY : INT
+VAR_INPUT from_db : INT; END_VAR
+VAR_OUTPUT length : INT; END_VAR
+VAR_TEMP
+  source : ANY;
+  view AT source : ARRAY[0..9] OF BYTE;
+  target : WORD;
+END_VAR
+length := from_db;
+COPY := SFC20(SRCBLK := source, DSTBLK := target);
+END_FUNCTION
+
+FUNCTION TWICE : VOID
+VAR_TEMP length : INT; first : INT; END_VAR
+first := COPY(from_db := 3, length := length);
+END_FUNCTION
+"""
+
+
+def test_outputs_get_arrows_and_numbered_instructions_their_names_in_tia() -> None:
+    text = print_generated(convert([read(OVERLAID, "step7")], "tia")[0]).text
+    assert "      view AT source : ARRAY[0..9] OF BYTE;\n" in text
+    assert "#COPY := BLKMOV(SRCBLK := #source, DSTBLK => #target);\n" in text
+    assert '#first := "COPY"(from_db := 3, length => #length);\n' in text
+
+
 def test_structured_text_becomes_that_of_tia() -> None:
     printed = converted(STRUCTURED, "iec", "tia")
     assert 'FUNCTION "Larger" : INT' in printed

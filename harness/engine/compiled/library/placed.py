@@ -105,6 +105,10 @@ class ByteCell:
         self._bit = bit
         self._codec = way
 
+    def place(self) -> tuple[bytearray, int]:
+        """The memory and the bit."""
+        return self._memory, self._bit
+
     @property
     def value(self) -> Scalar:
         """The value in the bytes."""
@@ -129,6 +133,10 @@ class ByteArray:
         self._offsets = offsets
         self._codec = way
         self.size = size
+
+    def place(self, position: int = 0) -> tuple[bytearray, int]:
+        """The memory and the first bit of an element."""
+        return self._memory, self._first + self._offsets[position]
 
     def __len__(self) -> int:
         return len(self._offsets)
@@ -205,6 +213,10 @@ class ByteStructure:
         copy._assign(self)
         return copy
 
+    def place(self) -> tuple[bytearray, int]:
+        """The memory and the first bit."""
+        return self._memory, self._at
+
     @property
     def size(self) -> int:
         """The length in bytes."""
@@ -244,4 +256,18 @@ def byte_attribute(way: Codec, bit: int) -> property:
     def write(self: Any, value: Any) -> None:
         put(self._memory, self._at + bit, value)
 
+    read.__dict__[_BIT_OF] = bit
     return property(read, write)
+
+
+_BIT_OF = "first_bit"
+"""Where the getter of such a property remembers its bit."""
+
+
+def bit_of_attribute(owner: type, name: str) -> int | None:
+    """How far behind the object an attribute of such a class lies; None for any other one."""
+    found = getattr(owner, name, None)
+    bit: int | None = None
+    if isinstance(found, property) and found.fget is not None:
+        bit = found.fget.__dict__.get(_BIT_OF)
+    return bit

@@ -113,6 +113,15 @@ class NoBlock(Stop):
         self.number = number
 
 
+class NoArea(Stop):
+    """An ANY or POINTER is followed whose bytes mean no area."""
+
+    def __init__(self, pattern: bytes, reason: str) -> None:
+        super().__init__(reason)
+        self.pattern = pattern
+        self.reason = reason
+
+
 class NoSuchDate(Stop):
     """Numbers that make up no date or time of day."""
 
