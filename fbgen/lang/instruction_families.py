@@ -38,6 +38,9 @@ _LATER = {
         ("STRG_VAL", "VAL_STRG", "STRG_TO_CHARS", "CHARS_TO_STRG", "MAX_LEN", "S_MOVE"),
         "use the conversions of the IEC library, or the characters one by one",
     ),
+    **dict.fromkeys(
+        ("SCATTER", "SCATTER_BLK", "GATHER", "GATHER_BLK"), "overlay the word with an array of BOOL"
+    ),
     "DEMUX": "use CASE",
     "FRAC": "subtract the whole part",
     "RUNTIME": "use TIME_TCK (SFC64)",

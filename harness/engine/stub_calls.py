@@ -2,15 +2,16 @@
 
 from collections.abc import Mapping
 
-from fbgen.lang.checked import Program, RoutineCall
+from fbgen.lang.checked import WORKS, Program, RoutineCall
 from fbgen.lang.checker.literals import default_value
-from fbgen.lang.types import VOID, Elementary, StringType, StructType, Type
+from fbgen.lang.types import INT, VOID, WORD, Elementary, StringType, StructType, Type
 from harness.engine.faults import not_modelled, unknown_output, wrong_result
 from harness.engine.interface import Value
 from harness.engine.stubs import Stubs, StubState
 from harness.engine.values import accept
 
 RESULT = "RET_VAL"
+_ERROR = 0x8000
 
 
 def call_stub(
@@ -43,6 +44,19 @@ def call_stub(
     elif node.type != VOID and key not in results:
         raise wrong_result(node, given)
     return results
+
+
+def with_eno(node: RoutineCall, results: Mapping[str, Value]) -> Mapping[str, Value]:
+    """What a call gives together with ENO, if that is asked for.
+
+    Who carries the call out may have said it; else it works unless RET_VAL is an error.
+    """
+    key = WORKS.casefold()
+    if key in results or all(name != WORKS for name, _ in node.outputs):
+        return results
+    status = results.get(RESULT.casefold(), 0)
+    is_bad = node.type in (INT, WORD) and isinstance(status, int) and status & _ERROR != 0
+    return {**results, key: not is_bad}
 
 
 def _is_result(node: RoutineCall, given: Mapping[object, object]) -> bool:

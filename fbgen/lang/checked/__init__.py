@@ -13,6 +13,7 @@ are rounded to 32 bit.
 """
 
 from fbgen.lang.checked.expressions import (
+    WORKS,
     AddressRef,
     Attempt,
     Binary,
@@ -71,6 +72,7 @@ from fbgen.lang.checked.variables import (
 )
 
 __all__ = [
+    "WORKS",
     "Address",
     "AddressRef",
     "AnyBlock",

@@ -280,14 +280,20 @@ class Attempt:
     type: Type
 
 
+WORKS = "ENO"
+"""The output of a `RoutineCall` that says whether it works."""
+
+
 @node
 class RoutineCall:
     """A call of an instruction that takes values and gives values, several at once.
 
     Inputs are evaluated in their order, the instruction runs, then the outputs are found and
-    written in theirs. An in-out stands in both. `RET_VAL` as an output is the result itself.
+    written in theirs. An in-out stands in both. `RET_VAL` as an output is the result itself, and
+    `WORKS` is ENO.
     `type` is VOID where there is no result. `instance` is the instance of a block that the harness
-    has no model for; then the call is what the user's stub makes of it.
+    has no model for; then the call is what the user's stub makes of it. RESET_TIMER and
+    PRESET_TIMER have the timer there.
     """
 
     span: Span

@@ -21,6 +21,7 @@ from fbgen.lang.checked import (
 )
 from fbgen.lang.checker.arguments import Bound, bind
 from fbgen.lang.checker.binding import bind_variables, report_missing, with_defaults
+from fbgen.lang.checker.bit_gathering import BIT_MOVES
 from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enabling import attempted
@@ -41,6 +42,7 @@ from fbgen.lang.checker.routine_calls import (
     value_of_routine,
 )
 from fbgen.lang.checker.routines import is_modelled
+from fbgen.lang.checker.size_of import is_size_of, size_of
 from fbgen.lang.checker.standard_blocks import COUNTER_METHODS, TIMER_METHODS, standard_block
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.system_instructions import (
@@ -50,6 +52,7 @@ from fbgen.lang.checker.system_instructions import (
     instruction_named,
 )
 from fbgen.lang.checker.targets import check_target
+from fbgen.lang.checker.timer_control import TIMER_CONTROLS
 from fbgen.lang.checker.unknown_callees import (
     check_arguments_alone,
     unknown_callee,
@@ -92,6 +95,8 @@ def check_call(ctx: Context, node: ast.Call, expected: Type | None) -> Expressio
         return _value_of_block(ctx, node, block)
     if is_variant_function(ctx, name):
         return variant_function(ctx, node, name)
+    if is_size_of(ctx, name):
+        return size_of(ctx, node)
     access = memory_access_named(name)
     if access is not None:
         return check_peek(ctx, node, access)
@@ -182,6 +187,7 @@ def is_built_in(name: str) -> bool:
         or memory_access_named(name) is not None
         or is_modelled(name)
         or is_variant_name(name)
+        or name.upper() in (*TIMER_CONTROLS, *BIT_MOVES)
     )
 
 

@@ -10,6 +10,7 @@ V5.3 manual, "OK flag" and "EN/ENO".
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from fbgen.lang import ast, checked
 from fbgen.lang.ast import BlockKind
@@ -22,6 +23,7 @@ from fbgen.lang.checked import (
     Evaluate,
     Expression,
     Place,
+    RoutineCall,
     StandardCall,
     Statement,
     SystemCall,
@@ -204,7 +206,12 @@ def _asked(ctx: Context, span: Span, place: Place, statements: list[Statement]) 
         (branch,) = first.branches
         branch = checked.Branch(branch.span, branch.condition, (*branch.body, yes))
         return [checked.If(first.span, (branch,), (no,))]
+    if isinstance(first, Evaluate) and isinstance(first.call, RoutineCall):
+        return [Evaluate(first.span, _telling(span, first.call, place)), *rest]
     call = _called(first.value) if isinstance(first, checked.Assignment) else None
+    if isinstance(first, checked.Assignment) and isinstance(call, RoutineCall):
+        value = _exchanged(first.value, call, _telling(span, call, place))
+        return [checked.Assignment(first.span, first.target, value), *rest]
     if isinstance(first, checked.Assignment) and isinstance(call, SystemCall):
         return [first, *rest, checked.Assignment(span, place, _is_good(span, first.target))]
     true = Constant(span, True, BOOL)
@@ -218,7 +225,11 @@ def _asked(ctx: Context, span: Span, place: Place, statements: list[Statement]) 
     ref = VariableRef(span, flag, BOOL)
     return [
         checked.Assignment(span, ref, true),
-        checked.Assignment(first.span, first.target, _attempted(first.value, call, ref)),
+        checked.Assignment(
+            first.span,
+            first.target,
+            _exchanged(first.value, call, Attempt(call.span, call, ref, call.type)),
+        ),
         *rest,
         checked.Assignment(span, place, ref),
     ]
@@ -231,14 +242,18 @@ def _called(value: Expression) -> Expression:
     return value
 
 
-def _attempted(
-    value: Expression, call: Unary | Binary | Convert | StandardCall, flag: VariableRef
-) -> Expression:
+def _exchanged(value: Expression, call: Expression, by: Expression) -> Expression:
+    """The value with another call under its conversions."""
     if value is call:
-        return Attempt(call.span, call, flag, call.type)
+        return by
     assert isinstance(value, Convert)
-    inner = _attempted(value.operand, call, flag)
+    inner = _exchanged(value.operand, call, by)
     return Convert(value.span, inner, value.type, value.implicit, value.rounding)
+
+
+def _telling(span: Span, call: RoutineCall, place: Place) -> RoutineCall:
+    """The same call, which says by itself whether it works."""
+    return replace(call, outputs=(*call.outputs, (checked.WORKS, place)))
 
 
 def _is_good(span: Span, result: Expression) -> Expression:

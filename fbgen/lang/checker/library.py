@@ -25,7 +25,7 @@ from fbgen.lang.checker.rules import Rules
 from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS, standard_block
 from fbgen.lang.checker.symbols import Scope
 from fbgen.lang.checker.type_names import TypeResolver
-from fbgen.lang.checker.unmodelled import hardware_block, stubbed_block
+from fbgen.lang.checker.unmodelled import assigned_members, hardware_block, stubbed_block
 from fbgen.lang.types import VOID, BlockType, Initial, StructType, Type
 from fbgen.source import Span
 
@@ -68,6 +68,8 @@ class Library:
         self._blocks: dict[str, Block] = {}
         self._contexts: dict[Block, Context] = {}
         self._busy: list[str] = []
+        self._files: tuple[ast.File, ...] = ()
+        self._members: Mapping[str, str] | None = None
         self._owners: list[str] = []
         self._classes: set[str] = set()
         self._block_types: dict[str, BlockType] = {}
@@ -76,9 +78,16 @@ class Library:
 
     def collect(self, files: Sequence[ast.File]) -> None:
         """Make all units of the files known by name."""
+        self._files = tuple(files)
         for file in files:
             for unit in file.units:
                 self._collect_unit(unit)
+
+    def assigned_members(self) -> Mapping[str, str]:
+        """The members that the text assigns, by casefolded name."""
+        if self._members is None:
+            self._members = assigned_members(self._files)
+        return self._members
 
     def _collect_unit(self, unit: ast.Unit) -> None:
         if isinstance(unit, ast.Globals):
@@ -250,7 +259,7 @@ class Library:
         block = standard_block(name)
         if block is not None:
             return block
-        block = hardware_block(name)
+        block = hardware_block(name, self.rules.dialect in ("tia", "step7"))
         if block is None and self.is_stubbed(name):
             block = stubbed_block(self._stubbed[name.casefold()])
         if block is not None:

@@ -11,6 +11,7 @@ from fbgen.lang.checked import (
     Constant,
     Evaluate,
     Expression,
+    FieldRef,
     Place,
     RoutineCall,
     StandardBlock,
@@ -18,9 +19,9 @@ from fbgen.lang.checked import (
     VariableKind,
 )
 from fbgen.lang.checker.arguments import bind
-from fbgen.lang.checker.coercion import as_typed, coerce, spelled
+from fbgen.lang.checker.coercion import as_typed, coerce, converted, spelled
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.conversions import keeps_representation
+from fbgen.lang.checker.conversions import is_implicit, keeps_representation
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, erroneous, is_untyped
 from fbgen.lang.checker.numbered import number_named
@@ -151,12 +152,24 @@ def unmodelled_instance_call(
     _free_arguments(ctx, node, block.name, found, block)
     if not found.complete:
         return None
+    _add_remembered(ctx, place, block, found)
     if not ctx.library.is_stubbed(block.name):
         _without_model(ctx, node, block.name)
     call = RoutineCall(
         node.span, block.name, tuple(found.inputs), tuple(found.outputs), VOID, place
     )
     return Evaluate(node.span, call)
+
+
+def _add_remembered(ctx: Context, place: Place, block: StandardBlock, found: _Arguments) -> None:
+    """The inputs that the call leaves out and that the text sets as members of an instance."""
+    given = {name.casefold() for name, _ in found.inputs}
+    for variable in block.variables:
+        key = variable.name.casefold()
+        written = ctx.library.assigned_members().get(key)
+        if variable.kind is VariableKind.INPUT and key not in given and written is not None:
+            value = FieldRef(place.span, place, variable.name, variable.type)
+            found.add_input(written, value)
 
 
 def _without_model(ctx: Context, node: ast.Call, name: str) -> None:
@@ -236,10 +249,27 @@ def _free_arguments(
                 place = None
             found.add_output(argument.name, place)
         else:
-            value = as_typed(check_expression(ctx, argument.value))
+            variable = known.get(argument.name.casefold())
+            value = check_expression(
+                ctx, argument.value, None if variable is None else variable.type
+            )
+            value = _as_known(ctx, value, None if variable is None else variable.type)
             found.add_input(argument.name, value)
             if _may_come_back(ctx, value):
                 found.outputs.append((argument.name, value))  # type: ignore[arg-type]  # a place
+
+
+def _as_known(ctx: Context, value: Expression, kind: Type | None) -> Expression:
+    """The value in the type that the parameter is known to have, if it gets there by itself."""
+    if kind is None:
+        return as_typed(value)
+    if isinstance(value, Constant) and is_untyped(value.type) and isinstance(kind, Elementary):
+        whole = isinstance(value.value, int) and kind.family in _COUNTS
+        if whole and kind.minimum <= int(value.value) <= kind.maximum:
+            return Constant(value.span, value.value, kind)
+    if is_implicit(value.type, kind, ctx.rules):
+        return converted(value, kind)
+    return as_typed(value)
 
 
 def _may_come_back(ctx: Context, value: Expression) -> bool:
@@ -387,7 +417,7 @@ def _output(
     if place is None:
         return None
     word, kind = parameter.words[0], place.type
-    if parameter.types:
+    if word not in (SAME, ANYTHING, WHOLE, NUMBER):
         fits = _is_structure(kind, parameter) or any(
             _fits_place(one, kind, parameter) for one in parameter.types
         )

@@ -10,6 +10,7 @@ from fbgen.diagnostics import Note
 from fbgen.lang import ast, checked
 from fbgen.lang.checked import Constant, Expression, Statement
 from fbgen.lang.checker.assignments import check_assignment
+from fbgen.lang.checker.bit_gathering import bit_move, is_bit_move
 from fbgen.lang.checker.calls import (
     body_call,
     function_call,
@@ -34,6 +35,7 @@ from fbgen.lang.checker.routine_calls import is_routine, routine
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.system_instructions import instruction_named
 from fbgen.lang.checker.targets import check_target
+from fbgen.lang.checker.timer_control import is_timer_control, timer_control
 from fbgen.lang.checker.unknown_callees import unknown_callee
 from fbgen.lang.checker.variants import (
     asks_for_type,
@@ -44,6 +46,8 @@ from fbgen.lang.checker.variants import (
 from fbgen.lang.types import BOOL, Elementary, Family, counting_type
 from fbgen.source import Span
 
+_RESULTS = ("OUT", "OUT1", "RET_VAL")
+"""What the help calls the result of a function; the editor writes it with an arrow."""
 _SELECTORS = (Family.SIGNED, Family.UNSIGNED, Family.BITS)
 
 
@@ -85,6 +89,10 @@ def _plain_call(ctx: Context, node: ast.CallStatement, call: ast.Call) -> Sequen
         return () if function is None else (checked.Evaluate(node.span, function),)
     if is_variant_access(ctx, name):
         return variant_access(ctx, call, name)
+    if is_bit_move(ctx, name):
+        return bit_move(ctx, call, name)
+    if is_timer_control(ctx, name):
+        return timer_control(ctx, call, name)
     access = memory_access_named(name)
     if access is not None and access.writes:
         poke = check_poke(ctx, call, access)
@@ -97,6 +105,9 @@ def _plain_call(ctx: Context, node: ast.CallStatement, call: ast.Call) -> Sequen
         result, place = system_call(ctx, call, instruction)
         return _system_statement(ctx, node.span, result, place)
     if is_standard_function(name):
+        assignment = _taken_by_arrow(call)
+        if assignment is not None:
+            return check_assignment(ctx, assignment)
         if check_standard_call(ctx, call, name, None).type != ERRONEOUS:
             _unused(ctx, node.span, name)
         return ()
@@ -105,6 +116,16 @@ def _plain_call(ctx: Context, node: ast.CallStatement, call: ast.Call) -> Sequen
         return () if found is None else (checked.Evaluate(node.span, found),)
     unknown_callee(ctx, call, name)
     return ()
+
+
+def _taken_by_arrow(call: ast.Call) -> ast.Assignment | None:
+    """`T_ADD(IN1 := a, IN2 := b, OUT => c)` as the assignment that it is; None without an arrow."""
+    taken = [one for one in call.arguments if one.kind is ast.ArgumentKind.OUTPUT]
+    if len(taken) != 1 or taken[0].name.upper() not in _RESULTS or taken[0].value is None:
+        return None
+    rest = tuple(one for one in call.arguments if one is not taken[0])
+    value = ast.Call(call.span, call.callee, rest)
+    return ast.Assignment(call.span, taken[0].value, ":=", value)
 
 
 def _unused(ctx: Context, span: Span, name: str) -> None:

@@ -3,7 +3,7 @@
 Source: TIA Portal help, "DPRD_DAT" and "DPWR_DAT" (SFC14 and SFC15 on S7-300/400). LADDR is the
 start address of the module as WORD (S7-300/400), or its hardware identifier (S7-1200/1500).
 "BLKMOV", "UBLKMOV" and "FILL" (SFC20, SFC81, SFC21), "MOVE_BLK", "FILL_BLK", "POKE_BLK",
-"MOVE_BLK_VARIANT", "Serialize", "Deserialize".
+"MOVE_BLK_VARIANT", "Serialize", "Deserialize", "READ_LITTLE", "WRITE_BIG" and the like.
 """
 
 from dataclasses import dataclass
@@ -115,6 +115,24 @@ _ON_VARIANTS = (
         (_variant("SRC_ARRAY"), _in_out("DEST_VARIABLE"), _in_out("POS")),
         INT,
         on_memory=True,
+    ),
+    *(
+        Instruction(
+            f"WRITE_{order}",
+            (_variant("SRC_VARIABLE"), _in_out("DEST_ARRAY"), _in_out("POS")),
+            INT,
+            on_memory=True,
+        )
+        for order in ("LITTLE", "BIG")
+    ),
+    *(
+        Instruction(
+            f"READ_{order}",
+            (_variant("SRC_ARRAY"), _in_out("DEST_VARIABLE"), _in_out("POS")),
+            INT,
+            on_memory=True,
+        )
+        for order in ("LITTLE", "BIG")
     ),
 )
 ON_VARIANTS = tuple(instruction.name for instruction in _ON_VARIANTS)

@@ -4,6 +4,7 @@ from fbgen.lang import ast
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.elsewhere import block_help
 from fbgen.lang.checker.evaluation import check_expression
+from fbgen.lang.checker.refused_instructions import NOT_SUPPORTED, WRITTEN_OTHERWISE
 from fbgen.lang.checker.routines import MODELLED
 from fbgen.lang.checker.standard_blocks import standard_block
 from fbgen.lang.checker.standard_functions import OPERATORS_BY_NAME, STANDARD_FUNCTIONS
@@ -11,13 +12,6 @@ from fbgen.lang.checker.system_instructions import INSTRUCTIONS
 
 _NOT_RUN = ("__NEW", "__DELETE", "__QUERYINTERFACE", "__QUERYPOINTER")
 """Operators of CODESYS and TwinCAT for memory and interfaces that are made while running."""
-
-
-_NOT_MODELLED = (
-    *("VARIANT_TO_DB_ANY", "DB_ANY_TO_VARIANT", "GETSYMBOLNAME", "GETSYMBOLPATH"),
-    *("GETSYMBOLFORREFERENCE", "GETINSTANCENAME", "GETINSTANCEPATH", "GETBLOCKNAME"),
-)
-"""Instructions of TIA for the numbers and names of what a program is made of."""
 
 
 def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
@@ -30,15 +24,15 @@ def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
         help_text = "declare the instances that the program needs as variables"
         ctx.findings.error("FB4054", message, node.callee.span, help_text)
         return
-    if ctx.rules.dialect == "tia" and name.upper() in _NOT_MODELLED:
-        message, help_text = f"{name} is not supported", "hand over what it gives as an input"
-        ctx.findings.error("FB4054", message, node.callee.span, help_text)
+    refused = NOT_SUPPORTED.get(name.upper()) if ctx.rules.dialect == "tia" else None
+    if refused is not None:
+        ctx.findings.error("FB4054", f"{name} is not supported", node.callee.span, refused)
         return
     ctx.findings.unknown(
         "FB4004",
         f"there is no function or block '{name}'",
         node.callee.span,
-        lambda: block_help(name, _callable_names(ctx)),
+        lambda: WRITTEN_OTHERWISE.get(name.upper()) or block_help(name, _callable_names(ctx)),
     )
     check_arguments_alone(ctx, node)
 

@@ -17,6 +17,7 @@ from harness.engine.compiled.library.clocks import CLOCKS
 from harness.engine.compiled.library.reals import rounded
 from harness.engine.compiled.library.s5 import S5, S5Counters
 from harness.engine.compiled.library.several import CALCULATIONS
+from harness.engine.compiled.library.timers import Timer, control
 from harness.engine.compiled.memory import Memory
 from harness.engine.compiled.model import is_scalar
 from harness.engine.compiled.places import assign, place
@@ -25,7 +26,7 @@ from harness.engine.compiled.ranges import limits
 from harness.engine.environment import Environment
 from harness.engine.faults import stop_requested
 from harness.engine.interface import Value
-from harness.engine.stub_calls import call_stub
+from harness.engine.stub_calls import call_stub, with_eno
 from harness.engine.stubs import StubState
 
 # --- writing ------------------------------------------------------------------------------------
@@ -93,7 +94,12 @@ class Routines:
             name: self._exported(expression, data)
             for (name, expression), data in zip(node.inputs, values, strict=True)
         }
-        results = self._results(node, instance, inputs)
+        if isinstance(instance, Timer):
+            control(instance, inputs.get("PT"))
+            return []
+        if instance is not None:
+            self._keep(node, instance, inputs)
+        results = with_eno(node, self._results(node, instance, inputs))
         if instance is not None:
             for variable in self._program.block_of(instance_name(node)).variables:
                 if (key := variable.name.casefold()) in results:
@@ -109,6 +115,17 @@ class Routines:
                 result = getattr(instance, name.upper(), None)
             given.append(None if result is None else _fitted(result, target.type))
         return given
+
+    def _keep(self, node: RoutineCall, instance: Any, inputs: Mapping[str, Any]) -> None:
+        """The inputs that are given stay in the instance."""
+        known = {
+            one.name.casefold(): one
+            for one in self._program.block_of(instance_name(node)).variables
+        }
+        for name, expression in node.inputs:
+            variable = known.get(name.casefold())
+            if variable is not None and variable.type == expression.type:
+                setattr(instance, variable.name, inputs[name])
 
     def _exported(self, expression: Expression, data: Any) -> Any:
         return data if is_scalar(expression.type) else self._memory.export(expression.type, data)

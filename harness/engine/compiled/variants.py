@@ -1,10 +1,11 @@
 """VARIANT: questions about it, and the instructions that work on variables of any type."""
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from fbgen.lang.checked import SystemCall
-from fbgen.lang.types import BOOL, BYTE, CHAR, ArrayType, Type, is_of_type
+from fbgen.lang.types import BOOL, BYTE, CHAR, ArrayType, Elementary, Type, is_of_type
 from harness.engine.compiled.areas import VariableArea, cell_location, fixed_location
 from harness.engine.compiled.bound_variants import Variant
 from harness.engine.compiled.memory import Memory
@@ -179,10 +180,68 @@ def _deserialize(
     return 0
 
 
+def _single(variant: Variant | None) -> bool:
+    kind = None if variant is None else variant.kind
+    return isinstance(kind, Elementary) and kind != BOOL
+
+
+def _start(buffer: Variant, position: Variant | None, size: int) -> int:
+    """Where the bytes begin; an error as a negative number."""
+    start: int = 0 if position is None else position.target.value
+    room = len(buffer.target)
+    if start < 0 or start >= room:
+        return 0x8382 - _SIGN
+    return 0x8383 - _SIGN if start + size > room else start
+
+
+def _write_in_order(
+    memory: Memory,
+    source: Variant | None,
+    buffer: Variant | None,
+    position: Variant | None,
+    step: int,
+) -> int:
+    if source is None or buffer is None or not _single(source) or buffer.element != BYTE:
+        return 0x80B4 - _SIGN
+    data = area_of(memory, source).read()[::step]
+    start = _start(buffer, position, len(data))
+    if start < 0:
+        return start
+    for number, byte in enumerate(data, start):
+        buffer.target[number] = byte
+    if position is not None:
+        position.target.value = start + len(data)
+    return 0
+
+
+def _read_in_order(
+    memory: Memory,
+    buffer: Variant | None,
+    target: Variant | None,
+    position: Variant | None,
+    step: int,
+) -> int:
+    if target is None or buffer is None or not _single(target) or buffer.element != BYTE:
+        return 0x80B4 - _SIGN
+    area = area_of(memory, target)
+    start = _start(buffer, position, area.length)
+    if start < 0:
+        return start
+    end = start + area.length
+    area.write(bytes(buffer.target[number] for number in range(start, end))[::step])
+    if position is not None:
+        position.target.value = end
+    return 0
+
+
 _INSTRUCTIONS: dict[str, Callable[..., int]] = {
     "MOVE_BLK_VARIANT": _move_block,
     "SERIALIZE": _serialize,
     "DESERIALIZE": _deserialize,
+    "WRITE_BIG": partial(_write_in_order, step=1),
+    "WRITE_LITTLE": partial(_write_in_order, step=-1),
+    "READ_BIG": partial(_read_in_order, step=1),
+    "READ_LITTLE": partial(_read_in_order, step=-1),
 }
 
 

@@ -26,7 +26,9 @@ from harness.engine.reference.routines import Routines, fitted
 from harness.engine.reference.standard_blocks import run_standard_block
 from harness.engine.reference.statements import Statements, Watchdog
 from harness.engine.reference.storage import LIVING_KINDS, InstanceStorage, Storage
-from harness.engine.reference.unmodelled import Unmodelled
+from harness.engine.reference.timers import Timer, control_timer
+from harness.engine.reference.unmodelled import Unmodelled, keep_inputs
+from harness.engine.stub_calls import with_eno
 from harness.engine.stubs import StubState
 
 
@@ -173,9 +175,13 @@ class Calls:
         if call.instance is not None:
             found = self._places.find(call.instance, frame)
             assert isinstance(found, InstanceStorage)
+            if isinstance(found.standard, Timer):
+                control_timer(found, inputs)
+                return None
             assert isinstance(found.standard, Unmodelled)
             instance, state = found, found.standard.state
-        results = self.routines.run(call, inputs, state)
+            keep_inputs(instance, call, inputs)
+        results = with_eno(call, self.routines.run(call, inputs, state))
         if instance is not None:
             for key, part in instance.parts.items():
                 if key in results:

@@ -92,6 +92,11 @@ def _no_error(operands: Operands, clocked: Clocked) -> Mapping[str, Value]:
     return {"id": 0, "ret_val": 0}
 
 
+def _nothing(operands: Operands, clocked: Clocked) -> Mapping[str, Value]:
+    """GET_ERROR: the operand is only changed where there was an error."""
+    return {}
+
+
 CLOCK_ROUTINES: dict[str, Routine] = {
     "RD_SYS_T": _reading("OUT"),
     "RD_LOC_T": _reading("OUT"),
@@ -104,5 +109,6 @@ CLOCK_ROUTINES: dict[str, Routine] = {
     "RE_TRIGR": _retrigger,
     "STP": _stop,
     "GETERRORID": _no_error,
+    "GETERROR": _nothing,
 }
 """By canonical name."""

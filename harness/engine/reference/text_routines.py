@@ -30,15 +30,17 @@ def _text_to_value(operands: Operands) -> Mapping[str, Value]:
     kind = operands.kinds["OUT"]
     assert isinstance(kind, Elementary)
     if number is None:
-        return {"out": 0}
+        return {"out": 0, "eno": False}
     if kind.family is Family.REAL:
         try:
             real = rounded(kind, float(number))
         except OverflowError:
-            return {"out": 0.0}
-        return {"out": real if math.isfinite(real) else 0.0}
+            return {"out": 0.0, "eno": False}
+        fits = math.isfinite(real)
+        return {"out": real if fits else 0.0, "eno": fits}
     whole = math.trunc(number)
-    return {"out": whole if kind.minimum <= whole <= kind.maximum else 0}
+    fits = kind.minimum <= whole <= kind.maximum
+    return {"out": whole if fits else 0, "eno": fits}
 
 
 def _number_in(operands: Operands) -> Fraction | None:
@@ -71,9 +73,9 @@ def _value_to_text(operands: Operands) -> Mapping[str, Value]:
     assert isinstance(kind, StringType)
     shown = _shown(operands.values["IN"], operands.whole("PREC"), form)
     if shown is None or len(shown) > size:
-        return {}
+        return {"eno": False}
     if position < 1 or position > len(target) + 1 or position - 1 + size > kind.length:
-        return {}
+        return {"eno": False}
     text = target[: position - 1] + shown.rjust(size) + target[position - 1 + size :]
     return {"out": text}
 

@@ -11,15 +11,16 @@ anew (IEC 61131-3 leaves it open; S7-300/400 SFB3 to SFB5 inferred). A timing th
 so whatever PT says.
 
 Sources: IEC 61131-3 third edition, table 46 and figure 15 (timing diagrams); TIA Portal help for
-TONR.
+TONR, RESET_TIMER and PRESET_TIMER.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import ClassVar
 
 from fbgen.lang.types import Elementary
+from harness.engine.interface import Value
 from harness.engine.reference.behaviour import Behaviour, Call
-from harness.engine.reference.storage import Storage
+from harness.engine.reference.storage import InstanceStorage, Storage
 
 _NS_PER_TICK = {32: 1_000_000, 64: 1}
 
@@ -143,3 +144,20 @@ class Timer(Behaviour):
         """True once PT has passed."""
         self.ended = self.ended or self._elapsed_ns(now_ns) >= self.preset_ns
         return self.ended
+
+
+def control_timer(instance: InstanceStorage, inputs: Mapping[str, Value]) -> None:
+    """PRESET_TIMER: another PT, also for what is being timed; RESET_TIMER: everything is zero."""
+    timer = instance.standard
+    assert isinstance(timer, Timer)
+    preset = inputs.get("PT")
+    if preset is None:
+        timer.restore(Timer(timer.latches).snapshot())
+        for part in instance.parts.values():
+            part.write(False if isinstance(part.read(), bool) else 0)
+        return
+    assert isinstance(preset, int)
+    kind = instance.parts["pt"].kind
+    assert isinstance(kind, Elementary)
+    instance.parts["pt"].write(preset)
+    timer.preset_ns = max(preset, 0) * _NS_PER_TICK[kind.bits]

@@ -1,10 +1,11 @@
 """An instance of a function block that only a stub of the user carries out."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
-from harness.engine.interface import State
+from fbgen.lang.checked import RoutineCall
+from harness.engine.interface import State, Value
 from harness.engine.reference.behaviour import Behaviour, Call
-from harness.engine.reference.storage import Storage
+from harness.engine.reference.storage import InstanceStorage, Storage
 from harness.engine.stubs import StubState
 
 
@@ -25,3 +26,11 @@ class Unmodelled(Behaviour):
 
     def restore(self, state: State) -> None:
         """Nothing of the program."""
+
+
+def keep_inputs(instance: InstanceStorage, call: RoutineCall, inputs: Mapping[str, Value]) -> None:
+    """The inputs that are given stay in the instance, where the program can read them."""
+    for name, expression in call.inputs:
+        variable = instance.variable(name.casefold())
+        if variable is not None and variable.type == expression.type:
+            instance.parts[name.casefold()].write(inputs[name])

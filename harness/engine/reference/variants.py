@@ -1,13 +1,13 @@
 """VARIANT: asking for types, and the instructions that work on variables of any type.
 
 Sources: TIA Portal help, "TypeOf", "CountOfElements", "MOVE_BLK_VARIANT", "Serialize",
-"Deserialize" with the values of RET_VAL.
+"Deserialize", "READ_LITTLE" and the like, with the values of RET_VAL.
 """
 
 from collections.abc import Callable, Sequence
 
 from fbgen.lang.checked import ElementCount, Expression, SameTypes, TypeTest
-from fbgen.lang.types import BOOL, BYTE, CHAR, ArrayType, Type, is_of_type
+from fbgen.lang.types import BOOL, BYTE, CHAR, ArrayType, Elementary, Type, is_of_type
 from fbgen.source import Span
 from harness.engine.reference.areas import StorageArea
 from harness.engine.reference.storage import Array, Storage
@@ -132,9 +132,81 @@ def _deserialize(arguments: Arguments, span: Span) -> int:
     return 0
 
 
+def _is_single(storage: Storage | None) -> bool:
+    """True for a variable of an elementary type whose bytes have an order."""
+    kind = None if storage is None else storage.kind
+    return isinstance(kind, Elementary) and kind.bits >= BYTE.bits
+
+
+def _writing(order: int) -> Callable[[Arguments, Span], int]:
+    """WRITE_BIG and WRITE_LITTLE: `order` is the step through the bytes."""
+
+    def write(arguments: Arguments, span: Span) -> int:
+        source, buffer, position = (_variable(one) for one in arguments)
+        if not _is_single(source) or not _is_bytes(buffer):
+            return _error(0x80B4)
+        assert source is not None
+        assert buffer is not None
+        data = StorageArea(source, span).read()[::order]
+        problem, start = _room(buffer, position, len(data), span)
+        if problem:
+            return problem
+        area = StorageArea(buffer, span)
+        area.write(area.read()[:start] + data)
+        _move_on(position, start + len(data))
+        return 0
+
+    return write
+
+
+def _reading(order: int) -> Callable[[Arguments, Span], int]:
+    """READ_BIG and READ_LITTLE."""
+
+    def read(arguments: Arguments, span: Span) -> int:
+        buffer, target, position = (_variable(one) for one in arguments)
+        if not _is_single(target) or not _is_bytes(buffer):
+            return _error(0x80B4)
+        assert target is not None
+        assert buffer is not None
+        area = StorageArea(target, span)
+        problem, start = _room(buffer, position, area.length, span)
+        if problem:
+            return problem
+        data = StorageArea(buffer, span).read()[start : start + area.length]
+        area.write(data[::order])
+        _move_on(position, start + area.length)
+        return 0
+
+    return read
+
+
+def _is_bytes(storage: Storage | None) -> bool:
+    kind = None if storage is None else storage.kind
+    return isinstance(kind, ArrayType) and kind.element == BYTE
+
+
+def _room(buffer: Storage, position: Storage | None, count: int, span: Span) -> tuple[int, int]:
+    """What is wrong with the position, 0 for nothing, and the position."""
+    start = 0 if position is None else position.read()
+    assert isinstance(start, int)
+    length = StorageArea(buffer, span).length
+    if not 0 <= start < length:
+        return _error(0x8382), start
+    return (_error(0x8383) if start + count > length else 0), start
+
+
+def _move_on(position: Storage | None, end: int) -> None:
+    if position is not None:
+        position.write(end)
+
+
 ON_VARIANTS: dict[str, Callable[[Arguments, Span], int]] = {
     "MOVE_BLK_VARIANT": _move_block,
     "SERIALIZE": _serialize,
     "DESERIALIZE": _deserialize,
+    "WRITE_BIG": _writing(1),
+    "WRITE_LITTLE": _writing(-1),
+    "READ_BIG": _reading(1),
+    "READ_LITTLE": _reading(-1),
 }
 """By canonical name; each gives its RET_VAL."""

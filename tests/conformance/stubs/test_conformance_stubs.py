@@ -132,3 +132,36 @@ def test_a_block_in_a_further_file_is_used_instead(engine_name: str) -> None:
     block = load_program(files, engine=engine_name).instance("Faulty")
     block()
     assert (block.state, block.count) == (2, 9)
+
+
+INPUTS = """FUNCTION_BLOCK "Sender"
+VAR_INPUT go : Bool; END_VAR
+VAR_OUTPUT sent : Bool; asked : Bool; length : UDInt; END_VAR
+VAR send : TSEND; other : CONT_C; data : Array[0..3] of Byte; END_VAR
+BEGIN
+  #send.REQ := #go;
+  #send(ID := 16#0001, LEN := 4, DATA := #data);
+  #send();
+  #asked := #send.REQ;
+  #length := #send.LEN;
+  #sent := #send.DONE;
+  #other(SP_INT := 50.0, GAIN := 2.0);
+END_FUNCTION_BLOCK
+"""
+
+
+def test_inputs_of_hardware_blocks_are_members_that_stay(engine_name: str) -> None:
+    program = load_program([Source("sender.scl", INPUTS)], engine=engine_name)
+    calls: list[Mapping[str, object]] = []
+
+    def sends(**inputs: object) -> Mapping[str, object]:
+        calls.append(inputs)
+        return {"DONE": inputs["REQ"]}
+
+    program.stub("TSEND", sends)
+    program.stub("CONT_C", lambda SP_INT, GAIN: {"LMN": SP_INT * GAIN})  # noqa: N803  # PLC names
+    block = program.instance("Sender")
+    block(go=True)
+    assert (block.sent, block.asked, block.length) == (True, True, 4)
+    assert block["other.LMN"] == 100.0
+    assert [sorted(given) for given in calls] == [["DATA", "ID", "LEN", "REQ"], ["REQ"]]

@@ -16,6 +16,7 @@ CLOCK = {
     "RE_TRIGR": "()",
     "STP": "()",
     "GETERRORID": "WORD(ID => WORD?)",
+    "GETERROR": "(ERROR => ERRORSTRUCT)",
 }
 
 CLOCK_ALIASES = {
@@ -25,5 +26,5 @@ CLOCK_ALIASES = {
     "SFC46": "STP",
     "SFC64": "TIME_TCK",
     "GET_ERR_ID": "GETERRORID",
-    "GETERRORID": "GETERRORID",
+    "GET_ERROR": "GETERROR",
 }

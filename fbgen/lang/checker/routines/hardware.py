@@ -1,8 +1,7 @@
-"""Instructions that work on hardware which the harness does not model: their names.
+"""Functions that work on hardware which the harness does not model: their names.
 
-They can be called, and a stub of the user says what they do (`program.stub`). The functions take
-parameters of any name; for the function blocks the outputs are listed, so that `inst.DONE` can be
-read, and again parameters of any name can be given.
+They can be called, and a stub of the user says what they do (`program.stub`). They take parameters
+of any name. Function blocks: `hardware_blocks`.
 Source: TIA Portal help, "Extended instructions" and "Communication"; STEP 7 system functions
 manual for the numbers.
 """
@@ -24,19 +23,36 @@ _DIAGNOSTICS = (
     *("GET_IM_DATA", "ALARM_S", "ALARM_SQ"),
     *("ALARM_SC", "I_GET", "I_PUT", "X_SEND", "X_RCV", "X_GET", "X_PUT", "X_ABORT", "I_ABORT"),
     *("AG_SEND", "AG_RECV", "AG_LSEND", "AG_LRECV", "PROTECT"),
+    *("ALARM_D", "ALARM_DQ", "GEN_DIAG", "LOG2MOD", "RD_DPARA", "RH_CTRL", "RH_GETPRIMARYID"),
+    *("EN_MSG", "DIS_MSG", "MP_ALM", "GD_SND", "GD_RCV", "CONTROL", "AB_CALL", "C_DIAG", "H_CTRL"),
+    *("SET_CLKS", "READ_SI", "DEL_SI", "PN_IN", "PN_OUT", "PN_DP", "CREA_DBL", "CREA_DB"),
 )
-HARDWARE_FUNCTIONS: dict[str, str] = dict.fromkeys((*_INTERRUPTS, *_DIAGNOSTICS), _OPEN)
+_RUNNING = (
+    *("ENDIS_PW", "SHUT_DOWN", "INIT_RD", "OB_RT", "SET_RTM", "CTRL_RTM", "READ_RTM"),
+    *("SET", "RSET", "SETI", "RSETI"),
+)
+HARDWARE_FUNCTIONS: dict[str, str] = dict.fromkeys((*_INTERRUPTS, *_DIAGNOSTICS, *_RUNNING), _OPEN)
 """By upper-case name."""
 
 HARDWARE_ALIASES = {
+    "SFC2": "SET_RTM",
+    "SFC3": "CTRL_RTM",
+    "SFC4": "READ_RTM",
     "SFC5": "GADR_LGC",
     "SFC6": "RD_SINFO",
+    "SFC7": "DP_PRAL",
+    "SFC9": "EN_MSG",
+    "SFC10": "DIS_MSG",
     "SFC11": "DPSYC_FR",
     "SFC12": "D_ACT_DP",
     "SFC13": "DPNRM_DG",
+    "SFC17": "ALARM_SQ",
+    "SFC18": "ALARM_S",
+    "SFC19": "ALARM_SC",
     "SFC22": "CREAT_DB",
     "SFC23": "DEL_DB",
     "SFC24": "TEST_DB",
+    "SFC25": "COMPRESS",
     "SFC26": "UPDAT_PI",
     "SFC27": "UPDAT_PO",
     "SFC28": "SET_TINT",
@@ -46,6 +62,7 @@ HARDWARE_ALIASES = {
     "SFC32": "SRT_DINT",
     "SFC33": "CAN_DINT",
     "SFC34": "QRY_DINT",
+    "SFC35": "MP_ALM",
     "SFC36": "MSK_FLT",
     "SFC37": "DMSK_FLT",
     "SFC38": "READ_ERR",
@@ -55,101 +72,53 @@ HARDWARE_ALIASES = {
     "SFC42": "EN_AIRT",
     "SFC44": "REPL_VAL",
     "SFC47": "WAIT",
+    "SFC48": "SNC_RTCB",
     "SFC49": "LGC_GADR",
     "SFC50": "RD_LGADR",
     "SFC51": "RDSYSST",
     "SFC52": "WR_USMSG",
+    "SFC54": "RD_DPARM",
+    "SFC55": "WR_PARM",
+    "SFC56": "WR_DPARM",
+    "SFC57": "PARM_MOD",
     "SFC58": "WR_REC",
     "SFC59": "RD_REC",
+    "SFC60": "GD_SND",
+    "SFC61": "GD_RCV",
+    "SFC62": "CONTROL",
+    "SFC63": "AB_CALL",
+    "SFC65": "X_SEND",
+    "SFC66": "X_RCV",
+    "SFC67": "X_GET",
+    "SFC68": "X_PUT",
+    "SFC69": "X_ABORT",
     "SFC70": "GEO_LOG",
     "SFC71": "LOG_GEO",
+    "SFC72": "I_GET",
+    "SFC73": "I_PUT",
+    "SFC74": "I_ABORT",
+    "SFC78": "OB_RT",
+    "SFC79": "SET",
+    "SFC80": "RSET",
+    "SFC82": "CREA_DBL",
+    "SFC83": "READ_DBL",
+    "SFC84": "WRIT_DBL",
+    "SFC85": "CREA_DB",
+    "SFC87": "C_DIAG",
+    "SFC90": "H_CTRL",
+    "SFC100": "SET_CLKS",
+    "SFC101": "RTM",
+    "SFC102": "RD_DPARA",
+    "SFC103": "DP_TOPOL",
+    "SFC105": "READ_SI",
+    "SFC106": "DEL_SI",
+    "SFC107": "ALARM_DQ",
+    "SFC108": "ALARM_D",
+    "SFC109": "PROTECT",
+    "SFC112": "PN_IN",
+    "SFC113": "PN_OUT",
+    "SFC114": "PN_DP",
+    "SFC126": "SYNC_PI",
+    "SFC127": "SYNC_PO",
 }
-_JOB = "DONE => BOOL, BUSY => BOOL, ERROR => BOOL, STATUS => WORD"
-_RECEIVE = "NDR => BOOL, BUSY => BOOL, ERROR => BOOL, STATUS => WORD"
-_RECORD = "BUSY => BOOL, ERROR => BOOL, STATUS => DWORD"
-_MOTION = "BUSY => BOOL, COMMANDABORTED => BOOL, ERROR => BOOL, ERRORID => WORD, ERRORINFO => WORD"
-
-HARDWARE_BLOCKS: dict[str, str] = {
-    **dict.fromkeys(("TCON", "TDISCON", "TSEND", "TSEND_C", "TUSEND", "TMAIL_C"), _JOB),
-    **dict.fromkeys(("TRCV", "TURCV"), f"{_RECEIVE}, RCVD_LEN => UDINT"),
-    "TRCV_C": "DONE => BOOL, BUSY => BOOL, ERROR => BOOL, STATUS => WORD, RCVD_LEN => UDINT",
-    "T_RESET": _JOB,
-    "T_DIAG": _JOB,
-    "T_CONFIG": f"{_JOB}, ERR_LOC => DWORD",
-    "MB_CLIENT": _JOB,
-    "MB_SERVER": "NDR => BOOL, DR => BOOL, ERROR => BOOL, STATUS => WORD",
-    "MB_COMM_LOAD": "DONE => BOOL, ERROR => BOOL, STATUS => WORD",
-    "MODBUS_COMM_LOAD": "DONE => BOOL, ERROR => BOOL, STATUS => WORD",
-    "MB_MASTER": _JOB,
-    "MODBUS_MASTER": _JOB,
-    "MB_SLAVE": "NDR => BOOL, DR => BOOL, ERROR => BOOL, STATUS => WORD",
-    "MODBUS_SLAVE": "NDR => BOOL, DR => BOOL, ERROR => BOOL, STATUS => WORD",
-    "RDREC": f"VALID => BOOL, {_RECORD}, LEN => UINT",
-    "WRREC": f"DONE => BOOL, {_RECORD}",
-    "RALRM": "NEW => BOOL, STATUS => DWORD, ID => UINT, LEN => UINT",
-    "DPV1_RALRM": "NEW => BOOL, STATUS => DWORD, ID => UINT, LEN => UINT",
-    "GETIO": "STATUS => DWORD, LEN => INT",
-    "SETIO": "STATUS => DWORD",
-    "GETIO_PART": "STATUS => DWORD, ERROR => BOOL",
-    "SETIO_PART": "STATUS => DWORD, ERROR => BOOL",
-    "GET": "NDR => BOOL, ERROR => BOOL, STATUS => WORD",
-    "PUT": "DONE => BOOL, ERROR => BOOL, STATUS => WORD",
-    "USEND": "DONE => BOOL, ERROR => BOOL, STATUS => WORD",
-    "URCV": "NDR => BOOL, ERROR => BOOL, STATUS => WORD",
-    "BSEND": "DONE => BOOL, ERROR => BOOL, STATUS => WORD",
-    "BRCV": "NDR => BOOL, ERROR => BOOL, STATUS => WORD",
-    **dict.fromkeys(
-        ("SEND_CONFIG", "PORT_CONFIG", "RCV_CONFIG", "RCV_RST", "P3964_CONFIG", "SGN_SET"),
-        "DONE => BOOL, ERROR => BOOL, STATUS => WORD",
-    ),
-    **dict.fromkeys(
-        ("SEND_P2P", "SEND_PTP", "P_SEND", "PORT_CFG", "SEND_CFG", "RCV_CFG"),
-        "DONE => BOOL, ERROR => BOOL, STATUS => WORD",
-    ),
-    **dict.fromkeys(
-        ("RECEIVE_P2P", "RCV_PTP", "RECEIVE_PTP", "P_RCV", "S_RCV", "S_SEND"),
-        "NDR => BOOL, ERROR => BOOL, STATUS => WORD, LENGTH => UINT",
-    ),
-    "SGN_GET": (
-        "NDR => BOOL, ERROR => BOOL, STATUS => WORD, DTR => BOOL, DSR => BOOL, RTS => BOOL,"
-        " CTS => BOOL, DCD => BOOL, RING => BOOL"
-    ),
-    **dict.fromkeys(
-        ("DATALOGCREATE", "DATALOGOPEN", "DATALOGWRITE", "DATALOGCLOSE", "DATALOGNEWFILE"), _JOB
-    ),
-    **dict.fromkeys(("FILEREADC", "FILEWRITEC", "FILEDELETE"), _JOB),
-    "PROGRAM_ALARM": "ERROR => BOOL, STATUS => WORD",
-    "GET_ALARMSTATE": "ALARMSTATE => BYTE, ERROR => BOOL, STATUS => WORD",
-    **dict.fromkeys(("ALARM", "ALARM_8", "ALARM_8P", "NOTIFY"), "DONE => BOOL, ERROR => BOOL"),
-    **dict.fromkeys(("CTRL_HSC", "CTRL_PWM", "CTRL_PTO", "CTRL_HSC_EXT"), _JOB),
-    "HIGH_SPEED_COUNTER": "ERROR => BOOL, ERRORID => WORD",
-    **dict.fromkeys(
-        (
-            *("MC_POWER", "MC_RESET", "MC_HOME", "MC_HALT", "MC_MOVEABSOLUTE", "MC_MOVERELATIVE"),
-            *("MC_MOVEVELOCITY", "MC_MOVEJOG", "MC_CHANGEDYNAMIC", "MC_STOP", "MC_GEARIN"),
-        ),
-        f"STATUS => BOOL, DONE => BOOL, {_MOTION}",
-    ),
-    "PID_COMPACT": (
-        "SCALEDINPUT => REAL, OUTPUT => REAL, OUTPUT_PER => INT, OUTPUT_PWM => BOOL,"
-        " SETPOINTLIMIT_H => BOOL, SETPOINTLIMIT_L => BOOL, INPUTWARNING_H => BOOL,"
-        " INPUTWARNING_L => BOOL, STATE => INT, ERROR => BOOL, ERRORBITS => DWORD"
-    ),
-}
-"""Function blocks by upper-case name, with their outputs."""
-
-BLOCK_ALIASES = {
-    "SFB8": "USEND",
-    "SFB9": "URCV",
-    "SFB12": "BSEND",
-    "SFB13": "BRCV",
-    "SFB14": "GET",
-    "SFB15": "PUT",
-    "SFB52": "RDREC",
-    "SFB53": "WRREC",
-    "SFB54": "RALRM",
-    "FB63": "TSEND",
-    "FB64": "TRCV",
-    "FB65": "TCON",
-    "FB66": "TDISCON",
-}
+"""The numbers that they have on S7-300/400."""

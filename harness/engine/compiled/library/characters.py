@@ -30,13 +30,15 @@ def _string_to_value(inputs: Inputs, kinds: Kinds) -> Results:
     assert isinstance(kind, Elementary)
     text = _number_text(inputs["IN"], inputs["FORMAT"], inputs["P"])
     if text is None:
-        return {"out": 0}
+        return {"out": 0, "eno": False}
     if kind.family is Family.REAL:
         number = float(text)
         held = rounded(number) if kind.bits == 32 else number
-        return {"out": number if isfinite(held) else 0.0}
+        return {"out": number, "eno": True} if isfinite(held) else {"out": 0.0, "eno": False}
     whole = int(_EXACT.create_decimal(text))
-    return {"out": whole if kind.minimum <= whole <= kind.maximum else 0}
+    if whole < kind.minimum or whole > kind.maximum:
+        return {"out": 0, "eno": False}
+    return {"out": whole, "eno": True}
 
 
 def _number_text(text: str, form: int, position: int) -> str | None:
@@ -60,11 +62,11 @@ def _value_to_string(inputs: Inputs, kinds: Kinds) -> Results:
     assert isinstance(kind, StringType)
     value, size, position, old = inputs["IN"], inputs["SIZE"], inputs["P"], inputs["OUT"]
     if isinstance(value, float) and not isfinite(value):
-        return {}
+        return {"eno": False}
     digits = _digits(value, inputs["PREC"], inputs["FORMAT"])
     start = position - 1
     if len(digits) > size or not 0 <= start <= len(old) or start + size > kind.length:
-        return {}
+        return {"eno": False}
     return {"out": f"{old[:start]}{digits:>{size}}{old[start + size :]}"}
 
 

@@ -93,6 +93,12 @@ def _no_error(
     return {"id": 0, "ret_val": 0}
 
 
+def _nothing(
+    inputs: Mapping[str, Any], kinds: Mapping[str, Type], services: Services, now_ns: int
+) -> Results:
+    return {}
+
+
 CLOCKS: dict[str, _Clock] = {
     "RD_SYS_T": _reader("OUT"),
     "RD_LOC_T": _reader("OUT"),
@@ -103,5 +109,6 @@ CLOCKS: dict[str, _Clock] = {
     "TIME_TCK": _ticks,
     "RUNTIME": _runtime,
     "GETERRORID": _no_error,
+    "GETERROR": _nothing,
 }
 """By canonical name."""

@@ -1,6 +1,6 @@
-"""Calculations with several results: analog values, dates taken apart, DEMUX.
+"""Calculations with several results: analog values, dates taken apart, DEMUX, digits.
 
-Sources: STEP 7 help, FC105 and FC106; IEC 61131-3 third edition, table 36; TIA Portal help.
+Sources: STEP 7 help, FC89, FC93, FC105, FC106; IEC 61131-3, table 36; TIA Portal help.
 """
 
 from collections.abc import Callable, Mapping
@@ -9,6 +9,7 @@ from typing import Any
 from fbgen.lang.types import Type
 from harness.engine.compiled.library import calendar, characters
 from harness.engine.compiled.library.dates import DAYS_TO_1990, NS_PER_DAY, NS_PER_MS
+from harness.engine.compiled.library.decimals import from_bcd, to_bcd
 from harness.engine.compiled.library.reals import quotient
 
 _FULL = 27_648
@@ -28,7 +29,7 @@ def _scale(inputs: Inputs, kinds: Kinds) -> Results:
     if lowest <= raw <= _FULL:
         share = (raw - lowest) / (_FULL - lowest)
         return {"out": share * (top - bottom) + bottom, "ret_val": 0}
-    return {"out": top if raw > 0 else bottom, "ret_val": _CLIPPED}
+    return {"out": top if raw > 0 else bottom, "ret_val": _CLIPPED, "eno": False}
 
 
 def _unscale(inputs: Inputs, kinds: Kinds) -> Results:
@@ -37,7 +38,7 @@ def _unscale(inputs: Inputs, kinds: Kinds) -> Results:
     share = quotient(inputs["IN"] - bottom, top - bottom)
     if 0 <= share <= 1:
         return {"out": round(share * (_FULL - lowest) + lowest), "ret_val": 0}
-    return {"out": _FULL if share > 1 else lowest, "ret_val": _CLIPPED}
+    return {"out": _FULL if share > 1 else lowest, "ret_val": _CLIPPED, "eno": False}
 
 
 def _demux(inputs: Inputs, kinds: Kinds) -> Results:
@@ -45,7 +46,7 @@ def _demux(inputs: Inputs, kinds: Kinds) -> Results:
     for name in (chosen, "OUTELSE"):
         if name in kinds:
             return {name.casefold(): inputs["IN"]}
-    return {}
+    return {"eno": False}
 
 
 def _date(days: int) -> Results:
@@ -61,10 +62,27 @@ def _split_stamp(inputs: Inputs, kinds: Kinds) -> Results:
     return {**_date(days), **_time(rest // NS_PER_MS)}
 
 
+_PATTERNS = bytes.fromhex("3F065B4F666D7D077F67777C395E7971")
+
+
+def _seg(inputs: Inputs, kinds: Kinds) -> Results:
+    word, shown = inputs["IN"], 0
+    for shift in (12, 8, 4, 0):
+        shown = shown << 8 | _PATTERNS[word >> shift & 15]
+    return {"out": shown}
+
+
+def _complement(inputs: Inputs, kinds: Kinds) -> Results:
+    number = from_bcd(inputs["IN"] & 0x0FFF_FFFF, 28, 9_999_999, inputs["IN"])
+    return {"ret_val": to_bcd(10_000_000 - number, 32)}
+
+
 CALCULATIONS: dict[str, Callable[[Inputs, Kinds], Results]] = {
     "SCALE": _scale,
     "UNSCALE": _unscale,
     "DEMUX": _demux,
+    "SEG": _seg,
+    "BCDCPL": _complement,
     "SPLIT_DATE": lambda inputs, _: _date(inputs["IN"] + DAYS_TO_1990),
     "SPLIT_TOD": lambda inputs, _: _time(inputs["IN"]),
     "SPLIT_LTOD": lambda inputs, _: _time(inputs["IN"] // NS_PER_MS),

@@ -30,6 +30,14 @@ class Timer:
         self._start: int | None = None
 
 
+def control(timer: Timer, preset: int | None) -> None:
+    """RESET_TIMER, or PRESET_TIMER with the time that is to count from now on."""
+    if preset is None:
+        Timer.__init__(timer)
+    else:
+        timer.PT = timer._preset = preset
+
+
 METHODS = {"TON": "_ton", "TOF": "_tof", "TP": "_tp", "TONR": "_tonr"}
 """The method of each timer, by its canonical name."""
 

@@ -1,0 +1,256 @@
+"""Function blocks that work on hardware which the harness does not model, and controllers.
+
+An instance has the inputs and outputs of the table, so that `inst.REQ` can be set and `inst.DONE`
+read; a call can give parameters of any name besides, such as the in-outs. What a call does is up
+to the user's stub.
+Source: TIA Portal help, "Communication", "Technology" and "Extended instructions"; STEP 7, System
+and Standard Functions, for the SFBs and their numbers; "Standard Software for S7: PID Control".
+"""
+
+_DONE = "DONE => BOOL, BUSY => BOOL, ERROR => BOOL, STATUS => WORD"
+_NEW = "NDR => BOOL, BUSY => BOOL, ERROR => BOOL, STATUS => WORD"
+_JOB = f"REQ BOOL, {_DONE}"
+_CONNECTED = f"REQ BOOL, ID WORD, {_DONE}"
+_SHORT = "DONE => BOOL, ERROR => BOOL, STATUS => WORD"
+_SHORT_NEW = "NDR => BOOL, ERROR => BOOL, STATUS => WORD"
+_RECORD = "BUSY => BOOL, ERROR => BOOL, STATUS => DWORD"
+_POINT = "REQ BOOL, PORT UINT, DONE => BOOL, ERROR => BOOL, STATUS => WORD"
+_POINT_NEW = "EN_R BOOL, PORT UINT, NDR => BOOL, ERROR => BOOL, STATUS => WORD, LENGTH => UINT"
+_MOTION = (
+    "EXECUTE BOOL, STATUS => BOOL, DONE => BOOL, BUSY => BOOL, COMMANDABORTED => BOOL,"
+    " ERROR => BOOL, ERRORID => WORD, ERRORINFO => WORD"
+)
+_ENABLED = (
+    "ENABLE BOOL, STATUS => BOOL, DONE => BOOL, BUSY => BOOL, COMMANDABORTED => BOOL,"
+    " ERROR => BOOL, ERRORID => WORD, ERRORINFO => WORD"
+)
+_SIGNAL = "EN_R BOOL, SIG BOOL, ID WORD, EV_ID DWORD, SEVERITY WORD, DONE => BOOL, ERROR => BOOL"
+_CONTROLLER = (
+    "COM_RST BOOL, MAN_ON BOOL, PVPER_ON BOOL, CYCLE TIME, SP_INT REAL, PV_IN REAL, PV_PER WORD,"
+    " GAIN REAL, TI TIME, DEADB_W REAL, PV_FAC REAL, PV_OFF REAL, DISV REAL"
+)
+
+HARDWARE_BLOCKS: dict[str, str] = {
+    # Open user communication
+    "TCON": _CONNECTED,
+    "TDISCON": _CONNECTED,
+    "TSEND": f"REQ BOOL, ID WORD, LEN UDINT, {_DONE}",
+    "TRCV": f"EN_R BOOL, ID WORD, LEN UDINT, ADHOC BOOL, {_NEW}, RCVD_LEN => UDINT",
+    "TUSEND": f"REQ BOOL, ID WORD, LEN UDINT, {_DONE}",
+    "TURCV": f"EN_R BOOL, ID WORD, LEN UDINT, {_NEW}, RCVD_LEN => UDINT",
+    "TSEND_C": f"REQ BOOL, CONT BOOL, LEN UDINT, COM_RST BOOL, {_DONE}",
+    "TRCV_C": (
+        f"EN_R BOOL, CONT BOOL, LEN UDINT, ADHOC BOOL, COM_RST BOOL, {_DONE}, RCVD_LEN => UDINT"
+    ),
+    "TMAIL_C": _JOB,
+    "T_RESET": _CONNECTED,
+    "T_DIAG": _CONNECTED,
+    "T_CONFIG": f"REQ BOOL, INTERFACE UINT, {_DONE}, ERR_LOC => DWORD",
+    "FTP_CMD": f"REQ BOOL, CMD BYTE, {_DONE}",
+    # Modbus
+    "MB_CLIENT": (
+        f"REQ BOOL, DISCONNECT BOOL, MB_MODE USINT, MB_DATA_ADDR UDINT, MB_DATA_LEN UINT, {_DONE}"
+    ),
+    "MB_SERVER": "DISCONNECT BOOL, NDR => BOOL, DR => BOOL, ERROR => BOOL, STATUS => WORD",
+    **dict.fromkeys(
+        ("MB_COMM_LOAD", "MODBUS_COMM_LOAD"),
+        "REQ BOOL, PORT UINT, BAUD UDINT, PARITY UINT, FLOW_CTRL UINT, RTS_ON_DLY UINT,"
+        f" RTS_OFF_DLY UINT, RESP_TO UINT, {_SHORT}",
+    ),
+    **dict.fromkeys(
+        ("MB_MASTER", "MODBUS_MASTER"),
+        f"REQ BOOL, MB_ADDR UINT, MODE USINT, DATA_ADDR UDINT, DATA_LEN UINT, {_DONE}",
+    ),
+    **dict.fromkeys(
+        ("MB_SLAVE", "MODBUS_SLAVE"),
+        "MB_ADDR UINT, NDR => BOOL, DR => BOOL, ERROR => BOOL, STATUS => WORD",
+    ),
+    # Data records and distributed I/O
+    "RDREC": f"REQ BOOL, ID UINT, INDEX DINT, MLEN UINT, VALID => BOOL, {_RECORD}, LEN => UINT",
+    "WRREC": f"REQ BOOL, ID UINT, INDEX DINT, LEN UINT, DONE => BOOL, {_RECORD}",
+    **dict.fromkeys(
+        ("RALRM", "DPV1_RALRM"),
+        "MODE INT, F_ID UINT, MLEN UINT, NEW => BOOL, STATUS => DWORD, ID => UINT, LEN => UINT",
+    ),
+    "SALRM": f"REQ BOOL, ID UINT, ATYPE INT, LEN UINT, DONE => BOOL, {_RECORD}",
+    "RCVREC": "MODE INT, F_ID UINT, MLEN UINT, NEW => BOOL, STATUS => DWORD, LEN => UINT",
+    "PRVREC": "MODE INT, F_ID UINT, LEN UINT, NEW => BOOL, STATUS => DWORD",
+    "GETIO": "ID UINT, STATUS => DWORD, LEN => INT",
+    "SETIO": "ID UINT, STATUS => DWORD",
+    "GETIO_PART": "ID UINT, OFFSET INT, LEN INT, STATUS => DWORD, ERROR => BOOL",
+    "SETIO_PART": "ID UINT, OFFSET INT, LEN INT, STATUS => DWORD, ERROR => BOOL",
+    "ASI_CTRL": f"REQ BOOL, LADDR UINT, {_JOB.partition(', ')[2]}",
+    # PROFIenergy
+    "PE_START_END": (
+        "START BOOL, END BOOL, ID UINT, PAUSE_TIME TIME, VALID => BOOL, BUSY => BOOL,"
+        " ERROR => BOOL, STATUS => DWORD, PE_MODE_ID => BYTE"
+    ),
+    "PE_CMD": f"REQ BOOL, ID UINT, VALID => BOOL, {_RECORD}",
+    "PE_WOL": f"START BOOL, END BOOL, ID UINT, VALID => BOOL, {_RECORD}",
+    "PE_DS3_WRITE_ET200S": f"ENABLE BOOL, ID UINT, DONE => BOOL, {_RECORD}",
+    # S7 communication
+    "GET": f"REQ BOOL, ID WORD, {_SHORT_NEW}",
+    "PUT": f"REQ BOOL, ID WORD, {_SHORT}",
+    "USEND": f"REQ BOOL, ID WORD, R_ID DWORD, {_SHORT}",
+    "URCV": f"EN_R BOOL, ID WORD, R_ID DWORD, {_SHORT_NEW}",
+    "BSEND": f"REQ BOOL, R BOOL, ID WORD, R_ID DWORD, {_SHORT}",
+    "BRCV": f"EN_R BOOL, ID WORD, R_ID DWORD, {_SHORT_NEW}",
+    **dict.fromkeys(("PRINT", "START", "STOP", "RESUME"), f"REQ BOOL, ID WORD, {_SHORT}"),
+    "STATUS": f"REQ BOOL, ID WORD, {_SHORT_NEW}",
+    "USTATUS": f"EN_R BOOL, ID WORD, {_SHORT_NEW}",
+    # Point to point
+    **dict.fromkeys(
+        (
+            *("SEND_CONFIG", "PORT_CONFIG", "RCV_CONFIG", "RCV_RST", "P3964_CONFIG", "SGN_SET"),
+            *("SEND_P2P", "SEND_PTP", "P_SEND", "PORT_CFG", "SEND_CFG", "RCV_CFG"),
+        ),
+        _POINT,
+    ),
+    **dict.fromkeys(
+        ("RECEIVE_P2P", "RCV_PTP", "RECEIVE_PTP", "P_RCV", "S_RCV", "S_SEND"), _POINT_NEW
+    ),
+    "SGN_GET": (
+        "REQ BOOL, PORT UINT, NDR => BOOL, ERROR => BOOL, STATUS => WORD, DTR => BOOL,"
+        " DSR => BOOL, RTS => BOOL, CTS => BOOL, DCD => BOOL, RING => BOOL"
+    ),
+    # Files, recipes and logs
+    **dict.fromkeys(
+        (
+            *("DATALOGCREATE", "DATALOGOPEN", "DATALOGTYPEDOPEN", "DATALOGWRITE"),
+            *("DATALOGCLEAR", "DATALOGCLOSE", "DATALOGDELETE", "DATALOGNEWFILE"),
+            *("FILEREADC", "FILEWRITEC", "FILEDELETE", "RECIPEEXPORT", "RECIPEIMPORT"),
+        ),
+        _JOB,
+    ),
+    # Messages
+    "PROGRAM_ALARM": "SIG BOOL, TIMESTAMP LDT, ERROR => BOOL, STATUS => WORD",
+    "GET_ALARMSTATE": "ALARMSTATE => BYTE, ERROR => BOOL, STATUS => WORD",
+    "GET_ALARMRESOURCES": "MEMFREE => UINT, NUMALARMS => UINT",
+    "ACK_FCT_WARN": f"REQ BOOL, {_DONE}",
+    **dict.fromkeys(("ALARM", "ALARM_8", "ALARM_8P", "NOTIFY", "NOTIFY_8P"), _SIGNAL),
+    "AR_SEND": f"REQ BOOL, R BOOL, ID WORD, AR_ID DWORD, {_SHORT}",
+    # Pulses, counters, axes
+    **dict.fromkeys(("CTRL_HSC", "CTRL_PWM", "CTRL_PTO", "CTRL_HSC_EXT"), _JOB),
+    "HIGH_SPEED_COUNTER": "ERRORACK BOOL, ERROR => BOOL, ERRORID => WORD",
+    "SSI_ABSOLUTE_ENCODER": "ERRORACK BOOL, ERROR => BOOL, ERRORID => WORD",
+    **dict.fromkeys(("MC_POWER", "MC_MOVEJOG"), _ENABLED),
+    **dict.fromkeys(
+        (
+            *("MC_RESET", "MC_HOME", "MC_HALT", "MC_MOVEABSOLUTE", "MC_MOVERELATIVE"),
+            *("MC_MOVEVELOCITY", "MC_CHANGEDYNAMIC", "MC_STOP", "MC_GEARIN"),
+            *("MC_COMMANDTABLE", "MC_WRITEPARAM", "MC_READPARAM"),
+        ),
+        _MOTION,
+    ),
+    # Controllers
+    "PID_COMPACT": (
+        "SETPOINT REAL, INPUT REAL, INPUT_PER INT, DISTURBANCE REAL, MANUALENABLE BOOL,"
+        " MANUALVALUE REAL, ERRORACK BOOL, RESET BOOL, MODEACTIVATE BOOL,"
+        " SCALEDINPUT => REAL, OUTPUT => REAL, OUTPUT_PER => INT, OUTPUT_PWM => BOOL,"
+        " SETPOINTLIMIT_H => BOOL, SETPOINTLIMIT_L => BOOL, INPUTWARNING_H => BOOL,"
+        " INPUTWARNING_L => BOOL, STATE => INT, ERROR => BOOL, ERRORBITS => DWORD"
+    ),
+    "PID_3STEP": (
+        "SETPOINT REAL, INPUT REAL, INPUT_PER INT, ACTUATOR_H BOOL, ACTUATOR_L BOOL,"
+        " FEEDBACK REAL, FEEDBACK_PER INT, DISTURBANCE REAL, MANUALENABLE BOOL, MANUALVALUE REAL,"
+        " MANUAL_UP BOOL, MANUAL_DN BOOL, ERRORACK BOOL, RESET BOOL, MODEACTIVATE BOOL,"
+        " SCALEDINPUT => REAL, SCALEDFEEDBACK => REAL, OUTPUT_UP => BOOL, OUTPUT_DN => BOOL,"
+        " OUTPUT_PER => INT, SETPOINTLIMIT_H => BOOL, SETPOINTLIMIT_L => BOOL,"
+        " INPUTWARNING_H => BOOL, INPUTWARNING_L => BOOL, STATE => INT, ERROR => BOOL,"
+        " ERRORBITS => DWORD"
+    ),
+    "PID_TEMP": (
+        "SETPOINT REAL, INPUT REAL, INPUT_PER INT, DISTURBANCE REAL, MANUALENABLE BOOL,"
+        " MANUALVALUE REAL, ERRORACK BOOL, RESET BOOL, MODEACTIVATE BOOL,"
+        " SCALEDINPUT => REAL, OUTPUTHEAT => REAL, OUTPUTCOOL => REAL, OUTPUTHEAT_PER => INT,"
+        " OUTPUTCOOL_PER => INT, OUTPUTHEAT_PWM => BOOL, OUTPUTCOOL_PWM => BOOL,"
+        " SETPOINTLIMIT_H => BOOL, SETPOINTLIMIT_L => BOOL, INPUTWARNING_H => BOOL,"
+        " INPUTWARNING_L => BOOL, STATE => INT, ERROR => BOOL, ERRORBITS => DWORD"
+    ),
+    **dict.fromkeys(
+        ("FILTER_PT1", "FILTER_DT1", "FILTER_PT2"),
+        "INPUT REAL, TIMECONSTANT REAL, RESET BOOL, OUTPUT => REAL, ERROR => BOOL,"
+        " ERRORBITS => DWORD",
+    ),
+    "CONT_C": (
+        f"{_CONTROLLER}, P_SEL BOOL, I_SEL BOOL, INT_HOLD BOOL, I_ITL_ON BOOL, D_SEL BOOL,"
+        " MAN REAL, TD TIME, TM_LAG TIME, LMN_HLM REAL, LMN_LLM REAL, LMN_FAC REAL, LMN_OFF REAL,"
+        " I_ITLVAL REAL, LMN => REAL, LMN_PER => WORD, QLMN_HLM => BOOL, QLMN_LLM => BOOL,"
+        " LMN_P => REAL, LMN_I => REAL, LMN_D => REAL, PV => REAL, ER => REAL"
+    ),
+    "CONT_S": (
+        f"{_CONTROLLER}, LMNR_HS BOOL, LMNR_LS BOOL, LMNS_ON BOOL, LMNUP BOOL, LMNDN BOOL,"
+        " PULSE_TM TIME, BREAK_TM TIME, MTR_TM TIME, QLMNUP => BOOL, QLMNDN => BOOL, PV => REAL,"
+        " ER => REAL"
+    ),
+    "PULSEGEN": (
+        "INV REAL, PER_TM TIME, P_B_TM TIME, RATIOFAC REAL, STEP3_ON BOOL, ST2BI_ON BOOL,"
+        " MAN_ON BOOL, POS_P_ON BOOL, NEG_P_ON BOOL, SYN_ON BOOL, COM_RST BOOL, CYCLE TIME,"
+        " QPOS_P => BOOL, QNEG_P => BOOL"
+    ),
+    "TCONT_CP": (
+        "PV_IN REAL, PV_PER INT, DISV REAL, INT_HPOS BOOL, INT_HNEG BOOL, SELECT INT, PV => REAL,"
+        " LMN => REAL, LMN_PER => INT, QPULSE => BOOL, QLMN_HLM => BOOL, QLMN_LLM => BOOL,"
+        " QC_ACT => BOOL"
+    ),
+    "TCONT_S": (
+        "CYCLE REAL, SP_INT REAL, PV_IN REAL, PV_PER INT, DISV REAL, LMNR_HS BOOL, LMNR_LS BOOL,"
+        " LMNS_ON BOOL, LMNUP BOOL, LMNDN BOOL, QLMNUP => BOOL, QLMNDN => BOOL, PV => REAL,"
+        " ER => REAL"
+    ),
+    # Legacy
+    "DRUM": (
+        "RESET BOOL, JOG BOOL, DRUM_EN BOOL, LST_STEP BYTE, Q => BOOL, OUT_WORD => WORD,"
+        " ERR_CODE => WORD"
+    ),
+    "DCAT": "CMD BOOL, O_FB BOOL, C_FB BOOL, Q => BOOL, OA => BOOL, CA => BOOL",
+    "MCAT": (
+        "O_CMD BOOL, C_CMD BOOL, S_CMD BOOL, O_FB BOOL, C_FB BOOL, OO => BOOL, CO => BOOL,"
+        " OA => BOOL, CA => BOOL, Q => BOOL"
+    ),
+    "IMC": "CMP_STEP BYTE, OUT => BOOL, ERR_CODE => WORD",
+    "SMC": "OUT => BOOL, OUT_STEP => BYTE, ERR_CODE => WORD",
+    "LEAD_LAG": "IN REAL, SAMPLE_T INT, OUT => REAL, ERR_CODE => WORD",
+}
+"""By upper-case name: inputs, then outputs."""
+
+WORDS = frozenset(("PRINT", "START", "STOP", "RESUME", "STATUS", "USTATUS", "DRUM", "IMC", "SMC"))
+"""Names that mean a block of the controller on S7 only."""
+
+BLOCK_ALIASES = {
+    "SFB8": "USEND",
+    "SFB9": "URCV",
+    "SFB12": "BSEND",
+    "SFB13": "BRCV",
+    "SFB14": "GET",
+    "SFB15": "PUT",
+    "SFB16": "PRINT",
+    "SFB19": "START",
+    "SFB20": "STOP",
+    "SFB21": "RESUME",
+    "SFB22": "STATUS",
+    "SFB23": "USTATUS",
+    "SFB31": "NOTIFY_8P",
+    "SFB32": "DRUM",
+    "SFB33": "ALARM",
+    "SFB34": "ALARM_8",
+    "SFB35": "ALARM_8P",
+    "SFB36": "NOTIFY",
+    "SFB37": "AR_SEND",
+    "SFB41": "CONT_C",
+    "SFB42": "CONT_S",
+    "SFB43": "PULSEGEN",
+    "SFB52": "RDREC",
+    "SFB53": "WRREC",
+    "SFB54": "RALRM",
+    "SFB60": "SEND_PTP",
+    "SFB61": "RCV_PTP",
+    "SFB73": "RCVREC",
+    "SFB74": "PRVREC",
+    "SFB75": "SALRM",
+    "FB63": "TSEND",
+    "FB64": "TRCV",
+    "FB65": "TCON",
+    "FB66": "TDISCON",
+}
+"""The numbers that they have on S7-300/400."""
