@@ -21,22 +21,11 @@ EXAMPLE = "manual_example"
 
 
 @dataclass(frozen=True, slots=True)
-class DemoTelegram:
-    """One telegram beside the manual's."""
+class SeenTelegram:
+    """One telegram as it went out, and what it means."""
 
     record: TelegramRecord
-    printed: Telegram
     meaning: str
-
-    @property
-    def output_equal(self) -> bool:
-        """Whether the PLC sent what the manual prints."""
-        return bytes_match(self.printed.output, self.record.output)
-
-    @property
-    def input_equal(self) -> bool:
-        """Whether the PLC received what the manual prints."""
-        return bytes_match(self.printed.input, self.record.input)
 
     def as_json(self) -> dict[str, object]:
         """The telegram as plain data; bytes in hexadecimal, times in nanoseconds."""
@@ -56,29 +45,62 @@ class DemoTelegram:
             ],
             "input": _hex(record.input),
             "meaning": self.meaning,
+        }
+
+    def render(self, title: str) -> list[str]:
+        """The telegram for a person."""
+        record = self.record
+        lines = [f"{title}  {self.meaning}"]
+        lines.append(_row(record.sent_ns, "PLC sends", _hex(record.output)))
+        lines += [_line_row(frame) for frame in record.frames]
+        lines.append(_row(record.received_ns, "PLC receives", _hex(record.input) or "nothing"))
+        return lines
+
+
+@dataclass(frozen=True, slots=True)
+class DemoTelegram:
+    """One telegram beside the manual's."""
+
+    seen: SeenTelegram
+    printed: Telegram
+
+    @property
+    def output_equal(self) -> bool:
+        """Whether the PLC sent what the manual prints."""
+        return bytes_match(self.printed.output, self.seen.record.output)
+
+    @property
+    def input_equal(self) -> bool:
+        """Whether the PLC received what the manual prints."""
+        return bytes_match(self.printed.input, self.seen.record.input)
+
+    def as_json(self) -> dict[str, object]:
+        """The telegram and the manual's as plain data."""
+        return self.seen.as_json() | {
             "manual": {"output": self.printed.output, "input": self.printed.input},
             "equal": self.output_equal and self.input_equal,
         }
 
     def render(self, number: int) -> list[str]:
-        """The telegram for a person."""
-        record, printed = self.record, self.printed
-        lines = [f"{number}  {self.meaning}"]
-        lines.append(_row(record.sent_ns, "PLC sends", _hex(record.output)))
-        lines += [_line_row(frame) for frame in record.frames]
-        lines.append(_row(record.received_ns, "PLC receives", _hex(record.input) or "nothing"))
-        lines.append(_verdict("sent", printed.output, self.output_equal))
-        lines.append(_verdict("received", printed.input, self.input_equal))
-        return lines
+        """Both for a person."""
+        return [
+            *self.seen.render(str(number)),
+            _verdict("sent", self.printed.output, self.output_equal),
+            _verdict("received", self.printed.input, self.input_equal),
+        ]
 
 
 @dataclass(frozen=True, slots=True)
 class DemoReport:
-    """What the demo has seen. `findings` are what the scenario itself found wrong."""
+    """What the demo has seen. `findings` are what the scenario itself found wrong.
+
+    `first` is the read that goes out before any command, which the manual's example has not.
+    """
 
     plant: str
     dialect: str
     layout: str
+    first: SeenTelegram | None
     telegrams: tuple[DemoTelegram, ...]
     sent_count: int
     expected_count: int
@@ -102,6 +124,7 @@ class DemoReport:
             "layout": self.layout,
             "matches": self.matches,
             "virtual_ns": self.virtual_ns,
+            "first": self.first.as_json() if self.first else None,
             "telegrams": [item.as_json() for item in self.telegrams],
             "findings": [found.as_json() for found in self.findings],
         }
@@ -113,6 +136,9 @@ class DemoReport:
             "on the simulated PLC, PROFIBUS, gateway, RS-485 line and inverter.",
             "The example of the TOSPBDP001 manual v1.1, section 8 G:",
         ]
+        if self.first is not None:
+            note = "   before any command, not part of the example"
+            lines += ["", *self.first.render("0"), note]
         for number, telegram in enumerate(self.telegrams, start=1):
             lines += ["", *telegram.render(number)]
         lines += ["", *(render(found) for found in self.findings)]
@@ -140,19 +166,18 @@ def run_demo() -> DemoReport:
     installation = run.installation
     entry = installation.plan.gateways[0]
     drive = catalog.drive(entry.drives[0].series)
-    records = run.recorders[entry.name].records
+    seen = [
+        SeenTelegram(record, telegram_meaning(record.output, record.input, drive, catalog))
+        for record in run.recorders[entry.name].records
+    ]
     printed = catalog.sequence(EXAMPLE).telegrams
     return DemoReport(
         plant=installation.plan.name,
         dialect=installation.plan.dialect,
         layout=entry.layout,
-        telegrams=tuple(
-            DemoTelegram(
-                record, wanted, telegram_meaning(record.output, record.input, drive, catalog)
-            )
-            for record, wanted in zip(records, printed, strict=False)
-        ),
-        sent_count=len(records),
+        first=seen[0] if seen else None,
+        telegrams=tuple(map(DemoTelegram, seen[1:], printed)),
+        sent_count=max(len(seen) - 1, 0),
         expected_count=len(printed),
         findings=findings,
         virtual_ns=installation.kernel.now_ns,

@@ -1,11 +1,10 @@
 """One gateway of the plant as templates see it: its cyclic layout on this PLC, its drives."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from fbgen.blocks.literals import SclText, byte, milliseconds, real
-from fbgen.blocks.sequences import SequenceView
-from fbgen.catalog import Catalog, CyclicField, Gateway, Layout, origin
+from fbgen.catalog import Catalog, CyclicField, Gateway, Layout, Sequence, origin
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import Plant, PlantDrive, PlantGateway
 
@@ -37,15 +36,6 @@ class FieldView:
 
 
 @dataclass(frozen=True, slots=True)
-class CallView:
-    """The call of one sequence of one drive."""
-
-    id: str
-    instance: str
-    arguments: tuple[SclText, ...]
-
-
-@dataclass(frozen=True, slots=True)
 class DriveView:
     """A drive behind the gateway."""
 
@@ -53,7 +43,7 @@ class DriveView:
     series: str
     inv_no: int
     inv_no_byte: SclText
-    calls: tuple[CallView, ...]
+    max_frequency: SclText
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +64,8 @@ class GatewayView:
     status_poll: bool
     timeout: SclText
     gap: SclText
-    poll_slot: int
+    longest_telegram_ms: float
+    drive_zero: SclText
     drives: tuple[DriveView, ...]
 
     @property
@@ -100,7 +91,7 @@ class GatewayView:
 def gateway_view(
     plant: Plant,
     gateway: PlantGateway,
-    sequences: tuple[SequenceView, ...],
+    sequences: Iterable[Sequence],
     catalog: Catalog,
 ) -> GatewayView:
     """What the templates of one gateway are told."""
@@ -109,7 +100,7 @@ def gateway_view(
     place = origin(f"gateway {gateway.name}", gateway)
     series = [catalog.drive(drive.series) for drive in gateway.drives]
     reply_max = max(item.times.reply_max.ms for item in series)
-    slots = range(1, len(gateway.drives) * len(sequences) + 1)
+    timeout_ms = reply_timeout_ms(plant, entry, reply_max)
     return GatewayView(
         name=gateway.name,
         access=gateway.access,
@@ -123,13 +114,11 @@ def gateway_view(
         laddr_out=_laddr(plant, gateway, gateway.output_address),
         handshake=SclText("TRUE" if gateway.options.get("handshake", True) else "FALSE", place),
         status_poll=gateway.status_poll,
-        timeout=milliseconds(reply_timeout_ms(plant, entry, reply_max), place),
+        timeout=milliseconds(timeout_ms, place),
         gap=milliseconds(silent_gap_ms(plant, entry, reply_max), place),
-        poll_slot=len(slots) + 1,
-        drives=tuple(
-            _drive(drive, sequences, slots[index * len(sequences) :])
-            for index, drive in enumerate(gateway.drives)
-        ),
+        longest_telegram_ms=_longest_telegram_ms(plant, timeout_ms, sequences),
+        drive_zero=SclText("TRUE" if any(not item.inv_no for item in gateway.drives) else "FALSE"),
+        drives=tuple(_drive(item) for item in gateway.drives),
     )
 
 
@@ -177,6 +166,18 @@ def silent_gap_ms(plant: Plant, gateway: Gateway, reply_max_ms: float) -> float:
     return 2 * plant.cycle_time_ms + sent_ms + reply_max_ms
 
 
+def _longest_telegram_ms(plant: Plant, poll_ms: float, sequences: Iterable[Sequence]) -> float:
+    """How long the line is taken by a telegram that has no reply.
+
+    TOS_Telegram tries it three times and perhaps once more for the spacer, and needs some cycles.
+    """
+    limits = [poll_ms]
+    for sequence in sequences:
+        own = (getattr(step, "timeout_ms", None) for step in sequence.steps)
+        limits += [sequence.reply_timeout_ms, *(limit for limit in own if limit is not None)]
+    return 4 * max(limits) + 6 * plant.cycle_time_ms
+
+
 def _frame_ms(gateway: Gateway) -> float:
     """How long 8 bytes take on the line towards the drives."""
     return 8 * gateway.subnetwork.character_bits / gateway.subnetwork.baud * 1000
@@ -221,35 +222,7 @@ def _laddr(plant: Plant, gateway: PlantGateway, address: int | None) -> SclText:
     return SclText(str(gateway.hardware_identifier or 0), source)
 
 
-def _drive(drive: PlantDrive, sequences: tuple[SequenceView, ...], slots: range) -> DriveView:
+def _drive(drive: PlantDrive) -> DriveView:
     place = origin(f"drive {drive.name}", drive)
-    inv_no = byte(drive.inv_no, place)
-    calls = tuple(
-        CallView(
-            sequence.id,
-            f"inst_{drive.name}_{sequence.id}",
-            tuple(_arguments(drive, sequence, slot, inv_no)),
-        )
-        for sequence, slot in zip(sequences, slots, strict=False)
-    )
-    return DriveView(drive.name, drive.series, drive.inv_no, inv_no, calls)
-
-
-def _arguments(
-    drive: PlantDrive, sequence: SequenceView, slot: int, inv_no: SclText
-) -> list[SclText]:
-    path = f"#drives.{drive.name}.{sequence.id}"
-    source = origin(f"drive {drive.name}", drive)
-    given = [
-        ("execute", ":=", f"{path}.execute"),
-        ("invNo", ":=", str(inv_no)),
-        ("slot", ":=", str(slot)),
-    ]
-    if sequence.uses_max_frequency:
-        given.append(("maxFrequency", ":=", str(real(drive.max_frequency_hz))))
-    given += [(item.name, ":=", f"{path}.{item.name}") for item in sequence.parameters]
-    given.append(("line", ":=", "#statLine"))
-    outputs = ("done", "busy", "error", "status", "failedStep")
-    given += [(name, "=>", f"{path}.{name}") for name in outputs]
-    given += [(item.name, "=>", f"{path}.{item.name}") for item in sequence.results]
-    return [SclText(f"{name} {sign} {value}", source) for name, sign, value in given]
+    frequency = real(drive.max_frequency_hz, place)
+    return DriveView(drive.name, drive.series, drive.inv_no, byte(drive.inv_no, place), frequency)

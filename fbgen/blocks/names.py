@@ -10,12 +10,12 @@ from collections.abc import Iterable, Iterator
 from fbgen.catalog import Parameter, Result, Sequence
 from fbgen.diagnostics import Diagnostic, Note
 from fbgen.lang.dialects import DIALECTS
-from fbgen.plant import Plant, PlantGateway
+from fbgen.plant import Plant
 from fbgen.source import Span
 
 _OF_SEQUENCE_BLOCK = frozenset(
     (
-        *("execute", "invno", "slot", "maxfrequency", "line"),
+        *("execute", "invno", "slot", "maxfrequency", "channel"),
         *("done", "busy", "error", "active", "status", "stepnumber", "failedstep"),
         *("instdelay", "statdelaying", "statdelay", "statexecute"),
         *("tempstart", "tempsend", "tempreleased"),
@@ -23,7 +23,10 @@ _OF_SEQUENCE_BLOCK = frozenset(
 )
 """What templates/blocks/TOS_Seq.scl.jinja and templates/types/typeTosSeq.udt.jinja declare."""
 
-_OF_DRIVE_TYPE = frozenset({"polled"})
+_OF_GATEWAY = frozenset({"line"})
+"""What templates/types/typeTosGateway.udt.jinja declares beside the drives."""
+
+_OF_DRIVE_TYPE = frozenset({"control", "state", "polled"})
 """What templates/types/typeTosDrive.udt.jinja declares beside the sequences."""
 
 
@@ -32,8 +35,7 @@ def name_conflicts(plant: Plant, sequences: Iterable[Sequence]) -> Iterator[Diag
     known = tuple(sequences)
     for sequence in known:
         yield from _sequence(sequence)
-    for gateway in plant.gateways:
-        yield from _instances(gateway, known)
+    yield from _drives(plant)
     yield from _units(plant)
 
 
@@ -52,21 +54,11 @@ def _sequence(sequence: Sequence) -> Iterator[Diagnostic]:
             yield _taken(f"'{item.name}' is a reserved word", item.span_of("name"))
 
 
-def _instances(gateway: PlantGateway, sequences: tuple[Sequence, ...]) -> Iterator[Diagnostic]:
-    """Drive a with sequence b_c and drive a_b with sequence c give one name."""
-    seen: dict[str, str] = {}
-    for drive in gateway.drives:
-        for sequence in sequences:
-            name = f"inst_{drive.name}_{sequence.id}".casefold()
-            if name in seen:
-                yield Diagnostic(
-                    "FB5007",
-                    f"drive '{drive.name}' with sequence '{sequence.id}' and drive {seen[name]} "
-                    f"give one name, inst_{drive.name}_{sequence.id}",
-                    drive.span_of("name"),
-                    "call the drive otherwise",
-                )
-            seen.setdefault(name, f"'{drive.name}' with sequence '{sequence.id}'")
+def _drives(plant: Plant) -> Iterator[Diagnostic]:
+    for drive in plant.drives:
+        if drive.name.lower() in _OF_GATEWAY:
+            message = f"the drive is called '{drive.name}' like a variable of its gateway's block"
+            yield Diagnostic("FB5007", message, drive.span_of("name"), "call the drive otherwise")
 
 
 def _units(plant: Plant) -> Iterator[Diagnostic]:

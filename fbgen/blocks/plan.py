@@ -4,17 +4,26 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from fbgen.blocks.gateways import GatewayView, gateway_view, missing_fields
-from fbgen.blocks.literals import SclText, byte, comno, one_line, source_text
+from fbgen.blocks.literals import SclText, byte, comno, milliseconds, one_line, source_text, word
 from fbgen.blocks.names import name_conflicts
 from fbgen.blocks.sequences import SequenceView, sequence_view
 from fbgen.blocks.words import WordView
-from fbgen.catalog import Catalog, ComNo, Drive, Gateway, WriteStep, origin
+from fbgen.catalog import Catalog, ComNo, Drive, Gateway, Trip, WriteStep, origin
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.plant import Plant
 
 _TIMER = "{InstructionName := 'TON_TIME'; LibVersion := '1.0'} : TON_TIME"
 _CLASSIC_TIMER = ": TON"
 """How an instance of the on-delay timer is declared; TON is SFB 4 on S7-300/400."""
+
+
+_WITH_STARTUP_BLOCKS = ("tia",)
+"""Dialects of PLCs that may keep data over a restart, and have OB100 to say so."""
+_LONGEST_TRIP_TEXT = 40
+_COMMANDS_IN_A_ROW = 8
+"""Telegrams of drives after which the status poll has its turn, while more of them wait."""
+_EMERGENCY_STOP = ("network_command", "network_frequency", "emergency_stop")
+"""The bits of the command word that stop a drive at once."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,21 +56,27 @@ class PlantView:
     most_drives: int
 
 
-def plan_blocks(plant: Plant, catalog: Catalog) -> BlockPlan:
-    """Which blocks the plant needs. Raises DiagnosticError for what cannot be generated."""
+def plan_blocks(plant: Plant, catalog: Catalog, dialect: str) -> BlockPlan:
+    """Which blocks the plant needs in a dialect.
+
+    Raises DiagnosticError for what cannot be generated.
+    """
     known = [catalog.sequence(name) for name in plant.sequences]
     found = [*name_conflicts(plant, known), *missing_fields(plant, catalog), *_other_types(plant)]
     if found:
         raise DiagnosticError(found)
     drives = _series(plant, catalog)
     sequences = tuple(_sequence(name, drives, catalog) for name in plant.sequences)
-    gateways = tuple(gateway_view(plant, item, sequences, catalog) for item in plant.gateways)
+    gateways = tuple(gateway_view(plant, item, known, catalog) for item in plant.gateways)
     context = _plant_context(plant, gateways, sequences)
     context |= _gateway_context(catalog.gateway(plant.gateways[0].type))
     context |= _drive_context(drives[0], catalog)
     context["times"] = {"timeout": gateways[0].timeout, "gap": gateways[0].gap}
-    specs = (*_types(gateways, sequences), *_blocks(gateways, sequences), *_data(gateways))
-    return BlockPlan(specs, context, tuple(_eeprom_writes(plant, catalog)))
+    context["line"] = _line_context(drives[0], gateways)
+    specs = [*_types(gateways, sequences), *_blocks(gateways, sequences), *_data(gateways)]
+    if dialect in _WITH_STARTUP_BLOCKS:
+        specs.append(_block("TOS_Restart"))
+    return BlockPlan(tuple(specs), context, tuple(_eeprom_writes(plant, catalog)))
 
 
 def _other_types(plant: Plant) -> Iterator[Diagnostic]:
@@ -81,8 +96,9 @@ def _other_types(plant: Plant) -> Iterator[Diagnostic]:
 def _types(
     gateways: tuple[GatewayView, ...], sequences: tuple[SequenceView, ...]
 ) -> list[BlockSpec]:
-    plain = ("typeTosInput", "typeTosOutput", "typeTosRequest", "typeTosReply", "typeTosLine")
-    specs = [_type(name) for name in (*plain, "typeTosPolled")]
+    line = ("Input", "Output", "Request", "Reply", "Channel", "Line")
+    plain = (*line, "Control", "State", "Polled")
+    specs = [_type(f"typeTos{name}") for name in plain]
     specs += [
         _type(f"typeTosSeq_{item.id}", "typeTosSeq", {"sequence": item}) for item in sequences
     ]
@@ -98,11 +114,20 @@ def _blocks(
     gateways: tuple[GatewayView, ...], sequences: tuple[SequenceView, ...]
 ) -> list[BlockSpec]:
     names = ["TOS_HzToWord", "TOS_WordToHz", "TOS_WordToPercent"]
-    names += ["TOS_TriggerCounter", "TOS_Handshake", "TOS_Telegram"]
+    names += [
+        "TOS_TriggerCounter",
+        "TOS_Handshake",
+        "TOS_Telegram",
+        "TOS_Line",
+        "TOS_TripText",
+        "TOS_Drive",
+    ]
     if any(item.status_poll for item in gateways):
         names.append("TOS_StatusPoll")
     specs = [_block(name) for name in names]
     specs += [_block(f"TOS_Seq_{item.id}", "TOS_Seq", {"sequence": item}) for item in sequences]
+    if sequences:
+        specs.append(_block("TOS_Sequences"))
     for name in ("TOS_ConsistentIo", "TOS_Gateway"):
         specs += [_block(f"{name}_{item.name}", name, {"gateway": item}) for item in gateways]
     return specs
@@ -221,10 +246,38 @@ def _drive_context(drive: Drive, catalog: Catalog) -> dict[str, object]:
         "comno": {
             "trip": comno(trip),
             "status_word": comno(status),
+            "setpoint": comno(drive.comno(drive.link.setpoint)),
+            "command_word": comno(drive.comno(drive.link.command)),
+            "output_frequency": comno(drive.comno(drive.link.output_frequency)),
+            "output_current": comno(drive.comno(drive.link.output_current)),
             "trip_source": source_text(trip, trip.source),
         },
+        "drive_command": WordView(drive.command_word, drive.id),
+        "drive_status": WordView(drive.word(drive.comno(drive.link.status).word or ""), drive.id),
+        "reset_silence": milliseconds(drive.times.reset_silence.ms, origin("reset_silence", drive)),
+        "trips": [_trip(trip) for trip in drive.trips],
         "spacer": {"first": comno(trip), "second": comno(status)},
         "scaling": _scaling(drive.comno(drive.link.setpoint), drive),
+    }
+
+
+def _trip(trip: Trip) -> dict[str, SclText]:
+    """A trip code and its text of at most 40 characters, as literals."""
+    place = origin(f"trip {trip.display}", trip, trip.source or "")
+    words = one_line(f"{trip.display}: {trip.meaning}")[:_LONGEST_TRIP_TEXT]
+    quoted = words.replace("$", "$$").replace("'", "$'")
+    return {"code": SclText(str(trip.code), place), "text": SclText(f"'{quoted}'", place)}
+
+
+def _line_context(drive: Drive, gateways: tuple[GatewayView, ...]) -> dict[str, object]:
+    bits = drive.command_word
+    place = origin(f"word {bits.name} of {drive.id}", bits, bits.source or "")
+    telegram_ms = max(item.longest_telegram_ms for item in gateways)
+    drives = max(len(item.drives) for item in gateways)
+    return {
+        "commands_in_a_row": _COMMANDS_IN_A_ROW,
+        "emergency_stop": word(bits.encode(_EMERGENCY_STOP), place),
+        "longest_wait_comment": SclText(f"{drives} x {telegram_ms:.0f} ms at most"),
     }
 
 

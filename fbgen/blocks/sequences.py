@@ -129,7 +129,7 @@ class _Steps:
             _comment(step, f"read {target.name}"),
             self._command("read_padded"),
             comno(target),
-            (SclText("#line.request.data := 16#0000;"),),
+            (SclText("#channel.request.data := 16#0000;"),),
             timeout=self._timeout(step),
             store=SclText(f"#{result.name} := {self._received(result)};", origin("step", step)),
         )
@@ -149,17 +149,17 @@ class _Steps:
     def _value(self, step: WriteStep, target: ComNo) -> list[SclText]:
         place = origin(f"step of {self.sequence.id}", step, self.sequence.source or "")
         if step.literal is not None:
-            return [SclText(f"#line.request.data := {word(step.literal)};", place)]
+            return [SclText(f"#channel.request.data := {word(step.literal)};", place)]
         if step.parameter is not None:
             parameter = next(p for p in self.sequence.parameters if p.name == step.parameter)
             return [SclText(line, place) for line in self._sent(parameter)]
         bits = self.drive.word(target.word or "")
-        lines = [SclText(f"#line.request.data := {word(bits.encode(step.bits or ()))};", place)]
+        lines = [SclText(f"#channel.request.data := {word(bits.encode(step.bits or ()))};", place)]
         for bit, name in step.bits_from.items():
             mask = word(bits.encode([bit]))
             lines += [
                 SclText(f"IF #stat_{name} THEN", place),
-                SclText(f"   #line.request.data := #line.request.data OR {mask};", place),
+                SclText(f"   #channel.request.data := #channel.request.data OR {mask};", place),
                 SclText("END_IF;", place),
             ]
         return lines
@@ -168,14 +168,14 @@ class _Steps:
         """The lines that put a parameter into the telegram."""
         latched = f"#stat_{parameter.name}"
         if parameter.type == "WORD":
-            return [f"#line.request.data := {latched};"]
+            return [f"#channel.request.data := {latched};"]
         if parameter.type == "INT":
-            return [f"#line.request.data := INT_TO_WORD({latched});"]
+            return [f"#channel.request.data := INT_TO_WORD({latched});"]
         if parameter.scaled_by is None:
             return self._limited(latched, 0.0, 65535.0, 1.0)
         if self._is_setpoint(parameter.name):
             value = f'"TOS_HzToWord"(hz := {latched}, maxFrequency := #maxFrequency)'
-            return [f"#line.request.data := {value};"]
+            return [f"#channel.request.data := {value};"]
         scale = self.drive.comno(parameter.scaled_by)
         low, high = scale.to_value(scale.minimum_word), scale.to_value(scale.maximum_word)
         return self._limited(latched, low, high, round(1 / scale.resolution, 6))
@@ -188,12 +188,12 @@ class _Steps:
             f"ELSIF {name} > {real(high)} THEN",
             f"   {name} := {real(high)};",
             "END_IF;",
-            "#line.request.data := "
+            "#channel.request.data := "
             f"DWORD_TO_WORD(DINT_TO_DWORD(REAL_TO_DINT({name} * {real(factor)})));",
         ]
 
     def _received(self, result: Result) -> str:
-        data = "#line.reply.data"
+        data = "#channel.reply.data"
         if result.type == "WORD":
             return data
         if result.type == "INT":

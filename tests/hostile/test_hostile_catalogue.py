@@ -171,7 +171,9 @@ def test_a_default_that_is_none_is_refused(default: str, tmp_path: Path) -> None
     with_entry(tmp_path, "sequences", entry, plant(sequences=["evil"])).refused("FB1107")
 
 
-@pytest.mark.parametrize("name", ["done", "line", "stepnumber", "maxfrequency", "exit", "stat_x"])
+@pytest.mark.parametrize(
+    "name", ["done", "channel", "stepnumber", "maxfrequency", "exit", "stat_x"]
+)
 def test_a_parameter_called_like_something_of_the_block_is_fb5007(
     name: str, tmp_path: Path
 ) -> None:
@@ -230,20 +232,15 @@ def test_a_name_of_the_plant_is_a_name_or_is_refused(kind: str, name: str, tmp_p
     assert [item.name for item in tmp_path.iterdir()] == ["plant.yaml"]
 
 
-def test_a_drive_and_a_sequence_that_give_one_name_are_fb5007(tmp_path: Path) -> None:
-    data = yaml.safe_load(EXAMPLE.read_text("utf-8"))
-    drive = data["gateways"][0]["drives"][0]
-    data["gateways"][0]["drives"] = [
-        drive | {"name": "a"},
-        drive | {"name": "a_slow", "inv_no": 12},
-    ]
-    data["sequences"] = ["slow_start", "start"]
-    place = tmp_path / "catalog" / "sequences"
-    place.mkdir(parents=True)
-    for name in data["sequences"]:
-        (place / f"{name}.yaml").write_text(yaml.safe_dump(sequence(id=name)), "utf-8")
-    outcome = generate(tmp_path, "--catalog", str(tmp_path / "catalog"), plant=yaml.safe_dump(data))
-    outcome.refused("FB5007")
+def test_a_drive_called_like_a_variable_of_its_gateway_is_fb5007(tmp_path: Path) -> None:
+    text = EXAMPLE.read_text("utf-8").replace("name: drive11", "name: Line")
+    generate(tmp_path, plant=text).refused("FB5007")
+
+
+@pytest.mark.parametrize("name", ["control", "state", "polled"])
+def test_a_sequence_called_like_a_member_of_a_drive_is_fb5007(name: str, tmp_path: Path) -> None:
+    entry = sequence(id=name)
+    with_entry(tmp_path, "sequences", entry, plant(sequences=[name])).refused("FB5007")
 
 
 def test_a_gateway_called_like_the_data_block_of_another_is_fb5007(tmp_path: Path) -> None:

@@ -1,131 +1,101 @@
-"""The line behind a gateway on the bench: users take it in turn, requests are answered by the test.
-
-What `TOS_Gateway` does around its users is done here by hand: every user is called once a cycle,
-in a fixed order, with the same `typeTosLine`; a request gets its reply some cycles later.
-"""
+"""TOS_Line on the bench: channels of drives and of the poll, and drives that answer."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 from harness import LoadedProgram
-from harness.engine.interface import Value
 from harness.engine.variables import plain
 from tests.unit.blocks.programs import block
+from tests.unit.blocks.telegram_bench import CYCLE_MS, FIRST, READ, WRITE
 
-CYCLE_MS = 10
-
-
-@dataclass(frozen=True, slots=True)
-class Request:
-    """A telegram that a user of the line asked for."""
-
-    slot: int
-    inv_no: int
-    cmd: int
-    comno: int
-    data: int
-    reply_expected: bool
-
-    def __str__(self) -> str:
-        return f"{self.inv_no:02X} {self.cmd:02X} {self.comno:04X} {self.data:04X}"
-
-
-@dataclass(frozen=True, slots=True)
-class Answer:
-    """What the test answers: data, or an error when `status` is not 0."""
-
-    data: int = 0
-    status: int = 0
-    tripped: bool = False
-
-
-def echo(request: Request) -> Answer:
-    """What a drive that is well does: it repeats what was written."""
-    return Answer(request.data)
+GAP_MS = 60
+TIMEOUT_MS = 100
+DRIVES = 5
+POLL = 0
 
 
 class LineBench:
-    """Users of one line. `answer` decides what becomes of each request."""
+    """One line with five drives, INV-NO 11 to 15. `answers` says which of them answer.
 
-    def __init__(self, program: LoadedProgram, answer: Callable[[Request], Answer] = echo) -> None:
+    Every telegram is noted as `INV-NO CMD ComNo DATA`; the first read is over.
+    """
+
+    def __init__(self, program: LoadedProgram, **inputs: bool | int) -> None:
         self.program = program
-        self.answer = answer
-        self.requests: list[Request] = []
+        self.block = block(program, "TOS_Line")
+        self.answers: Callable[[int], bool] = lambda inv_no: True
         self.cycles_to_reply = 2
-        self.users: list[Any] = []
-        self._inputs: list[dict[str, Value]] = []
-        self._line: Any = {
-            "owner": 0,
-            "request": {"execute": False},
-            "reply": {"done": False, "error": False},
-        }
+        self.sent: list[str] = []
+        self.times: list[int] = []
+        self.channels: Any = [
+            {
+                "invNo": 10 + number,
+                "user": 0,
+                "request": {"execute": False, "cmd": READ, "replyExpected": True},
+                "reply": {"done": False, "error": False, "status": 0},
+            }
+            for number in range(DRIVES + 1)
+        ]
+        self.now_ms = 0
+        self._status = 0x9F00
+        self._reply = {"invNo": 0, "cmd": 0, "comNo": 0, "data": 0}
         self._waiting = 0
+        self._trigger = 0
+        self.call(count=DRIVES, firstInvNo=FIRST, gap=GAP_MS, timeout=TIMEOUT_MS, **inputs)
+        self.cycles(GAP_MS // CYCLE_MS + 1)
+        self.sent.clear()
+        self.times.clear()
 
-    def add(self, name: str, **inputs: Value) -> Any:
-        """A user of the line with the next slot; inputs stay until they are given anew."""
-        user = block(self.program, name)
-        self.users.append(user)
-        self._inputs.append({"slot": len(self.users), **inputs})
-        return user
+    def ask(self, number: int, cmd: int, comno: int, data: int = 0, timeout: int = 100) -> None:
+        """A request on a channel; 0 is the poll's, which reads drive 11."""
+        self.channels[number]["reply"].update(done=False, error=False)
+        self.channels[number]["request"].update(
+            execute=True,
+            invNo=10 + (number or 1),
+            cmd=cmd,
+            comNo=comno,
+            data=data,
+            replyExpected=True,
+            timeout=timeout,
+        )
 
-    def give(self, user: Any, **inputs: Value) -> None:
-        """Change inputs of a user from its next call on."""
-        self._inputs[self.users.index(user)].update(inputs)
+    def run(self, number: int) -> None:
+        """A start command on the channel of a drive."""
+        self.ask(number, WRITE, 0xFA00, 0xC400)
 
-    def cycle(self) -> None:
-        """One cycle: the reply, then every user in order, then perhaps a new request."""
+    def call(self, **inputs: bool | int) -> None:
+        """One cycle: the time passes, the line is called, what it sends is noted and answered."""
         self.program.clock.advance(ms=CYCLE_MS)
-        for user, inputs in zip(self.users, self._inputs, strict=True):
-            user(**inputs, line=self._line)
-            self._line = plain(user.line)
-        reply, request = self._line["reply"], self._line["request"]
-        if reply["done"] or reply["error"]:
-            reply["done"] = reply["error"] = False
-            self._waiting = 0
-        elif request["execute"]:
-            self._waiting += 1
-            if self._waiting == 1:
-                self.requests.append(self._asked())
-            if self._waiting > self.cycles_to_reply:
-                answer = self.answer(self.requests[-1])
-                reply.update(
-                    done=not answer.status,
-                    error=bool(answer.status),
-                    status=answer.status,
-                    data=answer.data,
-                    tripped=answer.tripped,
-                )
+        self.now_ms += CYCLE_MS
+        frame = {"gatewayStatus": self._status, **self._reply}
+        self.block(**inputs, channels=self.channels, frameIn=frame)
+        self.channels = plain(self.block.channels)
+        out = self.block.frameOut
+        if out.trigger != self._trigger:
+            self._trigger = out.trigger
+            self._waiting = self.cycles_to_reply
+            self.sent.append(f"{out.invNo:02X} {out.cmd:02X} {out.comNo:04X} {out.data:04X}")
+            self.times.append(self.now_ms)
+            self._asked = {name: getattr(out, name) for name in self._reply}
+        elif self._waiting:
+            self._waiting -= 1
+            if self._waiting == 0 and self.answers(self._asked["invNo"]):
+                self._reply = self._asked
 
-    def cycles(self, number: int) -> None:
+    def cycles(self, number: int, **inputs: bool | int) -> None:
         """Several cycles."""
         for _ in range(number):
-            self.cycle()
+            self.call(**inputs)
 
-    def until(self, condition: Callable[[], bool], most: int = 1000) -> int:
-        """Cycles until the condition holds; how many they were."""
-        for number in range(most):
+    def until(self, condition: Callable[[], bool], most: int = 2000) -> None:
+        """Cycles until the condition holds."""
+        for _ in range(most):
             if condition():
-                return number
-            self.cycle()
+                return
+            self.call()
         raise AssertionError(f"not within {most} cycles")
 
-    @property
-    def owner(self) -> int:
-        """The slot that has the line, 0 for nobody."""
-        return int(self._line["owner"])
-
-    def sent(self) -> list[str]:
-        """All requests as text."""
-        return [str(request) for request in self.requests]
-
-    def _asked(self) -> Request:
-        request = self._line["request"]
-        return Request(
-            self.owner,
-            request["invNo"],
-            request["cmd"],
-            request["comNo"],
-            request["data"],
-            request["replyExpected"],
-        )
+    def reply(self, number: int) -> tuple[bool, bool, int]:
+        """done, error and status of a channel."""
+        found = self.channels[number]["reply"]
+        return found["done"], found["error"], found["status"]

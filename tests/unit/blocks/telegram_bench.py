@@ -9,11 +9,14 @@ from tests.unit.blocks.programs import block, octets
 CYCLE_MS = 10
 READ, WRITE, WRITE_EEPROM, SET_POINT, SET_POINT_TRIPPED = 0x47, 0x50, 0x57, 0x53, 0x73
 LOWER_CASE = 0x20
+FIRST = 5
+"""The drive to which the first read goes."""
+GAP_MS = 60
 COMMAND_BIT = 0x4000
 
 
 class TelegramBench:
-    """One instance of the block. Its inputs stay until they are given anew."""
+    """One instance of the block, its first read over. Its inputs stay until they are given anew."""
 
     def __init__(self, program: LoadedProgram, **inputs: bool | int) -> None:
         self.program = program
@@ -23,7 +26,9 @@ class TelegramBench:
         self.sent: list[str] = []
         """Each telegram that left: the nine bytes at every change of the trigger."""
         self._trigger = 0
-        self.call(**inputs)
+        self.call(firstInvNo=FIRST, gap=GAP_MS, **inputs)
+        self.cycles(GAP_MS // CYCLE_MS + 1)
+        self.sent.clear()
 
     def call(self, **inputs: bool | int) -> None:
         """One cycle: the time passes, the block is called, a new telegram is noted."""

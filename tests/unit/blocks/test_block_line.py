@@ -1,139 +1,170 @@
-"""The line between its users: TOS_StatusPoll in turn, and the token that goes from slot to slot.
+"""TOS_Line: whose telegram is next, the emergency stop, the loss of the gateway.
 
-Source: TOSPBDP001 manual v1.1, 7 (poll FC90 of each drive regularly), 9 (one telegram at a time).
+Sources: TOSPBDP001 manual v1.1, 9 (one telegram at a time); VF-AS1 RS485 manual E6581315, 8.1
+(emergency stop, bit 12, always enabled).
 """
-
-from typing import Any
 
 import pytest
 
 from harness import LoadedProgram
-from tests.unit.blocks.line_bench import Answer, LineBench, Request
+from tests.unit.blocks.line_bench import DRIVES, GAP_MS, POLL, TIMEOUT_MS, LineBench
+from tests.unit.blocks.telegram_bench import CYCLE_MS, READ, WRITE
 
-FC90, FD01 = 0xFC90, 0xFD01
-NOBODY = {"invNo": 0, "valid": False, "lost": False, "tripped": False, "tripCode": 0}
-
-
-def polling(bench: LineBench, count: int = 5) -> Any:
-    """A poll of drives 10, 11, ... on the line."""
-    drives = [NOBODY | {"invNo": 10 + place, "statusWord": 0} for place in range(5)]
-    poll = bench.add("TOS_StatusPoll", enable=True, count=count, timeout=100)
-    poll(enable=False, drives=drives)
-    return poll
+STOP = "FA00 D000"
+BROADCAST = f"FF 50 {STOP}"
+IN_A_ROW = 8
+DONE = (True, False, 0)
 
 
-@pytest.mark.fact("tos.status.poll")
-def test_trip_code_and_status_word_of_every_drive_are_read_in_turn(program: LoadedProgram) -> None:
+def test_a_request_is_sent_and_gets_its_reply(program: LoadedProgram) -> None:
     bench = LineBench(program)
-    poll = polling(bench, count=3)
-    bench.until(lambda: poll.rounds == 2)
-    once = [
-        f"{inv_no:02X} 47 {comno} 0000" for inv_no in (10, 11, 12) for comno in ("FC90", "FD01")
-    ]
-    assert bench.sent()[:12] == once * 2
+    bench.run(3)
+    bench.until(lambda: bench.reply(3) == DONE)
+    assert bench.sent == ["0D 50 FA00 C400"]
+    assert not bench.channels[3]["request"]["execute"]
 
 
-def test_what_was_read_stands_with_its_drive(program: LoadedProgram) -> None:
-    def answer(request: Request) -> Answer:
-        return Answer(request.inv_no if request.comno == FC90 else 0x100 + request.inv_no)
-
-    bench = LineBench(program, answer)
-    poll = polling(bench)
-    bench.until(lambda: poll.rounds == 1)
-    for place in range(1, 6):
-        drive = poll.drives[place]
-        assert (drive.valid, drive.lost, drive.tripped) == (True, False, False)
-        assert (drive.tripCode, drive.statusWord) == (9 + place, 0x109 + place)
-
-
-def test_a_drive_that_does_not_answer_is_lost_and_the_others_go_on(program: LoadedProgram) -> None:
-    bench = LineBench(program, lambda request: Answer(status=0x8401 * (request.inv_no == 11)))
-    poll = polling(bench, count=3)
-    bench.until(lambda: poll.rounds == 1)
-    assert [poll.drives[place].lost for place in (1, 2, 3)] == [False, True, False]
-    assert [poll.drives[place].valid for place in (1, 2, 3)] == [True, False, True]
-    assert [str(request)[:7] for request in bench.requests].count("0B 47 F") == 1
-    bench.answer = lambda request: Answer()
-    bench.until(lambda: poll.rounds == 2)
-    assert (poll.drives[2].lost, poll.drives[2].valid) == (False, True)
-
-
-def test_a_tripped_drive_is_marked(program: LoadedProgram) -> None:
-    bench = LineBench(program, lambda request: Answer(0x18, tripped=request.inv_no == 12))
-    poll = polling(bench, count=3)
-    bench.until(lambda: poll.rounds == 1)
-    assert [poll.drives[place].tripped for place in (1, 2, 3)] == [False, False, True]
-
-
-@pytest.mark.parametrize("inputs", [{"enable": False}, {"count": 0}])
-def test_switched_off_or_without_drives_nothing_is_read(
-    program: LoadedProgram, inputs: dict[str, bool | int]
-) -> None:
+def test_drives_that_all_want_the_line_get_it_in_turn(program: LoadedProgram) -> None:
     bench = LineBench(program)
-    poll = polling(bench)
-    bench.give(poll, **inputs)
-    bench.cycles(50)
-    assert bench.requests == []
-    assert bench.owner == 0
+    for turn in range(60):
+        for number in range(1, DRIVES + 1):
+            if not bench.channels[number]["request"]["execute"]:
+                bench.ask(number, WRITE, 0xFA01, turn)
+        asked = len(bench.sent)
+        bench.until(lambda asked=asked: len(bench.sent) > asked)  # type: ignore[misc]
+    order = [int(text[:2], 16) - 11 for text in bench.sent]
+    assert order == [number % DRIVES for number in range(len(order))]
 
 
-def test_a_poll_that_is_switched_off_finishes_its_telegram_and_gives_the_line_back(
+def test_a_command_goes_before_the_poll(program: LoadedProgram) -> None:
+    bench = LineBench(program)
+    bench.ask(POLL, READ, 0xFC90)
+    bench.run(4)
+    bench.until(lambda: bench.reply(POLL) == DONE)
+    assert [text[:5] for text in bench.sent] == ["0E 50", "0B 47"]
+
+
+def test_the_poll_has_its_turn_while_commands_wait(program: LoadedProgram) -> None:
+    bench = LineBench(program)
+    bench.ask(POLL, READ, 0xFC90)
+    for turn in range(IN_A_ROW + 1):
+        for number in range(1, DRIVES + 1):
+            bench.ask(number, WRITE, 0xFA01, turn)
+        asked = len(bench.sent)
+        bench.until(lambda asked=asked: len(bench.sent) > asked)  # type: ignore[misc]
+    assert [text[3:5] for text in bench.sent] == ["50"] * IN_A_ROW + ["47"]
+
+
+def test_a_drive_that_does_not_answer_keeps_the_others_waiting_no_longer_than_stated(
     program: LoadedProgram,
 ) -> None:
     bench = LineBench(program)
-    poll = polling(bench)
-    bench.cycle()
-    bench.give(poll, enable=False)
-    bench.cycles(10)
-    assert len(bench.requests) == 1
-    assert bench.owner == 0
+    bench.answers = lambda inv_no: inv_no == 15
+    for number in range(1, DRIVES):
+        bench.ask(number, READ, 0xFE03, timeout=TIMEOUT_MS)
+    bench.call()
+    bench.run(5)
+    start = bench.now_ms
+    bench.until(lambda: bench.reply(5) == DONE)
+    assert bench.now_ms - start <= DRIVES * (4 * TIMEOUT_MS + 6 * CYCLE_MS)
+    assert [bench.reply(number)[2] for number in range(1, DRIVES)] == [0x8401] * 4
 
 
-def test_a_command_waits_for_one_poll_telegram_at_most(program: LoadedProgram) -> None:
+# --- emergency stop -------------------------------------------------------------------------------
+
+
+def test_the_emergency_stop_goes_to_all_and_then_to_each(program: LoadedProgram) -> None:
     bench = LineBench(program)
-    stop = bench.add("TOS_Seq_stop", execute=False, invNo=11)
-    polling(bench)
-    for _ in range(20):
-        bench.cycle()
-        asked = len(bench.requests)
-        bench.give(stop, execute=True)
-        bench.until(lambda: bool(stop.done))
-        slots = [request.slot for request in bench.requests[asked:]]
-        assert 1 in slots
-        assert slots.index(1) <= 1
-        bench.give(stop, execute=False)
-        bench.cycles(3)
+    bench.call(emergencyStop=True)
+    assert bench.block.stopping
+    bench.until(lambda: bool(bench.block.stopped))
+    assert bench.sent == [BROADCAST, *(f"{10 + number:02X} 50 {STOP}" for number in range(1, 6))]
+    assert (bench.block.stopping, bench.block.unreached) == (False, 0)
+    bench.cycles(100)
+    assert len(bench.sent) == DRIVES + 1
 
 
-def test_users_that_all_want_the_line_get_it_in_turn(program: LoadedProgram) -> None:
+def test_it_ends_the_wait_for_a_reply_and_goes_one_gap_later(program: LoadedProgram) -> None:
     bench = LineBench(program)
-    readers = [
-        bench.add("TOS_Seq_read_current", execute=True, invNo=number) for number in range(1, 5)
+    bench.answers = lambda inv_no: inv_no != 12
+    bench.ask(2, READ, 0xFE03, timeout=60_000)
+    bench.cycles(3)
+    bench.call(emergencyStop=True)
+    start = bench.now_ms
+    bench.until(lambda: BROADCAST in bench.sent)
+    assert GAP_MS <= bench.now_ms - start <= GAP_MS + 3 * CYCLE_MS
+    assert bench.reply(2) == (False, True, 0x8405)
+
+
+def test_what_waited_before_it_is_never_sent(program: LoadedProgram) -> None:
+    bench = LineBench(program)
+    for number in range(1, DRIVES + 1):
+        bench.run(number)
+    bench.cycles(2)
+    bench.call(emergencyStop=True)
+    bench.call(emergencyStop=False)
+    bench.run(1)
+    bench.until(lambda: bool(bench.block.stopped))
+    bench.cycles(100)
+    assert bench.sent.count("0B 50 FA00 C400") == 1
+    assert all(text[8:] in ("00 D000", "00 C400") for text in bench.sent)
+    assert [text for text in bench.sent if "C400" in text] == ["0B 50 FA00 C400"]
+    assert [bench.reply(number) for number in range(2, 6)] == [(False, True, 0x8406)] * 4
+    assert bench.reply(1)[1:] in ((True, 0x8405), (True, 0x8406))
+
+
+def test_while_it_is_on_commands_are_refused_and_values_are_read(program: LoadedProgram) -> None:
+    bench = LineBench(program)
+    bench.call(emergencyStop=True)
+    bench.until(lambda: bool(bench.block.stopped))
+    bench.run(1)
+    bench.ask(2, READ, 0xFE03)
+    bench.until(lambda: bench.reply(2) == DONE)
+    assert bench.reply(1) == (False, True, 0x8406)
+    bench.call(emergencyStop=False)
+    bench.run(1)
+    bench.until(lambda: bench.reply(1) == DONE)
+
+
+def test_a_drive_that_does_not_acknowledge_it_is_counted(program: LoadedProgram) -> None:
+    bench = LineBench(program)
+    bench.answers = lambda inv_no: inv_no not in (12, 14)
+    bench.call(emergencyStop=True)
+    bench.until(lambda: not bench.block.stopping)
+    assert (bench.block.stopped, bench.block.unreached) == (False, 2)
+    bench.call(emergencyStop=False)
+    bench.answers = lambda inv_no: True
+    bench.call(emergencyStop=True)
+    bench.until(lambda: bool(bench.block.stopped))
+    assert bench.block.unreached == 0
+
+
+def test_a_second_edge_begins_again(program: LoadedProgram) -> None:
+    bench = LineBench(program)
+    bench.call(emergencyStop=True)
+    bench.until(lambda: len(bench.sent) == 3)
+    bench.call(emergencyStop=False)
+    bench.call(emergencyStop=True)
+    bench.until(lambda: bool(bench.block.stopped))
+    assert bench.sent[3:] == [
+        BROADCAST,
+        *(f"{10 + number:02X} 50 {STOP}" for number in range(1, 6)),
     ]
-    polling(bench)
-    for _ in range(400):
-        bench.cycle()
-        for reader in readers:
-            bench.give(reader, execute=not reader.done)
-    turns = [request.slot for request in bench.requests]
-    assert len(turns) > 60
-    counts = [turns.count(slot) for slot in range(1, 6)]
-    assert max(counts) - min(counts) <= 2, counts
 
 
-def test_the_steps_of_two_sequences_alternate(program: LoadedProgram) -> None:
+# --- loss of the gateway --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("loss", ["ioError", "restart"])
+def test_no_command_from_before_a_loss_is_sent_after_it(program: LoadedProgram, loss: str) -> None:
     bench = LineBench(program)
-    for number in (1, 2):
-        bench.add(
-            "TOS_Seq_start_forward", execute=True, invNo=number, frequency=1.0, maxFrequency=50.0
-        )
-    bench.until(lambda: all(user.done for user in bench.users))
-    assert [request.slot for request in bench.requests] == [1, 2, 1, 2]
-
-
-def test_only_the_owner_of_the_line_sees_a_reply(program: LoadedProgram) -> None:
-    bench = LineBench(program, lambda request: Answer(100 * request.inv_no))
-    for number in (1, 2, 3):
-        bench.add("TOS_Seq_read_current", execute=True, invNo=number)
-    bench.until(lambda: all(user.done for user in bench.users))
-    assert [user.current for user in bench.users] == [1.0, 2.0, 3.0]
+    for number in range(1, DRIVES + 1):
+        bench.run(number)
+    bench.cycles(2)
+    bench.call(**{loss: True})
+    assert not bench.block.online
+    bench.call(**{loss: False})
+    bench.cycles(100)
+    assert bench.sent == ["0B 50 FA00 C400", "05 47 FC90 0000"]
+    assert [bench.reply(number) for number in range(1, 6)] == [(False, True, 0x8404)] * 5
+    assert bench.block.online

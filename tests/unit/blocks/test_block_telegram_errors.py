@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from harness import LoadedProgram
 from harness.engine.loading import ENGINES
 from tests.unit.blocks.programs import ALL_SEQUENCES, loaded
-from tests.unit.blocks.telegram_bench import READ, WRITE, TelegramBench
+from tests.unit.blocks.telegram_bench import CYCLE_MS, GAP_MS, READ, WRITE, TelegramBench
 
 TIMEOUT_MS = 100
 
@@ -70,7 +70,7 @@ def test_silence_with_a_higher_error_counter_is_8402(program: LoadedProgram) -> 
 
 def test_silence_with_a_fault_of_the_gateway_is_8402(program: LoadedProgram) -> None:
     bench = failing(program)
-    bench.status = 0x0000
+    bench.status = 0x1E00
     bench.until_finished()
     assert bench.block.status == 0x8402
 
@@ -82,13 +82,75 @@ def test_the_reply_of_another_drive_is_8403(program: LoadedProgram) -> None:
     assert (bench.block.error, bench.block.status) == (True, 0x8403)
 
 
-def test_a_broken_exchange_is_8404_whatever_else(program: LoadedProgram) -> None:
-    bench = failing(program)
-    bench.receive(12, READ, 0xFE03, 1)
-    bench.status = 0x0001
-    bench.call(ioError=True)
-    bench.until_finished()
+@pytest.mark.parametrize("loss", [{"ioError": True}, {"restart": True}, {}])
+def test_without_a_gateway_the_job_ends_at_once_with_8404(
+    program: LoadedProgram, loss: dict[str, bool]
+) -> None:
+    bench = TelegramBench(program)
+    bench.send(11, WRITE, 0xFA00, 0xC400, retries=2)
+    if not loss:
+        bench.status = 0x0000
+    bench.call(**loss)
     assert (bench.block.error, bench.block.status) == (True, 0x8404)
+    assert (bench.block.online, bench.frame()[9:]) == (False, "0B 47 FC 90 00 00")
+    bench.send(11, WRITE, 0xFA00, 0xC400)
+    assert (bench.block.error, bench.block.status) == (True, 0x8404)
+    assert len(bench.sent) == 1
+
+
+@pytest.mark.parametrize("loss", [{"ioError": True}, {"restart": True}])
+def test_after_a_loss_a_read_goes_out_first_and_no_command_again(
+    program: LoadedProgram, loss: dict[str, bool]
+) -> None:
+    bench = TelegramBench(program)
+    bench.send(11, WRITE, 0xFA00, 0xC400, retries=5)
+    bench.call(**loss)
+    bench.call(**dict.fromkeys(loss, False))
+    bench.cycles(100)
+    assert [frame[6:] for frame in bench.sent] == [
+        "01 0B 50 FA 00 C4 00",
+        "02 05 47 FC 90 00 00",
+    ]
+    assert bench.block.online
+
+
+def test_a_job_that_comes_with_the_first_read_follows_it(program: LoadedProgram) -> None:
+    bench = TelegramBench(program)
+    bench.call(ioError=True)
+    bench.send(11, WRITE, 0xFA00, 0xC400, ioError=False)
+    assert bench.block.busy
+    bench.cycles(GAP_MS // CYCLE_MS + 2)
+    assert [frame[9:] for frame in bench.sent] == ["05 47 FC 90 00 00", "0B 50 FA 00 C4 00"]
+
+
+def test_abort_ends_the_job_and_the_next_one_waits_until_a_late_reply_is_over(
+    program: LoadedProgram,
+) -> None:
+    bench = failing(program, retries=2)
+    bench.call(abort=True)
+    assert (bench.block.error, bench.block.status) == (True, 0x8405)
+    bench.send(11, WRITE, 0xFA00, 0xD000, abort=False)
+    cycles = 0
+    while len(bench.sent) < 2:
+        bench.call()
+        cycles += 1
+    assert GAP_MS <= (cycles + 2) * CYCLE_MS <= GAP_MS + 20
+    assert bench.sent[-1][9:] == "0B 50 FA 00 D0 00"
+
+
+def test_the_same_job_after_one_without_reply_has_a_spacer_in_front(
+    program: LoadedProgram,
+) -> None:
+    bench = failing(program)
+    bench.until_finished()
+    bench.send(11, READ, 0xFE03)
+    bench.receive(11, READ, 0xFE03, 1)
+    assert bench.block.busy
+    bench.receive(11, READ, 0xFC90, 0)
+    bench.receive(11, READ, 0xFE03, 2)
+    assert (bench.block.done, bench.block.replyData) == (True, 2)
+    assert [frame[9:15] for frame in bench.sent] == ["0B 47 ", "0B 47 ", "0B 47 "]
+    assert [frame[15:20] for frame in bench.sent] == ["FE 03", "FC 90", "FE 03"]
 
 
 @pytest.mark.parametrize("retries", [0, 1, 2, 5])
@@ -168,7 +230,7 @@ def test_whatever_happens_the_rules_of_plcopen_hold(
     """done, busy and error exclude each other; a job ends once; a trigger means a telegram."""
     bench = TelegramBench(loaded(ALL_SEQUENCES, engine), retries=1, timeout=30)
     block = bench.block
-    was_busy, executed = False, False
+    was_busy, executed, was_online = False, False, True
     for inputs, reply, status in cycles:
         before = len(bench.sent)
         finished = block.done or block.error
@@ -180,16 +242,17 @@ def test_whatever_happens_the_rules_of_plcopen_hold(
         assert len(bench.sent) - before <= 1
         edge = bool(inputs["execute"]) and not executed
         if edge and not was_busy:
-            assert block.busy or block.status == 0x8201
+            assert block.busy or block.status in (0x8201, 0x8404)
         if not was_busy and not edge:
             assert not block.busy
             assert (block.done or block.error) <= finished
-            assert len(bench.sent) == before
+            assert len(bench.sent) - before == (block.online and not was_online)
         if was_busy and not block.busy:
             assert block.done or block.error
         assert block.error == (block.status >= 0x8000)
         assert (block.status in (0x7001, 0x7002)) == block.busy
-        if not block.busy and bench.sent:
+        if not block.busy:
             assert bench.frame()[12:] == "47 FC 90 00 00"
         assert bench.sent == [] or block.frameOut.trigger != 0
         was_busy, executed = bool(block.busy), bool(inputs["execute"])
+        was_online = block.online

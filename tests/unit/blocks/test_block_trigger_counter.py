@@ -14,7 +14,9 @@ def test_it_shows_00_until_the_first_telegram(program: LoadedProgram) -> None:
 
 
 @pytest.mark.fact("tos.trig")
-def test_it_counts_01_to_ff_and_then_01_again_never_00(program: LoadedProgram) -> None:
+def test_it_begins_with_ff_and_counts_01_to_ff_and_01_again_never_00(
+    program: LoadedProgram,
+) -> None:
     counter = block(program, "TOS_TriggerCounter")
     seen = []
     for _ in range(600):
@@ -22,21 +24,21 @@ def test_it_counts_01_to_ff_and_then_01_again_never_00(program: LoadedProgram) -
         seen.append(counter.trigger)
         counter(advance=False)
         assert counter.trigger == seen[-1]
-    assert seen == [number % 255 + 1 for number in range(600)]
+    assert seen == [255, *(number % 255 + 1 for number in range(599))]
 
 
 def test_it_takes_one_step_per_edge_however_long_advance_stays(program: LoadedProgram) -> None:
     counter = block(program, "TOS_TriggerCounter")
     for _ in range(5):
         counter(advance=True)
-    assert counter.trigger == 1
+    assert counter.trigger == 255
     counter(advance=False)
     counter(advance=True)
-    assert counter.trigger == 2
+    assert counter.trigger == 1
 
 
 def test_two_counters_do_not_share_their_count(program: LoadedProgram) -> None:
     first, second = (block(program, "TOS_TriggerCounter") for _ in range(2))
     first(advance=True)
     second(advance=False)
-    assert (first.trigger, second.trigger) == (1, 0)
+    assert (first.trigger, second.trigger) == (255, 0)

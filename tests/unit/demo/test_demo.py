@@ -49,8 +49,8 @@ def test_the_plc_sends_and_receives_what_the_manual_prints(report: DemoReport) -
     assert len(report.telegrams) == report.sent_count == len(ROWS)
     for row, telegram in zip(ROWS, report.telegrams, strict=True):
         wanted = printed[f"tos.g.{row}"]
-        assert bytes_match(wanted["send"], telegram.record.output), row
-        assert bytes_match(wanted["receive"], telegram.record.input), row
+        assert bytes_match(wanted["send"], telegram.seen.record.output), row
+        assert bytes_match(wanted["receive"], telegram.seen.record.input), row
 
 
 @pytest.mark.fact("tos.what")
@@ -61,17 +61,17 @@ def test_the_frames_on_the_line_are_those_of_the_manuals_with_their_checksums(
     for row, telegram in zip(ROWS, report.telegrams, strict=True):
         request = "row3.request_zero" if row == "row3" else f"{row}.request"
         wanted = [frames[f"rs485.g.{request}"], frames[f"rs485.g.{row}.reply"]]
-        assert [frame.data.hex(" ").upper() for frame in telegram.record.frames] == [
+        assert [frame.data.hex(" ").upper() for frame in telegram.seen.record.frames] == [
             item["bytes"] for item in wanted
         ]
-        assert [frame.to_drives for frame in telegram.record.frames] == [True, False]
+        assert [frame.to_drives for frame in telegram.seen.record.frames] == [True, False]
 
 
 @pytest.mark.fact("tos.t.total")
 def test_each_telegram_takes_30_to_40_ms_from_profibus_to_profibus(report: DemoReport) -> None:
     for telegram in report.telegrams:
-        assert telegram.record.received_ns is not None
-        assert 30e6 <= telegram.record.received_ns - telegram.record.sent_ns <= 42e6
+        assert telegram.seen.record.received_ns is not None
+        assert 30e6 <= telegram.seen.record.received_ns - telegram.seen.record.sent_ns <= 42e6
 
 
 def test_the_report_says_that_every_byte_is_right(report: DemoReport) -> None:

@@ -49,7 +49,7 @@ def test_a_sequence_that_writes_into_the_eeprom_is_the_warning_fb5005(tmp_path: 
     assert found.span.text == "eeprom"
     assert "10,000" in found.help
     block = next(file.text for file in files.files if file.name == "TOS_Seq_keep.scl")
-    assert "#line.request.cmd := 16#57;" in block
+    assert "#channel.request.cmd := 16#57;" in block
 
 
 def test_a_sequence_that_differs_between_two_series_is_fb5001(tmp_path: Path) -> None:
@@ -69,7 +69,7 @@ def test_a_sequence_that_differs_between_two_series_is_fb5001(tmp_path: Path) ->
         "      - {name: other, inv_no: 12, series: vf-x, max_frequency_hz: 50.0}\n"
     )
     with pytest.raises(DiagnosticError) as failure:
-        plan_blocks(read_plant(Source("plant.yaml", own), catalog), catalog)
+        plan_blocks(read_plant(Source("plant.yaml", own), catalog), catalog, "tia")
     (found,) = failure.value.diagnostics
     assert found.code == "FB5001"
     assert found.span is not None

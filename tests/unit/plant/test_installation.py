@@ -28,16 +28,18 @@ def polled(sources: list[Source], seed: int = 0) -> list[tuple[int, bytes, bytes
     installation = plant(FIVE, PlantSetup(seed=seed, engine="reference", sources=sources))
     recorder = installation.record_telegrams()["gw1"]
     installation.start()
-    installation.run_for(NS_PER_S)
+    installation.run_for(2 * NS_PER_S)
     assert installation.cpu.mode is CpuMode.RUN
     return [(record.sent_ns, record.output, record.input) for record in recorder.records]
 
 
 @pytest.mark.fact("tos.status.poll")
-def test_the_generated_blocks_read_fc90_and_the_status_of_every_drive_in_turn(five_sources):
+def test_the_generated_blocks_read_four_values_of_every_drive_in_turn(five_sources):
     records = polled(five_sources)
     asked = [(output[3], output[5:7].hex()) for _, output, _ in records]
-    wanted = [(inv_no, comno) for inv_no in range(5) for comno in ("fc90", "fd01")]
+    first, values = (0, "fc90"), ("fc90", "fd01", "fd00", "fe03")
+    spacer = (0, "fd01")
+    wanted = [first, spacer, *((inv_no, comno) for inv_no in range(5) for comno in values)]
     assert asked[: len(wanted)] == wanted
     assert all(reply is not None for _, _, reply in records[: len(wanted)])
 

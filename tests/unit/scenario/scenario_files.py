@@ -11,6 +11,11 @@ ROOT = Path(__file__).parents[3]
 PLANT = ROOT / "tests" / "scenarios" / "one_drive.yaml"
 """Gateway gw1 with the drive pump, INV-NO 11, polled by nobody."""
 READ = "plc.TOS_Plant.gw1.pump.read_status"
+FIRST_READ = (
+    '- {telegrams: [{output: "xx xx FF 0B 47 FC 90 00 00", input: "xx 00 0B 47 FC 90 00 00"}], '
+    "gateway: gw1}"
+)
+"""What goes out before anything else."""
 
 
 def written(folder: Path, text: str, plant: str = str(PLANT)) -> Path:

@@ -15,7 +15,7 @@ FILES = [
     ("FB8003_unknown_path", 5, 14),
     ("FB8004_unknown_fault", 5, 13),
     ("FB8005_clear_without_inject", 5, 12),
-    ("FB8006_other_telegram", 10, 17),
+    ("FB8006_other_telegram", 12, 17),
     ("FB8007_no_plant_file", 3, 8),
     ("FB8008_checks_nothing", 5, 3),
     ("FB8009_wrong_value", 5, 48),

@@ -6,7 +6,7 @@ import pytest
 
 from fbgen.diagnostics import render
 from harness.kernel import NS_PER_MS
-from tests.unit.scenario.scenario_files import READ, prepared, ran, steps
+from tests.unit.scenario.scenario_files import FIRST_READ, READ, prepared, ran, steps
 
 START = (
     "- wait: 100 ms",
@@ -101,19 +101,23 @@ def test_the_first_step_that_fails_ends_the_scenario(tmp_path: Path) -> None:
     ]
 
 
+CURRENT = "plc.TOS_Plant.gw1.pump.read_current"
+
+
 def test_telegrams_are_compared_since_the_last_comparison(tmp_path: Path) -> None:
     text = steps(
         "- wait: 100 ms",
+        FIRST_READ,
         "- {telegrams: [], gateway: gw1}",
-        f"- set: {{{READ}.execute: true}}",
+        f"- set: {{{CURRENT}.execute: true}}",
         "- wait: 200 ms",
         "- gateway: gw1",
         "  telegrams:",
-        '    - {output: "xx xx 01 0b 47 FC 90 xx xx", input: "xx xx 0B 47 FC 90 00 00"}',
+        '    - {output: "xx xx 01 0b 47 FE 03 xx xx", input: "xx xx 0B 47 FE 03 00 00"}',
         "- {telegrams: [], gateway: gw1}",
     )
     result = ran(tmp_path, text)
-    assert (result.passed, result.checks) == (True, 3)
+    assert (result.passed, result.checks) == (True, 4)
 
 
 @pytest.mark.parametrize(
@@ -121,12 +125,12 @@ def test_telegrams_are_compared_since_the_last_comparison(tmp_path: Path) -> Non
     [
         ("[]", ["1 telegrams went out on gw1, expected 0"]),
         (
-            '[{output: "xx xx 01 0B 47 FC 91 xx xx", input: "9F 00 0B 47 FC 90 00 00"}]',
+            '[{output: "xx xx 01 0B 47 FE 04 xx xx", input: "9F 00 0B 47 FE 03 00 00"}]',
             [
-                "the output of telegram 1 is E0 00 01 0B 47 FC 90 00 00, "
-                "expected xx xx 01 0B 47 FC 91 xx xx",
-                "the input of telegram 1 is DF 00 0B 47 FC 90 00 00, "
-                "expected 9F 00 0B 47 FC 90 00 00",
+                "the output of telegram 1 is E0 00 01 0B 47 FE 03 00 00, "
+                "expected xx xx 01 0B 47 FE 04 xx xx",
+                "the input of telegram 1 is DF 00 0B 47 FE 03 00 00, "
+                "expected 9F 00 0B 47 FE 03 00 00",
             ],
         ),
     ],
@@ -136,13 +140,14 @@ def test_telegrams_that_differ_are_told_with_what_went_out(
 ) -> None:
     text = steps(
         "- wait: 100 ms",
-        f"- set: {{{READ}.execute: true}}",
+        FIRST_READ,
+        f"- set: {{{CURRENT}.execute: true}}",
         "- wait: 200 ms",
         f"- {{telegrams: {telegrams}, gateway: gw1}}",
     )
     found = ran(tmp_path, text).failures
     assert [item.message for item in found] == messages
-    assert "drive 11: read FC90 Trip code" in found[0].notes[0].message
+    assert "drive 11: read FE03 Output current" in found[0].notes[0].message
 
 
 def test_a_failed_expectation_tells_all_that_a_person_needs(tmp_path: Path) -> None:
@@ -168,11 +173,13 @@ def test_a_failed_expectation_tells_all_that_a_person_needs(tmp_path: Path) -> N
         status[6] == "   = note: 16#9F00 (40704) means: status_changed=1, status_code=31 (no error)"
     )
     assert status[7:] == [
+        "   = note: gw1 at 12.000 ms: drive 11: read FC90 Trip code, 0000 while ready = 0000 (0)",
+        "      A0 00 FF 0B 47 FC 90 00 00  ->  9F 00 0B 47 FC 90 00 00  at 52.000 ms",
         "   = note: gw1 at 112.000 ms: drive 11: write FA01 Frequency set-point = 0BB8 (30.00 Hz)",
-        "      E0 00 01 0B 50 FA 01 0B B8  ->  DF 00 0B 50 FA 01 0B B8  at 152.000 ms",
-        "   = note: gw1 at 182.000 ms: drive 11: write FA00 Command word = C400 "
+        "      E0 00 01 0B 50 FA 01 0B B8  ->  DF 00 0B 50 FA 01 0B B8  at 150.000 ms",
+        "   = note: gw1 at 172.000 ms: drive 11: write FA00 Command word = C400 "
         "(network_command, network_frequency, run)",
-        "      A0 00 02 0B 50 FA 00 C4 00  ->  9F 00 0B 50 FA 00 C4 00  at 220.000 ms",
+        "      A0 00 02 0B 50 FA 00 C4 00  ->  9F 00 0B 50 FA 00 C4 00  at 206.000 ms",
     ]
 
 
@@ -189,5 +196,5 @@ def test_a_failure_tells_what_was_on_a_line_without_reply_and_that_the_cpu_is_st
     )
     (found,) = ran(tmp_path, text).failures
     notes = "\n".join(note.message for note in found.notes)
-    assert "->  no reply; on the line: gateway 2F 0B 47 FC 90 00 00 0D" in notes
+    assert "->  no reply; on the line: gateway 2F 0B 47 FD 01 00 00 7F" in notes
     assert notes.endswith("the CPU is in STOP, so the PLC writes nothing")
