@@ -21,6 +21,7 @@ from fbgen.lang.checker.rules import Rules
 from fbgen.lang.containers import read_document
 from fbgen.lang.families import Cpu
 from fbgen.lang.tag_files import global_file
+from fbgen.lang.unread_parts import unread_parts
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,17 +96,22 @@ def _check(program: ProgramFiles, settings: Settings, progress: Progress) -> lis
         else:
             trees.append(document.file)
             found += document.findings
-    unread = {one.span.source.name for one in found if one.severity is Severity.ERROR and one.span}
-    if not settings.syntax_only and any(tree.source.name not in unread for tree in trees):
+    if not settings.syntax_only and trees:
         progress.step("names and types")
         rules = _rules(program.dialect, settings)
         tables = global_file(program.dialect, settings.constants, settings.tags)
+        unread = [one for one in found if one.severity is Severity.ERROR]
         _, more = check_reporting(
-            [*trees, tables], program.dialect, rules=rules, db_numbers=settings.db_numbers
+            [*trees, tables],
+            program.dialect,
+            rules=rules,
+            db_numbers=settings.db_numbers,
+            unread=unread,
         )
+        found += more
         if settings.cpu is not None:
-            more += tuple(missing_on(settings.cpu, trees))
-        found += [one for one in more if one.span is None or one.span.source.name not in unread]
+            parts = unread_parts(trees, unread)
+            found += [one for one in missing_on(settings.cpu, trees) if not parts.follows(one)]
     return _in_order(found, program.paths)
 
 

@@ -9,7 +9,7 @@
 Errors in the text are raised together as `DiagnosticError`.
 """
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from datetime import timedelta
 from importlib import import_module
 from pathlib import Path
@@ -18,9 +18,9 @@ from types import MappingProxyType
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang import ast
 from fbgen.lang.checked import Program
-from fbgen.lang.checker import check
+from fbgen.lang.checker import check, check_reporting
 from fbgen.lang.containers import read_document
-from fbgen.lang.parser import parse
+from fbgen.lang.parser import parse_recovering
 from fbgen.lang.tag_files import global_file
 from fbgen.lang.tags import ConstantValue, Tag
 from fbgen.source import Source
@@ -95,25 +95,29 @@ def read_program(
         sources = (sources,)
     for source in sources:
         try:
-            files.append(_tree(source, dialect))
+            file, findings = _tree(source, dialect)
         except DiagnosticError as failure:
             found.extend(failure.diagnostics)
+        else:
+            files.append(file)
+            found += [one for one in findings if one.severity is Severity.ERROR]
     try:
         files.append(global_file(dialect, constants, tags))
     except DiagnosticError as failure:
-        found.extend(failure.diagnostics)
+        raise DiagnosticError([*found, *failure.diagnostics]) from None
     if found:
-        raise DiagnosticError(found)
+        _, more = check_reporting(
+            files, dialect, db_numbers=db_numbers, stubbed=stubbed, unread=found
+        )
+        raise DiagnosticError([*found, *(one for one in more if one.severity is Severity.ERROR)])
     return check(files, dialect, db_numbers=db_numbers, stubbed=stubbed)
 
 
-def _tree(source: str | Path | Source, dialect: str) -> ast.File:
+def _tree(source: str | Path | Source, dialect: str) -> tuple[ast.File, Sequence[Diagnostic]]:
     if isinstance(source, Source):
-        return parse(source, dialect)
+        return parse_recovering(source, dialect)
     document = read_document(Path(source), dialect)
-    if errors := [one for one in document.findings if one.severity is Severity.ERROR]:
-        raise DiagnosticError(errors)
-    return document.file
+    return document.file, document.findings
 
 
 def engine_named(name: str) -> EngineFactory:

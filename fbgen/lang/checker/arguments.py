@@ -64,6 +64,8 @@ def only_argument(ctx: Context, call: ast.Call, name: str) -> ast.Expression | N
 def _by_position(
     ctx: Context, call: ast.Call, name: str, parameters: Sequence[tuple[str, _P]]
 ) -> list[tuple[_P, ast.Argument]] | None:
+    if len(call.arguments) > len(parameters) and name.casefold() in ctx.library.incomplete:
+        return None
     if len(call.arguments) > len(parameters):
         names = ", ".join(parameter for parameter, _ in parameters)
         ctx.findings.error(
@@ -94,6 +96,8 @@ def _by_name(
                 argument.span,
                 "assign the result of the call to a variable first: x := f(EN := ..., ENO => ...);",
             )
+        elif key not in known and name.casefold() in ctx.library.incomplete:
+            complete = False
         elif key not in known:
             complete = False
             ctx.findings.error(

@@ -174,6 +174,8 @@ class Initials:
                 name, part, initial = parts[position]
             elif field.name.casefold() in known:
                 name, part, initial = known[field.name.casefold()]
+            elif self._library.is_incomplete(kind):
+                continue
             else:
                 ctx.findings.error(
                     "FB4005",
@@ -237,6 +239,8 @@ class Initials:
             if inner is not None:
                 named[name] = inner
             return StructInitial(tuple(named.items()))
+        if self._library.is_incomplete(kind):
+            return base
         ctx.findings.error(
             "FB4005",
             f"{spelled(kind)} has no member '{step.name}'",

@@ -47,6 +47,8 @@ class Library:
         self.memory = MemoryUse(numbers)
         self._stubbed = {name.casefold(): name for name in stubbed}
         self.unmodelled: dict[str, StandardBlock] = {}
+        self.incomplete: frozenset[str] = frozenset()
+        """The casefolded names of units that may declare more than could be read."""
         self.findings = findings
         self.globals = Scope()
         self.types = TypeResolver(self)
@@ -265,6 +267,10 @@ class Library:
         if block is not None:
             self.unmodelled[block.name.casefold()] = block
         return block
+
+    def is_incomplete(self, kind: Type) -> bool:
+        """True for a structure or block that may have more members than are known."""
+        return isinstance(kind, StructType | BlockType) and kind.name.casefold() in self.incomplete
 
     def is_stubbed(self, name: str) -> bool:
         """True if the user has said that a stub stands for the block of this name."""

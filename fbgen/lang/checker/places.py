@@ -210,12 +210,13 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
             "only structures and instances of function blocks have members",
         )
         return erroneous(node.span)
-    ctx.findings.error(
-        "FB4005",
-        f"{kind.name} has no member '{node.name}'",
-        node.span,
-        nearest(node.name, known),
-    )
+    if not ctx.library.is_incomplete(kind):
+        ctx.findings.error(
+            "FB4005",
+            f"{kind.name} has no member '{node.name}'",
+            node.span,
+            nearest(node.name, known),
+        )
     return erroneous(node.span)
 
 

@@ -21,6 +21,7 @@ from fbgen.lang.checker.recursion import report_recursive_calls
 from fbgen.lang.checker.rules import Rules, rules_for
 from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS
 from fbgen.lang.checker.statements import check_body
+from fbgen.lang.unread_parts import unread_parts
 
 _FRAMES = 12_000
 """Python frames for the deepest nesting that `context.NESTING_LIMIT` lets through."""
@@ -58,20 +59,27 @@ def check_reporting(
     rules: Rules | None = None,
     db_numbers: Mapping[str, int] = MappingProxyType({}),
     stubbed: Collection[str] = (),
+    unread: Sequence[Diagnostic] = (),
 ) -> tuple[Program | None, list[Diagnostic]]:
     """The program, None if there are errors, and all errors, warnings and hints by file and place.
 
-    Comments in the text can allow warnings (`analysis.allow`).
+    Comments in the text can allow warnings (`analysis.allow`). `unread` are the errors that reading
+    the files has found: the units that they are in are left alone, and there is no program.
 
     Raises FB4000 for an unknown dialect, and nothing else.
     """
     rules = rules or rules_for(dialect)
     findings = Findings()
+    parts = unread_parts(files, unread)
     with _room_for_nesting(), _without_collector():
-        program, library = _check(files, Library(rules, findings, db_numbers, stubbed))
+        library = Library(rules, findings, db_numbers, stubbed)
+        library.incomplete = parts.incomplete
+        program, library = _check(files, library)
         analyse(program, library, findings)
     findings.replace(without_allowed(findings.found(), files))
     found = findings.in_order(tuple(file.source.name for file in files))
+    if unread:
+        return None, [one for one in found if not parts.follows(one)]
     return (None if findings.has_errors else program), list(found)
 
 
