@@ -22,7 +22,7 @@ from fbgen.lang.encoding import read_source
 from fbgen.lang.tags import ConstantValue, Tag, TagConstant, as_file, constants_of
 from fbgen.source import Source, Span
 
-_VARIABLE = re.compile(r"%?(P?[EIAQ]|M)[BWDX]?\s*[0-9]+(\.[0-9]+)?", re.IGNORECASE)
+_VARIABLE = re.compile(r"%?((P?[EIAQ]|M)[BWDX]?\s*[0-9]+(\.[0-9]+)?|[TCZ]\s*[0-9]+)", re.IGNORECASE)
 _TAGS = ("Tag", "SW.Tags.PlcTag")
 _CONSTANTS = ("Constant", "SW.Tags.PlcUserConstant")
 _QUOTES = {"&quot;": '"', "&apos;": "'"}

@@ -4,6 +4,7 @@ TIA Portal and STEP 7 keep both in tables. Here they become VAR_GLOBAL sections,
 works on sources works on them.
 """
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -25,6 +26,8 @@ _TYPES_OF_KINDS = {
     ast.LiteralKind.TIME_OF_DAY: "TIME_OF_DAY",
     ast.LiteralKind.DATE_AND_TIME: "DATE_AND_TIME",
 }
+_NUMBERED = re.compile(r"%?([TCZ]) *([0-9]+)", re.IGNORECASE)
+"""The address of a timer or counter."""
 _INTEGERS = (("INT", 15), ("DINT", 31), ("LINT", 63))
 
 
@@ -58,9 +61,20 @@ def as_file(
     source = Source(name, "")
     nowhere = Span(source, 0, 0)
     units: list[ast.Unit] = []
+    numbers = [_NUMBERED.fullmatch(one.address) for one in tags]
+    numbered = tuple(
+        _number(tag, match, nowhere) for tag, match in zip(tags, numbers, strict=True) if match
+    )
     for qualifiers, declarations in (
-        (("CONSTANT",), tuple(_constant(one, nowhere) for one in constants)),
-        ((), tuple(_variable(one, nowhere) for one in tags)),
+        (("CONSTANT",), (*(_constant(one, nowhere) for one in constants), *numbered)),
+        (
+            (),
+            tuple(
+                _variable(tag, nowhere)
+                for tag, match in zip(tags, numbers, strict=True)
+                if match is None
+            ),
+        ),
     ):
         if declarations:
             section = ast.VarSection(nowhere, "VAR_GLOBAL", qualifiers, declarations)
@@ -79,6 +93,14 @@ def constants_of(values: Mapping[str, ConstantValue]) -> list[TagConstant]:
         source = Source(f"constant {name}", text)
         found.append(TagConstant(name, text, span=Span(source, 0, len(text))))
     return found
+
+
+def _number(tag: Tag, match: re.Match[str], nowhere: Span) -> ast.Declaration:
+    """A timer or counter is its number, which is all that a program does with it."""
+    span = tag.span or nowhere
+    kind = "TIMER" if match[1].upper() == "T" else "COUNTER"
+    number = ast.Literal(span, ast.LiteralKind.INTEGER, int(match[2]), match[2])
+    return _declaration(tag.name, kind, number, None, span)
 
 
 def _variable(tag: Tag, nowhere: Span) -> ast.Declaration:

@@ -13,7 +13,7 @@ from fbgen.lang.checker.coercion import as_typed, coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, erroneous, is_untyped
-from fbgen.lang.checker.places import find_symbol, report_optimized
+from fbgen.lang.checker.places import find_symbol, report_no_value, report_optimized
 from fbgen.lang.types import (
     BOOL,
     BYTE,
@@ -201,12 +201,7 @@ def check_indexed_address(
     """`MW[i]`, `DB100.DW[i]`, `"values".DX[i, j]`, `WORD_TO_BLOCK_DB(w).DW[i]`."""
     kind = _SIZES.get(node.size)
     if kind is None:
-        ctx.findings.error(
-            "FB4054",
-            "timers and counters by an index are not supported",
-            node.span,
-            "use timers of IEC",
-        )
+        report_no_value(ctx, node.span, node.area)
         return erroneous(node.span)
     wanted = 2 if kind == BOOL else 1
     indices = [check_whole(ctx, index, "an absolute address") for index in node.indices]

@@ -346,15 +346,23 @@ def check_slice(ctx: Context, node: ast.Slice, _expected: Type | None = None) ->
     return SliceRef(node.span, as_place(base), node.index, part)
 
 
+def report_no_value(ctx: Context, span: Span, area: str) -> None:
+    """T5 and C3 stand only where an instruction takes a timer or counter."""
+    what, how = "counter", "S_CU(C_NO := ..., Q => notZero, CV => count)"
+    if area == "T":
+        what, how = "timer", "S_ODT(T_NO := ..., Q => over, BI => rest)"
+    ctx.findings.error(
+        "FB4047",
+        f"{span.text} is a {what}, and SCL has no value for it",
+        span,
+        f"take what you need from its call: {how}",
+    )
+
+
 def address_of(ctx: Context, node: ast.DirectAddress) -> Address | None:
     """The absolute address that is written; reports addresses that cannot be reached."""
     if node.size not in _SIZES:
-        ctx.findings.error(
-            "FB4054",
-            "timers and counters by their numbers are not supported",
-            node.span,
-            "use timers and counters of IEC",
-        )
+        report_no_value(ctx, node.span, node.area)
         return None
     if node.area == "DB" and not _may_be_addressed(ctx, node):
         return None
