@@ -16,6 +16,7 @@ from fbgen.lang.checker.arguments import Bound, bind
 from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import fits_place
+from fbgen.lang.checker.converted_outputs import converted_output
 from fbgen.lang.checker.enabling import ENABLED
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import default_value
@@ -180,6 +181,9 @@ def _output(ctx: Context, node: ast.Expression, source: Type, where: str) -> Pla
     if place is None:
         return None
     if not fits_place(source, place.type, ctx.rules):
+        converted_to = converted_output(ctx, node.span, source, place)
+        if converted_to is not None:
+            return converted_to
         ctx.findings.error(
             "FB4010",
             f"{where} gives {spelled(source)}, which {spelled(place.type)} cannot take",

@@ -27,7 +27,9 @@ from fbgen.lang.checker.literals import (
     fitted,
     is_untyped,
     settled,
+    settled_bits,
 )
+from fbgen.lang.checker.rules import Rules
 from fbgen.lang.types import (
     BOOL,
     POINTER_VALUE,
@@ -118,7 +120,7 @@ def coerce(ctx: Context, expression: Expression, target: Type, where: str) -> Ex
 
 def warn_unchecked(ctx: Context, span: Span, source: Type, target: Type) -> None:
     """Report once for a block that it needs TIA Portal's IEC check to be off."""
-    name = ctx.block.name if ctx.block is not None else "this"
+    name = ctx.block.name if ctx.block is not None else "an initial value"
     ctx.findings.repeated_warning(
         "FB4112",
         f"{name} needs the IEC check to be off",
@@ -233,6 +235,10 @@ def _fit(ctx: Context, constant: Constant, target: Type, where: str) -> Expressi
             return limited
     if isinstance(constant.value, str):
         _refuse_text(ctx, constant, target, where)
+    elif (pattern := _pattern(constant, target, ctx.rules)) is not None:
+        if ctx.rules.iec_check_open:
+            warn_unchecked(ctx, constant.span, pattern.type, target)
+        return converted(pattern, target)
     elif _could_hold(constant, target):
         ctx.findings.error(
             "FB4014",
@@ -243,6 +249,22 @@ def _fit(ctx: Context, constant: Constant, target: Type, where: str) -> Expressi
     else:
         _refuse(ctx, constant, target, where)
     return erroneous(constant.span)
+
+
+def _pattern(constant: Constant, target: Type, rules: Rules) -> Constant | None:
+    """16#FFFF for INT and -1 for WORD: without the IEC check the bits are taken as they are."""
+    if rules.iec_check and not rules.iec_check_open:
+        return None
+    if not isinstance(target, Elementary) or isinstance(target, Enumeration | Subrange):
+        return None
+    if target.is_integer and "#" in constant.span.text:
+        typed = settled_bits(constant)
+    elif target.family is Family.BITS and isinstance(constant.value, int) and constant.value < 0:
+        typed = settled(constant)
+    else:
+        return None
+    fits = isinstance(typed.type, Elementary) and typed.type.bits <= target.bits
+    return typed if fits and not is_untyped(typed.type) else None
 
 
 def _refuse_text(ctx: Context, constant: Constant, target: Type, where: str) -> None:

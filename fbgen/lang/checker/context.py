@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from fbgen.lang.checked import Block, Variable
+from fbgen.lang.checked import Assignment, Block, Variable
 from fbgen.lang.checker.findings import Findings
 from fbgen.lang.checker.rules import Rules
 from fbgen.lang.checker.symbols import PendingSymbol, Scope, Symbol
@@ -36,13 +36,15 @@ class Context:
     uses it, `overflow_flag` the same where errors of calculation make it FALSE, and `call_flag`
     what the ENO of a standard function is collected in. `this` is the instance in the body, the
     methods and the actions of a block that has members, `owner` that block, and `method` the
-    casefolded name of a method. `temporaries` are those that nobody declared.
+    casefolded name of a method. `temporaries` are those that nobody declared. `copies` are what the
+    present statement does with outputs that are converted on their way; None where it cannot.
     """
 
     __slots__ = (
         "block",
         "call_flag",
         "calls",
+        "copies",
         "depth",
         "findings",
         "jumps",
@@ -79,6 +81,7 @@ class Context:
         self.this: Variable | None = None
         self.method = ""
         self.temporaries: list[Variable] = []
+        self.copies: list[Assignment] | None = None
         self.used: set[Symbol] = set()
         self.written: set[Variable] = set()
         self.calls: dict[Block, Span] = {}

@@ -6,6 +6,7 @@ from dataclasses import replace
 from fbgen.diagnostics import Diagnostic, Note, Severity
 from fbgen.source import Span
 
+_GAP = "FB4141"
 _SHOWN = 2
 """How many more places of one unknown name are shown; of the others there is the line."""
 _LISTED = 12
@@ -22,6 +23,7 @@ class Findings:
         self._found: dict[tuple[str, Span | None, str], Diagnostic] = {}
         self._more: dict[tuple[str, str], list[Span]] = {}
         self.has_errors = False
+        self._gaps: set[str] = set()
 
     def error(
         self,
@@ -46,6 +48,25 @@ class Findings:
         self.unclear.append(span)
         if self._mentioned_first(code, message, span):
             self.error(code, message, span, help_text())
+
+    def gap(self, message: str, span: Span, help_text: str) -> None:
+        """What the controller has and the engines lack: a warning, and no program to run."""
+        self.unclear.append(span)
+        self._gaps.add(message)
+        self.repeated_warning(_GAP, message, span, help_text)
+
+    @property
+    def keeps_from_running(self) -> bool:
+        """True if there is no program to run."""
+        return self.has_errors or bool(self._gaps)
+
+    def keeping_from_running(self, sources: tuple[str, ...]) -> list[Diagnostic]:
+        """The errors, and the gaps as errors, in order."""
+        return [
+            replace(one, severity=Severity.ERROR)
+            for one in self.in_order(sources)
+            if one.severity is Severity.ERROR or one.message in self._gaps
+        ]
 
     def repeated_warning(self, code: str, message: str, span: Span, help_text: str) -> None:
         """A warning that many places have in common: one, however many there are."""

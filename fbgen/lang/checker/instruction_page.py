@@ -19,7 +19,8 @@ from the tables of the checker by `python tools/instruction_index.py`.
   warning FB4140; what they do [you say](../how-to/stub-a-block.md). Function blocks have the inputs
   and outputs of the controller, so that `inst.REQ` can be set and `inst.DONE` read; functions take
   parameters of any name.
-* **FB4054**, **written otherwise**: refused, with what to write instead.
+* **FB4141**: read and checked, with a warning; the program does not run.
+* **written otherwise**: refused, with what to write instead.
 
 The last column has the CPU families that lack an instruction (`fbgen check --cpu`); where it is
 empty every family has it, or it is not certain.
@@ -62,7 +63,7 @@ def _row(name: str) -> str:
     assert treatment is not None, name
     said = treatment.value
     if treatment is Treatment.REFUSED:
-        said = f"FB4054: {NOT_SUPPORTED[key]}"
+        said = f"FB4141: {NOT_SUPPORTED[key]}"
     elif treatment is Treatment.WRITTEN:
         said = f"written otherwise: {WRITTEN_OTHERWISE[key]}"
     lacking = [cpu.value for cpu in Cpu if key in MISSING_INSTRUCTIONS[cpu]]

@@ -12,7 +12,7 @@ from fbgen.lang.checked import Address, Variable, VariableKind
 from fbgen.lang.checker.coercion import spelled
 from fbgen.lang.checker.constants import constant_of, untyped_constant
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.literals import ERRONEOUS, default_value
 from fbgen.lang.checker.overlays import Home, check_overlay, overlay_kind
 from fbgen.lang.checker.places import address_of
 from fbgen.lang.checker.symbols import NamedConstant, PendingSymbol
@@ -113,6 +113,8 @@ class Interfaces:
             return self._classic_constant(ctx, declaration, declared)
         resolved = self._library.types.resolve(ctx, declaration.type)
         kind = resolved.type
+        if declaration.initial is None and ctx.rules.dialect == "tia":
+            return self._empty_constant(declared, kind, block)
         if declaration.initial is None and kind != ERRONEOUS:
             ctx.findings.error(
                 "FB4059",
@@ -132,10 +134,17 @@ class Interfaces:
             return NamedConstant(declared.span, declared.name, kind, value)
         assert declaration.initial is not None
         initial = self._library.initial(ctx, declaration.initial, kind, resolved.initial)
-        where = VariableKind.GLOBAL
-        if block is not None:
-            where = VariableKind.TEMP if block in _WITHOUT_MEMORY else VariableKind.STATIC
-        return Variable(declared.span, declared.name, where, kind, initial)
+        return Variable(declared.span, declared.name, _place_of(block), kind, initial)
+
+    def _empty_constant(
+        self, declared: ast.DeclaredName, kind: Type, block: BlockKind | None
+    ) -> NamedConstant | Variable:
+        """TIA Portal gives a constant without a value the default of its type."""
+        if kind == ERRONEOUS:
+            return NamedConstant(declared.span, declared.name, ERRONEOUS, 0)
+        if isinstance(kind, Elementary | StringType):
+            return NamedConstant(declared.span, declared.name, kind, default_value(kind))
+        return Variable(declared.span, declared.name, _place_of(block), kind, None)
 
     def _classic_constant(
         self, ctx: Context, declaration: ast.Declaration, declared: ast.DeclaredName
@@ -327,3 +336,10 @@ def _is_constant(section: ast.VarSection) -> bool:
     return section.keyword == "CONST" or (
         "CONSTANT" in section.qualifiers and section.keyword in _WITH_CONSTANTS
     )
+
+
+def _place_of(block: BlockKind | None) -> VariableKind:
+    """Where a constant that is kept as a variable has its place."""
+    if block is None:
+        return VariableKind.GLOBAL
+    return VariableKind.TEMP if block in _WITHOUT_MEMORY else VariableKind.STATIC

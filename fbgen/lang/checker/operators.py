@@ -14,7 +14,6 @@ from fbgen.lang.checker.coercion import (
     as_typed,
     converted,
     spelled,
-    warn_unchecked,
     without_limits,
 )
 from fbgen.lang.checker.context import Context
@@ -33,9 +32,9 @@ from fbgen.lang.checker.literals import (
 )
 from fbgen.lang.checker.operator_help import operator_help
 from fbgen.lang.checker.reference_comparison import compare
-from fbgen.lang.checker.rules import without_iec_check
 from fbgen.lang.checker.stamps import as_stamp, is_stamp
 from fbgen.lang.checker.standard_functions import DATE_ARITHMETIC
+from fbgen.lang.checker.unchecked_operands import unchecked_pair
 from fbgen.lang.checker.variants import compares_types, type_comparison
 from fbgen.lang.types import (
     BOOL,
@@ -141,6 +140,12 @@ def unify(
     ctx: Context, left: Expression, right: Expression
 ) -> tuple[Expression, Expression] | None:
     """Both operands in one type; None if they have none in common. Two untyped stay untyped."""
+    return _unify(ctx, left, right) or unchecked_pair(ctx, left, right)
+
+
+def _unify(
+    ctx: Context, left: Expression, right: Expression
+) -> tuple[Expression, Expression] | None:
     if left.type == right.type:
         return left, right
     if _is_untyped_constant(left) and _is_untyped_constant(right):
@@ -148,16 +153,11 @@ def unify(
         assert isinstance(right, Constant)
         return _unify_untyped(left, right)
     if isinstance(left, Constant) and _adapts(left):
-        adapted = _adapt(ctx, left, right)
-        return None if adapted is None else adapted
+        return _adapt(ctx, left, right)
     if isinstance(right, Constant) and _adapts(right):
         adapted = _adapt(ctx, right, left)
         return None if adapted is None else (adapted[1], adapted[0])
     kind = common_type(left.type, right.type, ctx.rules)
-    if kind is None and ctx.rules.iec_check_open:
-        kind = common_type(left.type, right.type, without_iec_check(ctx.rules))
-        if kind is not None:
-            warn_unchecked(ctx, left.span, left.type, kind)
     if kind is None:
         return None
     if isinstance(kind, StringType):

@@ -36,6 +36,7 @@ from fbgen.lang.types import (
     BOOL,
     BYTE,
     DWORD,
+    ELEMENTARY,
     LWORD,
     WORD,
     ArrayType,
@@ -83,12 +84,15 @@ def names_block(ctx: Context, node: ast.Name) -> bool:
     """True for a name in a call that means a block or an instruction, not a variable.
 
     The result variable of a FUNCTION has the name of the function; a name in quotes is global, also
-    where a local variable has the same.
+    where a local variable has the same; TIA Portal marks a local name by #, so what cannot be
+    called does not hide the instruction of its name there.
     """
     if node.local:
         return False
     symbol = find_symbol(ctx, node)
     if symbol is None or (isinstance(symbol, Variable) and symbol.kind is VariableKind.RESULT):
+        return True
+    if ctx.rules.quoted_blocks and not node.quoted and symbol.type.name in ELEMENTARY:
         return True
     is_own = symbol is ctx.local(node.name.casefold())
     return node.quoted and is_own and ctx.library.user_block(node.name) is not None
@@ -210,13 +214,14 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
             "only structures and instances of function blocks have members",
         )
         return erroneous(node.span)
-    if not ctx.library.is_incomplete(kind):
-        ctx.findings.error(
-            "FB4005",
-            f"{kind.name} has no member '{node.name}'",
-            node.span,
-            nearest(node.name, known),
-        )
+    if ctx.library.is_incomplete(kind):
+        return erroneous(node.span)
+    message = f"{kind.name} has no member '{node.name}'"
+    if kind.name.casefold() in ctx.library.unmodelled and not ctx.library.is_stubbed(kind.name):
+        message = f"'{node.name}' of {kind.name} has no model, so this program cannot run"
+        ctx.findings.gap(message, node.span, "to run it, give the value as a parameter of the call")
+    else:
+        ctx.findings.error("FB4005", message, node.span, nearest(node.name, known))
     return erroneous(node.span)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from types import MappingProxyType
 
-from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
+from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.lang import ast
 from fbgen.lang.analysis import analyse, without_allowed
 from fbgen.lang.checked import Block, Program, Statement, Variable
@@ -46,9 +46,10 @@ def check(
     findings = Findings()
     with _room_for_nesting(), _without_collector():
         program, _ = _check(files, Library(rules, findings, db_numbers, stubbed))
-    if findings.has_errors:
-        found = findings.in_order(tuple(file.source.name for file in files))
-        raise DiagnosticError(one for one in found if one.severity is Severity.ERROR)
+    if findings.keeps_from_running:
+        raise DiagnosticError(
+            findings.keeping_from_running(tuple(one.source.name for one in files))
+        )
     return program
 
 
@@ -61,7 +62,7 @@ def check_reporting(
     stubbed: Collection[str] = (),
     unread: Sequence[Diagnostic] = (),
 ) -> tuple[Program | None, list[Diagnostic]]:
-    """The program, None if there are errors, and all errors, warnings and hints by file and place.
+    """The program, None if it cannot run, and all errors, warnings and hints by file and place.
 
     Comments in the text can allow warnings (`analysis.allow`). `unread` are the errors that reading
     the files has found: the units that they are in are left alone, and there is no program.
@@ -80,7 +81,7 @@ def check_reporting(
     found = findings.in_order(tuple(file.source.name for file in files))
     if unread:
         return None, [one for one in found if not parts.follows(one)]
-    return (None if findings.has_errors else program), list(found)
+    return (None if findings.keeps_from_running else program), list(found)
 
 
 @contextmanager

@@ -22,6 +22,7 @@ from fbgen.lang.checker.arguments import bind
 from fbgen.lang.checker.coercion import as_typed, coerce, converted, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import is_implicit, keeps_representation
+from fbgen.lang.checker.converted_outputs import converted_output
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, erroneous, is_untyped
 from fbgen.lang.checker.numbered import number_named
@@ -245,8 +246,10 @@ def _free_arguments(
                 and place is not None
                 and not _takes_result(variable.type, place.type)
             ):
-                _refuse_place(ctx, argument, where, spelled(variable.type), place.type)
-                place = None
+                behind = converted_output(ctx, argument.value.span, variable.type, place)
+                if behind is None:
+                    _refuse_place(ctx, argument, where, spelled(variable.type), place.type)
+                place = behind
             found.add_output(argument.name, place)
         else:
             variable = known.get(argument.name.casefold())
@@ -429,6 +432,10 @@ def _output(
         fits, given = _suits(word, kind), _WORDS.get(word, "a value")
     if fits:
         return place
+    if parameter.direction is Direction.OUTPUT and len(parameter.types) == 1:
+        behind = converted_output(ctx, argument.value.span, parameter.types[0], place)
+        if behind is not None:
+            return behind
     _refuse_place(ctx, argument, where, given, kind)
     return None
 

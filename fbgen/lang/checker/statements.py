@@ -63,6 +63,20 @@ def check_body(ctx: Context, nodes: Sequence[ast.Statement]) -> tuple[Statement,
     return tuple(found)
 
 
+def _with_copies(
+    check: Callable[[Context, Any], Sequence[Statement]],
+) -> Callable[[Context, Any], Sequence[Statement]]:
+    """A statement, and behind it what converts the outputs of its calls."""
+
+    def checked_with_copies(ctx: Context, node: Any) -> Sequence[Statement]:
+        ctx.copies = []
+        found = check(ctx, node)
+        copies, ctx.copies = ctx.copies, None
+        return (*found, *copies) if copies and found else found
+
+    return checked_with_copies
+
+
 def _call(ctx: Context, node: ast.CallStatement) -> Sequence[Statement]:
     if speaks_of_enable(node.call):
         return enabled(ctx, node.span, node.call, lambda call: _plain_call(ctx, node, call))
@@ -367,8 +381,8 @@ def _empty(_ctx: Context, _node: ast.Empty) -> Sequence[Statement]:
 
 
 _CHECKS: dict[type, Callable[[Context, Any], Sequence[Statement]]] = {
-    ast.Assignment: _assignment,
-    ast.CallStatement: _call,
+    ast.Assignment: _with_copies(_assignment),
+    ast.CallStatement: _with_copies(_call),
     ast.If: _if,
     ast.Case: _case,
     ast.For: _for,

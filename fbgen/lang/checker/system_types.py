@@ -92,6 +92,25 @@ TYPE TADDR_Param
       spare : Word;
    END_STRUCT;
 END_TYPE
+TYPE SI_classic
+   STRUCT
+      EV_CLASS : Byte;
+      EV_NUM : Byte;
+      PRIORITY : Byte;
+      NUM : Byte;
+      TYP2_3 : Byte;
+      TYP1 : Byte;
+      ZI1 : Word;
+      ZI2_3 : DWord;
+   END_STRUCT;
+END_TYPE
+TYPE SI_none
+   STRUCT
+      SI_Format : USInt;
+      OB_Class : USInt;
+      OB_Nr : UInt;
+   END_STRUCT;
+END_TYPE
 TYPE CREF
    STRUCT
       BLOCK_TYPE : Byte;

@@ -18,7 +18,7 @@ from fbgen.lang.checked import (
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS
-from fbgen.lang.types import BlockType
+from fbgen.lang.types import VARIANT_VALUE, BlockType
 
 
 def check_target(ctx: Context, node: ast.Expression, where: str) -> Place | None:
@@ -73,7 +73,7 @@ def _variable_may_be_written(ctx: Context, ref: VariableRef, where: str) -> bool
             "declare it in VAR to change it",
         )
         return False
-    if variable.kind is not VariableKind.INPUT:
+    if variable.kind is not VariableKind.INPUT or variable.type == VARIANT_VALUE:
         return True
     return _report_input(ctx, ref, variable, where)
 

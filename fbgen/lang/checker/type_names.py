@@ -1,5 +1,6 @@
 """From a written type to the type it means."""
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -71,6 +72,10 @@ HARDWARE_TYPES: dict[str, Elementary] = {
 }
 """TIA's names for identifiers of hardware, events, OBs, connections and some data blocks: the types
 that they are (TIA Portal help, "Hardware data types")."""
+
+_OBJECT = re.compile(r"TO_\w+", re.IGNORECASE)
+"""Technology objects: axes, cams, encoders (TIA Portal help, "Motion control")."""
+_OBJECT_HELP = "to run it, write a FUNCTION_BLOCK or TYPE of that name with what the program uses"
 
 
 @dataclass(frozen=True, slots=True)
@@ -240,13 +245,9 @@ class TypeResolver:
                 "use it in VAR_INPUT, VAR_IN_OUT or VAR_TEMP of a block",
             )
             return Resolved(ERRONEOUS)
-        if key in ("variant", "any", "pointer"):
-            findings.error(
-                "FB4054",
-                f"variables of type {name.upper()} are not supported",
-                span,
-                "give instructions such as DPRD_DAT the variable itself",
-            )
+        if on_s7 and key in ("any", "pointer"):
+            message = f"variables of type {name.upper()} have no model, so this program cannot run"
+            findings.gap(message, span, "give instructions such as DPRD_DAT the variable itself")
             return Resolved(ERRONEOUS)
         user = self._library.user_block(name)
         if user is not None or self._library.is_block_name(key):
@@ -256,6 +257,9 @@ class TypeResolver:
                 span,
                 "only a FUNCTION_BLOCK is a type; call a FUNCTION by its name",
             )
+            return Resolved(ERRONEOUS)
+        if self._library.rules.dialect == "tia" and not quoted and _OBJECT.match(name):
+            findings.gap(f"{name} has no model, so this program cannot run", span, _OBJECT_HELP)
             return Resolved(ERRONEOUS)
         known = [*self.names(), *self._library.type_names(), *ELEMENTARY, "STRING"]
         advise = type_help if on_s7 else nearest

@@ -26,7 +26,9 @@ def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
         return
     refused = NOT_SUPPORTED.get(name.upper()) if ctx.rules.dialect == "tia" else None
     if refused is not None:
-        ctx.findings.error("FB4054", f"{name} is not supported", node.callee.span, refused)
+        message = f"{name} has no model, so this program cannot run"
+        ctx.findings.gap(message, node.callee.span, f"to run it, {refused}")
+        check_arguments_alone(ctx, node)
         return
     ctx.findings.unknown(
         "FB4004",

@@ -272,6 +272,10 @@ class BlockParser(NamespaceParser):
             return self._header_line(word)
         if word == "TITLE" and self.kinds[first + 1] == "=":
             return self._raw_line(word)
+        if self.kinds[first + 1] == ":" and self.texts[first + 2][:1] == "'":
+            message = f"a block's header has no {text}"
+            self.report("FB3001", message, self.token_span(first), "write it as a comment: // ...")
+            return self._header_line(word)
         return None
 
     def _header_line(self, word: str) -> HeaderItem:

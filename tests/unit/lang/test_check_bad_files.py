@@ -63,7 +63,7 @@ def _dialect_of(path: Path) -> str:
         ("FB4050_contains_itself.st", 4, 12),
         ("FB4051_recursive_call.st", 6, 20),
         ("FB4052_array_too_large.st", 2, 11),
-        ("FB4054_not_supported.scl", 3, 11),
+        ("FB4054_not_supported.twincat", 7, 9),
         ("FB4055_bounds.st", 2, 19),
         ("FB4056_wrong_section.st", 3, 3),
         ("FB4057_initial_value.st", 2, 36),
@@ -137,6 +137,7 @@ def _dialect_of(path: Path) -> str:
         ("FB4291_allow_without_finding.scl", 9, 3),
         ("FB4292_allow_error.scl", 9, 21),
         ("FB4140_without_model.scl", 7, 15),
+        ("FB4141_not_modelled.scl", 3, 11),
     ],
 )
 def test_broken_file_is_reported_at_its_place(name: str, line: int, column: int) -> None:

@@ -115,7 +115,7 @@ def test_arguments_convert_like_assignments() -> None:
         ("c(step => t, total := t);", "FB4041"),
         ("c(total := t, count := n);", "FB4041"),
         ("c(total := n);", "FB4010"),
-        ("c(total := t, count => x);", "FB4010"),
+        ("c(total := t, count => flag);", "FB4010"),
         ("c(step := 40000, total := t);", "FB4014"),
         ("c(step := 1.5, total := t);", "FB4010"),
         ("c(total := t + 1);", "FB4022"),
@@ -127,7 +127,7 @@ def test_arguments_convert_like_assignments() -> None:
     ],
 )
 def test_wrong_calls(call: str, code: str) -> None:
-    found = errors_of(COUNTER + in_program("c : Counter; t : DINT; n : INT; x : REAL;", call))
+    found = errors_of(COUNTER + in_program("c : Counter; t : DINT; n : INT; flag : BOOL;", call))
     assert [one.code for one in found] == [code]
 
 
