@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import Any, Protocol, TypeAlias
 
 from fbgen.lang.checked import AnyBlock, Block, Program
-from fbgen.lang.types import Scalar
+from fbgen.lang.types import Scalar, Type
 from harness.engine.environment import Environment
 
 Value: TypeAlias = Scalar | Mapping[str, "Value"] | Sequence["Value"]
@@ -21,6 +21,33 @@ Scalars are as `fbgen.lang.types` says. A structure or an instance is a mapping 
 names to values. An array is a flat sequence, the last index fastest. What an engine gives is a
 copy (`dict` and `list`); what it takes it copies.
 """
+
+
+class Reference:
+    """A variable that is handed to a block as it is: for VARIANT, ANY and POINTER.
+
+    `target` is what the engine that made it has for the variable.
+    """
+
+    __slots__ = ("_read", "_write", "kind", "target")
+
+    def __init__(
+        self, kind: Type, target: Any, read: Callable[[], Value], write: Callable[[Value], None]
+    ) -> None:
+        self.kind = kind
+        self.target = target
+        self._read = read
+        self._write = write
+
+    @property
+    def value(self) -> Value:
+        """What the variable holds."""
+        return self._read()
+
+    @value.setter
+    def value(self, value: Value) -> None:
+        self._write(value)
+
 
 Convert: TypeAlias = Callable[[Mapping[str, Any]], Mapping[str, Value]]
 """What makes plain values of what a caller gave by name."""
@@ -159,6 +186,14 @@ class Engine(Protocol):
 
     def set_global(self, path: str, value: Value) -> None:
         """Write what `global_value` reads."""
+        ...
+
+    def reference(self, path: str) -> Reference:
+        """What `global_value` reads, to be handed over itself."""
+        ...
+
+    def new_variable(self, kind: Type, value: Value | None) -> Reference:
+        """A variable of its own; without a value it has the default of its type."""
         ...
 
     def snapshot(self) -> State:

@@ -26,11 +26,19 @@ from fbgen.lang.tags import ConstantValue, Tag
 from fbgen.source import Source
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.faults import unknown_engine
-from harness.engine.interface import Engine, EngineFactory, FunctionResult, Limits, Value
+from harness.engine.interface import (
+    Engine,
+    EngineFactory,
+    FunctionResult,
+    Limits,
+    Reference,
+    Value,
+)
 from harness.engine.organization import ObSettings
 from harness.engine.retentive import restore_retentive, retentive_values
 from harness.engine.running import Running
 from harness.engine.stubs import Stub
+from harness.engine.type_texts import type_written
 from harness.engine.variables import BlockInstance, Globals
 from harness.kernel import NS_PER_MS, NS_PER_S, NS_PER_US, Kernel
 
@@ -198,6 +206,18 @@ class LoadedProgram:
     def call_with_outputs(self, function_name: str, /, **arguments: Value) -> FunctionResult:
         """The value of a FUNCTION together with its outputs and in-outs."""
         return self._engine.call_function(function_name, arguments)
+
+    def variant(self, type_name: str, value: Value | None = None) -> Reference:
+        """A variable of its own for a VARIANT, ANY or POINTER: `variant("INT", 5)`.
+
+        The type is written as in VAR, with names of the program; `.value` is what a block has made
+        of it. Raises FB6020, FB6021 and FB6024.
+        """
+        return self._engine.new_variable(type_written(self._engine.program, type_name), value)
+
+    def reference(self, path: str) -> Reference:
+        """A variable of the program for a VARIANT, ANY or POINTER: `reference("DB.member[3]")`."""
+        return self._engine.reference(path)
 
     def run(self, block_name: str) -> None:
         """One run of an organization block, a PROGRAM, or a FUNCTION without parameters."""

@@ -21,9 +21,10 @@ from fbgen.lang.types import (
     StructType,
     Subrange,
     Type,
+    refers_to_anything,
 )
 from harness.engine.faults import unknown_name, wrong_value
-from harness.engine.interface import Value
+from harness.engine.interface import Reference, Value
 
 _FAMILIES_OF_NUMBERS = (
     Family.BITS,
@@ -102,14 +103,29 @@ def _parts(program: Program, kind: StructType | BlockType) -> dict[str, Type]:
     return {variable.name: variable.type for variable in program.block_of(kind.name).variables}
 
 
+def _accept_reference(path: str, kind: ReferenceType, value: object) -> Scalar:
+    if value is False:
+        return False
+    if not refers_to_anything(kind):
+        raise wrong_value(path, value, kind, "only False, which unbinds it, comes from outside")
+    if isinstance(value, Reference):
+        target: Scalar = value.target
+        return target
+    raise wrong_value(
+        path,
+        value,
+        kind,
+        "hand over program.variant('INT', 5), or program.reference('DB.member') for a variable"
+        " of the program",
+    )
+
+
 def accept_scalar(path: str, kind: Type, value: object) -> Scalar:
     """The value as a variable of the type holds it; `path` is for the message. Raises FB6021."""
     if isinstance(kind, StringType):
         return _accept_text(path, kind, value, kind.length, kind.wide)
     if isinstance(kind, ReferenceType):
-        if value is False:
-            return False
-        raise wrong_value(path, value, kind, "only False, which unbinds it, comes from outside")
+        return _accept_reference(path, kind, value)
     if not isinstance(kind, Elementary):
         raise wrong_value(path, value, kind, "it has parts, give a mapping or a sequence")
     if kind.family is Family.BOOL:

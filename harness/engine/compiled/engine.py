@@ -9,7 +9,7 @@ from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, Program, Variable, VariableKind
 from fbgen.lang.checker.instance_starts import IN_GLOBALS
 from fbgen.lang.checker.objects import RECEIVER
-from fbgen.lang.types import BlockType, OpenArrayType, StructType
+from fbgen.lang.types import BlockType, OpenArrayType, ReferenceType, StructType, Type
 from harness.engine.compiled.areas import read_located, write_located
 from harness.engine.compiled.attempts import attempts
 from harness.engine.compiled.blocks import write_block, write_structures
@@ -27,6 +27,7 @@ from harness.engine.compiled.namespace import LIBRARY, Cpu, counting, hardware
 from harness.engine.compiled.open_arrays import OpenArray
 from harness.engine.compiled.outside_arguments import by_variable, given_inputs
 from harness.engine.compiled.outside_calls import write_keyword_call
+from harness.engine.compiled.outside_variants import new_variable, reference_to
 from harness.engine.compiled.passes import may_exceed
 from harness.engine.compiled.placement import Bytes
 from harness.engine.compiled.procedure import Probe
@@ -35,7 +36,7 @@ from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.stopping import Stopper
 from harness.engine.environment import Environment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block, wrong_path
-from harness.engine.interface import Convert, FunctionResult, Limits, State, Value
+from harness.engine.interface import Convert, FunctionResult, Limits, Reference, State, Value
 from harness.engine.paths import parse_path
 from harness.engine.starting import own_starts
 from harness.engine.values import accept, accept_scalar, array_of
@@ -281,6 +282,7 @@ class CompiledEngine:
         if is_scalar(variable.type):
             if value is not None:
                 fresh = accept_scalar(name, variable.type, value)
+                fresh = fresh or None if isinstance(variable.type, ReferenceType) else fresh
             return ValueCell(fresh) if variable in self._facts.cells else fresh
         if value is not None:
             self._memory.fill(name, variable.type, fresh, value)
@@ -426,6 +428,15 @@ class CompiledEngine:
             write_located(self._environment, located.address, located.type, accepted)
             return
         self._memory.load(path, self._find(path), value)
+
+    def reference(self, path: str) -> Reference:
+        """What `global_value` reads, to be handed over itself."""
+        located = self._find_located(path)
+        return reference_to(self, path, self._find(path) if located is None else located.type)
+
+    def new_variable(self, kind: Type, value: Value | None) -> Reference:
+        """A variable of its own; without a value it has the default of its type."""
+        return new_variable(self._memory, self._bytes, kind, value)
 
     def _find_located(self, path: str) -> Variable | None:
         """The variable with an absolute address that a path names."""

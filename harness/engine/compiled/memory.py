@@ -91,7 +91,7 @@ class Memory:
         kind = location.kind
         if is_scalar(kind):
             accepted = accept_scalar(path, kind, value)
-            location.write(None if isinstance(kind, ReferenceType) else accepted)
+            location.write(None if isinstance(kind, ReferenceType) and not accepted else accepted)
         else:
             self.fill(path, kind, location.read(), value)
 

@@ -7,7 +7,7 @@ mapping. It is written when somebody calls an instance of the block for the firs
 from collections.abc import Sequence
 
 from fbgen.lang.checked import Block, VariableKind
-from fbgen.lang.types import BOOL, Subrange, Type
+from fbgen.lang.types import BOOL, ReferenceType, Subrange, Type
 from harness.engine.compiled.code import Listing
 from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.model import Part, Record, is_scalar
@@ -41,8 +41,9 @@ def _is_plain(part: Part, value: str) -> str:
 
 
 def _accepted(record: Record, part: Part, value: str) -> str:
-    """What the library makes of a value, or says against it."""
-    return f"_accept({part.name!r}, {_type_name(record, part)}, {value})"
+    """What the library makes of a value, or says against it; FALSE unbinds a reference."""
+    accepted = f"_accept({part.name!r}, {_type_name(record, part)}, {value})"
+    return f"{accepted} or None" if isinstance(part.type, ReferenceType) else accepted
 
 
 def _write_start(listing: Listing, facts: Facts, block: Block) -> None:

@@ -18,7 +18,7 @@ from fbgen.lang.checked import (
     VariableKind,
 )
 from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS
-from fbgen.lang.layout import no_layout
+from fbgen.lang.layout import holds_blocks, holds_values, no_layout
 from fbgen.lang.types import (
     DATE_AND_TIME,
     ArrayInitial,
@@ -102,6 +102,12 @@ class Allocator:
     def data_block(self, block: Variable, memory: bytearray) -> Storage:
         """A data block in its memory, with its initial values."""
         return self._variable(block, _Spot(memory, 0))
+
+    def alone(self, kind: Type) -> Storage:
+        """A variable that belongs to nobody, in bytes if its type has any."""
+        if not holds_values(kind) or holds_blocks(kind):
+            return self.of_type(kind)
+        return self.of_type(kind, _Spot(bytearray(self._layout.size_bytes(kind)), 0))
 
     def view(self, kind: Type, memory: bytearray, bit: int) -> Storage:
         """What lies at a place of a memory already, as a variable of a type."""

@@ -10,15 +10,16 @@ from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, Program, StandardBlock, Variable, VariableKind
 from fbgen.lang.checker.instance_starts import IN_GLOBALS
 from fbgen.lang.checker.objects import RECEIVER
-from fbgen.lang.types import ArrayType, BlockType, OpenArrayType
+from fbgen.lang.types import ArrayType, BlockType, OpenArrayType, Type
 from harness.engine.environment import Environment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block
-from harness.engine.interface import Convert, FunctionResult, Limits, State, Value
+from harness.engine.interface import Convert, FunctionResult, Limits, Reference, State, Value
 from harness.engine.paths import parse_path
 from harness.engine.reference.allocation import Allocator
 from harness.engine.reference.calls import Calls
 from harness.engine.reference.lookup import find_part
 from harness.engine.reference.memory import Memory
+from harness.engine.reference.pointers import Pointed
 from harness.engine.reference.storage import InstanceStorage, Storage
 from harness.engine.starting import own_starts
 from harness.engine.values import accept, array_of
@@ -163,6 +164,23 @@ class ReferenceEngine:
         """Write what `global_value` reads."""
         storage = self._global(path)
         storage.write(accept(self._program, path, storage.kind, value))
+
+    def reference(self, path: str) -> Reference:
+        """What `global_value` reads, to be handed over itself."""
+        return self._reference(path, self._global(path))
+
+    def new_variable(self, kind: Type, value: Value | None) -> Reference:
+        """A variable of its own, in bytes, so that it has an address."""
+        reference = self._reference("value", self._allocator.alone(kind))
+        if value is not None:
+            reference.value = value
+        return reference
+
+    def _reference(self, path: str, storage: Storage) -> Reference:
+        def write(value: Value) -> None:
+            storage.write(accept(self._program, path, storage.kind, value))
+
+        return Reference(storage.kind, Pointed(storage), storage.read, write)
 
     def snapshot(self) -> State:
         """Global variables and the variables of PROGRAMs."""
