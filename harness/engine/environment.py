@@ -49,6 +49,11 @@ class Environment(Protocol):
         ...
 
     @property
+    def classic(self) -> bool:
+        """True for S7-300 and S7-400, whose timers go on in their calls only."""
+        ...
+
+    @property
     def inputs(self) -> bytearray:
         """The process image of the inputs."""
         ...
@@ -108,6 +113,11 @@ class StandaloneEnvironment:
     def now_ns(self) -> int:
         """The instant of the virtual clock."""
         return self.kernel.now_ns
+
+    @property
+    def classic(self) -> bool:
+        """It is a CPU of today."""
+        return False
 
     def read_peripheral(self, byte: int, count: int) -> int:
         """Without hardware the inputs are what somebody put into the image."""

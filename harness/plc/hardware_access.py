@@ -80,6 +80,11 @@ class HardwareAccess:
                 self.instructions[name] = self._dpwr_dat
         self._begin()
 
+    @property
+    def classic(self) -> bool:
+        """True for S7-300 and S7-400."""
+        return self.settings.family.classic
+
     def mount(self, mounting: Mounting) -> None:
         """Tie a station of the master into the address space.
 

@@ -62,7 +62,9 @@ class CompiledEngine:
         self._program = program
         self._environment = environment
         library: dict[str, type] = {
-            **timer_classes(clock_of(environment), program.dialect),
+            **timer_classes(
+                clock_of(environment), today=program.dialect == "tia" and not environment.classic
+            ),
             **counter_classes(program.dialect),
             **unmodelled_classes(program),
         }

@@ -4,6 +4,7 @@ from fbgen.lang.checked import Block, InstanceCall, VariableRef
 from harness.engine.compiled.calls import copied, in_out_arguments, write_outputs
 from harness.engine.compiled.code import Code
 from harness.engine.compiled.evaluation import condition, stored, value
+from harness.engine.compiled.library.timers import METHODS
 from harness.engine.compiled.model import is_scalar, run_method
 from harness.engine.compiled.places import assign, copy_into, place
 from harness.engine.compiled.procedure import Procedure
@@ -27,7 +28,10 @@ def instance_call(procedure: Procedure, node: InstanceCall) -> None:
         _user_block(procedure, instance, node, node.block)
     elif not (node.block.name == "TON" and _on_delay(procedure, instance, node)):
         _store_inputs(procedure, instance, node)
-        procedure.line(f"{instance}.{run_method(node.block)}()")
+        method = run_method(node.block)
+        if method in METHODS.values() and node.block.name != node.instance.type.name:
+            procedure.line(f"{instance}._called = {method!r}")
+        procedure.line(f"{instance}.{method}()")
     record = procedure.context.model.block_record(node.block)
     names = {
         variable: f"{instance}.{record.by_key[variable.name.casefold()].slot}"

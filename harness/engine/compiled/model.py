@@ -6,7 +6,7 @@ of their own, which is never bound anew; the others are attributes of one object
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, Program, StandardBlock, Variable, VariableKind
@@ -21,7 +21,7 @@ from fbgen.lang.types import (
     Type,
 )
 from harness.engine.block_memory import BlockLayout
-from harness.engine.compiled.library.timers import METHODS
+from harness.engine.compiled.library.timers import FOLLOWING, METHODS
 from harness.engine.compiled.names import Names
 from harness.engine.layout import layout_of
 
@@ -76,7 +76,8 @@ class Part:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Record:
-    """A class with slots. `hidden` are slots of the library that have no PLC name.
+    """A class with slots. `hidden` are slots of the library that have no PLC name, `following` the
+    keys of parts that `_now` brings up to date before they are read.
 
     `size` is how many bytes its objects have besides, in the memory `_memory` from bit `_at` on.
     """
@@ -87,6 +88,7 @@ class Record:
     block: AnyBlock | None = None
     hidden: tuple[str, ...] = ()
     size: int = 0
+    following: frozenset[str] = frozenset()
 
     def part(self, name: str) -> Part | None:
         """The part with a PLC name, whatever its case."""
@@ -231,7 +233,8 @@ def _standard_record(block: StandardBlock, python_class: type) -> Record:
     known = {part.slot for part in parts}
     slots = [slot for base in python_class.__mro__ for slot in getattr(base, "__slots__", ())]
     hidden = tuple(slot for slot in slots if slot not in known and slot != STUB_SLOT)
-    return _record(block.name, parts, block, hidden)
+    following = FOLLOWING if hasattr(python_class, "_now") else frozenset()
+    return replace(_record(block.name, parts, block, hidden), following=following)
 
 
 def run_method(block: AnyBlock) -> str:

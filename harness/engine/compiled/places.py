@@ -59,9 +59,11 @@ def _variable(procedure: Procedure, node: VariableRef) -> Code:
 def _field(procedure: Procedure, node: FieldRef) -> Code:
     base = place(procedure, node.base)
     assert isinstance(node.base.type, StructType | BlockType)
-    part = procedure.context.model.record_of(node.base.type).part(node.name)
+    record = procedure.context.model.record_of(node.base.type)
+    part = record.part(node.name)
     assert part is not None
-    text = f"{base.text}.{part.slot}"
+    now = "._now()" if node.name.casefold() in record.following else ""
+    text = f"{base.text}{now}.{part.slot}"
     low, high = limits(node.type)
     if part.variable is None or part.kind is not VariableKind.IN_OUT:
         return base._replace(text=text, low=low, high=high, simple=False)

@@ -200,7 +200,8 @@ class Allocator:
             parts = self._own_parts(block)
             state: Behaviour = Unmodelled()
             if block.name.casefold() in STANDARD_BLOCKS:
-                state = new_behaviour(block.name, self._program.dialect)
+                classic = self._memory.environment.classic
+                state = new_behaviour(block.name, self._program.dialect, classic=classic)
             return InstanceStorage(kind, block, parts, state)
         placement = self._layout.instance(block)
         memory = None

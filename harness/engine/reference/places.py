@@ -24,6 +24,7 @@ from harness.engine.reference.addresses import Addresses
 from harness.engine.reference.frames import Frame
 from harness.engine.reference.memory import Memory, MemoryCell
 from harness.engine.reference.pointers import Pointed
+from harness.engine.reference.standard_blocks import update_timer
 from harness.engine.reference.storage import Array, InstanceStorage, Storage, Structure
 
 
@@ -68,6 +69,10 @@ class SliceStorage(Storage):
         whole = self._base.read()
         assert isinstance(whole, int)
         return whole
+
+
+_FOLLOWING = ("q", "et")
+"""What a timer shows of the time that has passed."""
 
 
 class Places:
@@ -125,6 +130,8 @@ class Places:
         if isinstance(base, Structure):
             return base.parts[key]
         assert isinstance(base, InstanceStorage)
+        if base.standard is not None and key in _FOLLOWING:
+            update_timer(base, self._memory.environment.now_ns)
         if key not in base.parts and key not in base.connections:
             raise reference_not_set(place.span, place.name)
         return base.part(key)

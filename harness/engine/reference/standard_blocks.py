@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import ClassVar
 
-from fbgen.lang.checked import StandardBlock, VariableKind
+from fbgen.lang.checked import AnyBlock, StandardBlock, VariableKind
 from fbgen.lang.types import Elementary
 from harness.engine.reference.behaviour import Behaviour, Call
 from harness.engine.reference.storage import InstanceStorage, Storage
@@ -133,18 +133,30 @@ class CountUpDown(Behaviour):
 def run_standard_block(instance: InstanceStorage, block: StandardBlock, now_ns: int) -> None:
     """One call of an instance whose inputs have been set, as `block` (IEC_TIMER can be several)."""
     assert instance.standard is not None
+    inputs, outputs = _parameters(instance, block)
+    instance.standard.run(inputs, outputs, Call(_family(block.name), now_ns))
+
+
+def _parameters(instance: InstanceStorage, block: AnyBlock) -> tuple[list[Storage], list[Storage]]:
     parts = [
         (variable.kind, instance.parts[variable.name.casefold()]) for variable in block.variables
     ]
     inputs = [part for kind, part in parts if kind is VariableKind.INPUT]
-    outputs = [part for kind, part in parts if kind is VariableKind.OUTPUT]
-    instance.standard.run(inputs, outputs, Call(_family(block.name), now_ns))
+    return inputs, [part for kind, part in parts if kind is VariableKind.OUTPUT]
 
 
-def new_behaviour(name: str, dialect: str) -> Behaviour:
+def update_timer(instance: InstanceStorage, now_ns: int) -> None:
+    """Bring Q and ET of a running timer up to date, where reading them does that."""
+    timer = instance.standard
+    if isinstance(timer, Timer) and timer.today and timer.began_ns is not None:
+        inputs, outputs = _parameters(instance, instance.block)
+        timer.run(inputs, outputs, Call(timer.called_as, now_ns))
+
+
+def new_behaviour(name: str, dialect: str, *, classic: bool) -> Behaviour:
     """The behaviour of a standard block by its canonical name, such as `CTU` or `CTU_DINT`."""
     on_s7 = dialect in ("tia", "step7")
-    timer = partial(Timer, latches=dialect == "tia")
+    timer = partial(Timer, today=dialect == "tia" and not classic)
     behaviours: dict[str, Callable[[], Behaviour]] = {
         "SR": SetDominant,
         "RS": ResetDominant,

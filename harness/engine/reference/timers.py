@@ -1,14 +1,13 @@
 """TON, TOF, TP and TONR on the controller's clock.
 
-Q and ET are brought up to date by a call and only by a call: reading them in between gives what
-the last call left. (An S7-1200/1500 also updates on reading, which only shows where a block reads
-a timer twice around its call.) ET counts whole ticks of its type, milliseconds for TIME. A
-negative PT counts as zero.
+ET counts whole ticks of its type, milliseconds for TIME. A negative PT counts as zero. A timing
+that has ended stays so whatever PT says.
 
-PT: on `tia` the value at the start of the timing holds until the timing ends (S7-1200 manual,
-timers: a change of PT has no effect while the timer runs); on the others each call looks at PT
-anew (IEC 61131-3 leaves it open; S7-300/400 SFB3 to SFB5 inferred). A timing that has ended stays
-so whatever PT says.
+On S7-1200/1500 (`tia`, but not on an S7-300/400) PT counts as it is at the start of the timing, and
+Q and ET are brought up to date by each call and each time the program reads them (TIA Portal help,
+"IEC timers"): `t(IN := NOT t.Q, ...)` resets the timer before anybody has seen Q. Elsewhere each
+call looks at PT anew (IEC 61131-3 leaves it open; SFB3 to SFB5 inferred), and only a call changes Q
+and ET.
 
 Sources: IEC 61131-3 third edition, table 46 and figure 15 (timing diagrams); TIA Portal help for
 TONR, RESET_TIMER and PRESET_TIMER.
@@ -28,16 +27,21 @@ _NS_PER_TICK = {32: 1_000_000, 64: 1}
 class Timer(Behaviour):
     """One timing. `began_ns` is None while nothing is timed; all times are nanoseconds.
 
-    `collected_ns` is what TONR had collected before the present timing began.
+    `collected_ns` is what TONR had collected before the present timing began, `called_as` the name
+    of the last call. `today` says that it is one of an S7-1200/1500.
     """
 
-    __slots__ = ("began_ns", "collected_ns", "ended", "latches", "preset_ns", "previous")
+    __slots__ = (
+        *("began_ns", "called_as", "collected_ns", "ended", "preset_ns", "previous"),
+        "today",
+    )
     remembered: ClassVar[tuple[str, ...]] = (
-        *("began_ns", "collected_ns", "ended", "preset_ns", "previous"),
+        *("began_ns", "called_as", "collected_ns", "ended", "preset_ns", "previous"),
     )
 
-    def __init__(self, latches: bool) -> None:
-        self.latches = latches
+    def __init__(self, today: bool) -> None:
+        self.today = today
+        self.called_as = ""
         self.previous = False
         self.began_ns: int | None = None
         self.collected_ns = 0
@@ -53,8 +57,9 @@ class Timer(Behaviour):
         assert isinstance(kind, Elementary)
         tick_ns = _NS_PER_TICK[kind.bits]
         given_ns = max(preset, 0) * tick_ns
-        if not self.latches and not self.ended:
+        if not self.today and not self.ended:
             self.preset_ns = given_ns
+        self.called_as = call.name
         match call.name:
             case "TON":
                 is_on, elapsed_ns = self._on_delay(signal, given_ns, call.now_ns)
@@ -152,7 +157,7 @@ def control_timer(instance: InstanceStorage, inputs: Mapping[str, Value]) -> Non
     assert isinstance(timer, Timer)
     preset = inputs.get("PT")
     if preset is None:
-        timer.restore(Timer(timer.latches).snapshot())
+        timer.restore(Timer(timer.today).snapshot())
         for part in instance.parts.values():
             part.write(False if isinstance(part.read(), bool) else 0)
         return

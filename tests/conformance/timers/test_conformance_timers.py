@@ -3,11 +3,17 @@
 Each row of a timing diagram: advance the clock by so many milliseconds, call with IN, expect Q, ET.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import pytest
 
-from harness import LoadedProgram
+from fbgen.source import Source
+from harness import LoadedProgram, load_program
+from harness.engine.environment import StandaloneEnvironment
+from harness.engine.interface import Limits
+from harness.engine.loading import engine_named, read_program
+from harness.engine.variables import BlockInstance
+from harness.kernel import NS_PER_MS
 
 Load = Callable[[str], LoadedProgram]
 
@@ -161,7 +167,144 @@ def test_iec_looks_at_the_preset_time_in_each_call(load: Load) -> None:
     assert (block.onDelay, block.onElapsed) == (True, 20)
 
 
-def test_outputs_change_with_a_call_only(load: Load) -> None:
+READING = """
+FUNCTION_BLOCK Reading
+VAR_INPUT
+  signal : BOOL;
+  calls : BOOL;
+END_VAR
+VAR_OUTPUT
+  isOn : BOOL;
+  elapsed : TIME;
+  seen : INT;
+END_VAR
+VAR
+  t : {kind};
+  self : TON;
+END_VAR
+{begin}
+  IF calls THEN
+    t(IN := signal, PT := T#100ms);
+  END_IF;
+  isOn := t.Q;
+  elapsed := t.ET;
+  self(IN := NOT self.Q, PT := T#30ms);
+  IF self.Q THEN
+    seen := seen + 1;
+  END_IF;
+END_FUNCTION_BLOCK
+"""
+DIALECTS = pytest.mark.parametrize("dialect", ["tia", "step7", "iec", "twincat"])
+
+
+def reading(engine_name: str, dialect: str, kind: str) -> tuple[LoadedProgram, BlockInstance]:
+    begin = "BEGIN" if dialect in ("tia", "step7") else ""
+    source = Source("reading.scl", READING.format(kind=kind, begin=begin))
+    program = load_program([source], dialect, engine_name)
+    return program, program.instance("Reading")
+
+
+@DIALECTS
+@pytest.mark.parametrize(
+    ("kind", "signals", "before", "behind"),
+    [
+        ("TON", (True,), False, True),
+        ("TOF", (True, False), True, False),
+        ("TP", (True,), True, False),
+    ],
+)
+def test_tia_brings_a_timer_up_to_date_when_it_is_read(
+    engine_name: str,
+    dialect: str,
+    kind: str,
+    signals: Sequence[bool],
+    *,
+    before: bool,
+    behind: bool,
+) -> None:
+    program, block = reading(engine_name, dialect, kind)
+    for signal in signals:
+        block(signal=signal, calls=True)
+    program.clock.advance(ms=60)
+    block(calls=False)
+    today = dialect == "tia"
+    assert (block.isOn, block.elapsed) == (before, 60 if today else 0)
+    program.clock.advance(ms=60)
+    block(calls=False)
+    assert (block.isOn, block.elapsed) == ((behind, 100) if today else (before, 0))
+    block(calls=True)
+    assert block.isOn is behind
+
+
+@DIALECTS
+def test_a_timer_that_resets_itself_is_never_seen_on_in_tia(engine_name: str, dialect: str) -> None:
+    program, block = reading(engine_name, dialect, "TON")
+    for _ in range(20):
+        block()
+        program.clock.advance(ms=10)
+    assert block.seen == (0 if dialect == "tia" else 4)
+
+
+def test_a_timer_that_nobody_has_started_shows_nothing(engine_name: str) -> None:
+    for kind in ("TON", "TOF", "TP"):
+        program, block = reading(engine_name, "tia", kind)
+        block(signal=True)
+        program.clock.advance(ms=200)
+        block(signal=True)
+        assert (block.isOn, block.elapsed) == (False, 0)
+
+
+@pytest.mark.parametrize(("called_as", "behind"), [("TON", True), ("TOF", False), ("TP", False)])
+def test_an_iec_timer_is_read_as_what_it_was_called(
+    engine_name: str, called_as: str, *, behind: bool
+) -> None:
+    text = READING.format(kind="IEC_TIMER", begin="BEGIN").replace("t(IN", f"t.{called_as}(IN")
+    program = load_program([Source("reading.scl", text)], "tia", engine_name)
+    block = program.instance("Reading")
+    block(signal=True, calls=True)
+    block(signal=called_as != "TOF", calls=True)
+    program.clock.advance(ms=150)
+    block(calls=False)
+    assert (block.isOn, block.elapsed) == (behind, 100)
+
+
+def test_the_state_of_a_timer_is_brought_back_whole(engine_name: str) -> None:
+    program, _ = reading(engine_name, "tia", "TON")
+    block = program.engine.instance("Reading")
+    block.call({"signal": True, "calls": True})
+    state = block.snapshot()
+    program.clock.advance(ms=150)
+    block.call({"calls": False})
+    assert block.get("isOn") is True
+    block.restore(state)
+    assert block.get("isOn") is False
+    block.call({"calls": False})
+    assert block.get("isOn") is True
+
+
+class Classic(StandaloneEnvironment):
+    """An S7-300 without hardware."""
+
+    @property
+    def classic(self) -> bool:
+        return True
+
+
+def test_on_an_s7_300_a_timer_goes_on_in_its_calls_only(engine_name: str) -> None:
+    text = READING.format(kind="TON", begin="BEGIN").replace("T#100ms", "preset")
+    text = text.replace("calls : BOOL;", "calls : BOOL; preset : TIME := T#100ms;")
+    environment = Classic()
+    program = read_program([Source("reading.scl", text)])
+    block = engine_named(engine_name)(program, environment, Limits()).instance("Reading")
+    block.call({"signal": True, "calls": True})
+    environment.kernel.run_for(150 * NS_PER_MS)
+    block.call({"calls": False})
+    assert block.get("isOn") is False
+    block.call({"calls": True, "preset": 200})
+    assert block.get("isOn") is False  # the preset time of each call counts
+
+
+def test_from_outside_a_timer_shows_what_the_program_saw_last(load: Load) -> None:
     program = load("timers.scl")
     block = program.instance("Delays")
     block(signal=True)

@@ -130,7 +130,7 @@ def test_passes_are_counted_only_if_the_watchdog_could_bark() -> None:
 
 
 def test_conditions_are_short_circuits_where_nobody_can_tell() -> None:
-    assert method("#outFlag := #flag AND #timer.Q;").endswith("self.flag and self.timer.Q")
+    assert method("#outFlag := #flag AND #timer.Q;").endswith("self.flag and self.timer._now().Q")
 
 
 def test_both_sides_are_evaluated_where_one_can_stop_the_program() -> None:

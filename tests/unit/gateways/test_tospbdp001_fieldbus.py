@@ -59,6 +59,12 @@ def test_a_telegram_that_waits_when_the_bus_fails_is_dropped(bench_of):
     bench.master.connected = False
     bench.run_ms(1_000)
     assert bench.inverter.heard == []
+    bench.master.connected = True
+    bench.run_ms(20)
+    bench.send(0, 2, START)
+    bench.run_ms(300)
+    assert bench.inverter.frames == [seal(bytes.fromhex(START))]
+    assert bench.gateway.overwritten == 0
 
 
 @pytest.mark.fact("tos.hb.busfault")

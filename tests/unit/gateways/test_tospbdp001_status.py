@@ -47,6 +47,16 @@ def test_bit_14_follows_the_control_word_after_the_processing_time(bench):
     assert bench.status == 0x9F00
 
 
+def test_a_control_word_that_never_stands_still_is_confirmed_all_the_same(bench):
+    seen = set()
+    for _ in range(10):
+        for control in (0x4000, 0x4001):
+            bench.control(control)
+            bench.run_ms(4)  # less than the gateway's processing time
+            seen.add(bench.status)
+    assert 0xDF00 in seen
+
+
 @pytest.mark.fact("C2-8")
 @pytest.mark.parametrize("code", [0x0000, 0x1F00, 0x11AB])
 def test_bit_14_is_confirmed_whatever_control_code_stands_beside_it(bench, code):

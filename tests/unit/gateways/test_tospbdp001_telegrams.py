@@ -90,6 +90,16 @@ def test_a_telegram_that_still_waits_is_overwritten(bench):
 
 
 @pytest.mark.fact("tos.trig.overwrite")
+def test_a_plc_that_triggers_all_the_time_is_served_at_the_pace_of_the_gateway(bench):
+    for trigger in range(1, 21):
+        bench.send(0xE000, trigger, START)
+        bench.run_ms(4)  # less than the gateway's processing time
+    bench.run_ms(60)
+    assert len(bench.inverter.frames) > 5
+    assert bench.gateway.overwritten + bench.gateway.telegrams == 20
+
+
+@pytest.mark.fact("tos.trig.overwrite")
 def test_a_telegram_that_is_being_sent_is_not_overwritten(bench):
     bench.send(0xE000, 1, START)
     bench.run_ms(8)

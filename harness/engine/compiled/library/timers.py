@@ -1,11 +1,12 @@
-"""TON, TOF, TP and TONR: they follow the clock of the controller and change only when called.
+"""TON, TOF, TP and TONR: they follow the clock of the controller.
 
 One class has the memory of all four, because TIA lets one IEC_TIMER be called as any of them.
-On S7-1200/1500 (`latched`) the preset counts as it was when the timing started; elsewhere as it is
-in each call. Sources: IEC 61131-3 third edition, figure 15; TIA Portal help, "IEC timers".
+On S7-1200/1500 (`today`) the preset counts as it was when the timing started, and who reads Q or ET
+brings them up to date by `_now`; elsewhere the preset counts as it is in each call, and Q and ET
+change in a call only. Sources: IEC 61131-3 third edition, figure 15; TIA Portal help, "IEC timers".
 """
 
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 _NS_PER_MS = 1_000_000
 
@@ -20,11 +21,19 @@ class Clock(Protocol):
 
 
 class Timer:
-    """What the timers remember. `_start` is the instant of the call that started the timing."""
+    """What the timers remember.
 
-    __slots__ = ("ET", "IN", "PT", "Q", "R", "_before", "_collected", "_preset", "_start")
+    `_start` is the instant of the call that started the timing, `_called` the method of the call:
+    the class's own (`_method`) if nothing else is said.
+    """
+
+    __slots__ = (
+        *("ET", "IN", "PT", "Q", "R", "_before", "_called", "_collected", "_preset", "_start"),
+    )
+    _method: ClassVar[str] = ""
 
     def __init__(self) -> None:
+        self._called = self._method
         self.IN = self.R = self.Q = self._before = False
         self.PT = self.ET = self._preset = self._collected = 0
         self._start: int | None = None
@@ -40,6 +49,10 @@ def control(timer: Timer, preset: int | None) -> None:
 
 METHODS = {"TON": "_ton", "TOF": "_tof", "TP": "_tp", "TONR": "_tonr"}
 """The method of each timer, by its canonical name."""
+
+
+FOLLOWING = frozenset({"q", "et"})
+"""What a timer shows of the time that has passed."""
 
 
 def _running_timer(clock: Clock, tick: int, latched: bool) -> type[Timer]:
@@ -139,12 +152,21 @@ def _running_timer(clock: Clock, tick: int, latched: bool) -> type[Timer]:
     return RunningTimer
 
 
-def timer_classes(clock: Clock, dialect: str) -> dict[str, type[Timer]]:
+def _now(timer: Timer) -> Timer:
+    """The timer as it is at this instant."""
+    if timer._start is not None:
+        getattr(timer, timer._called)()
+    return timer
+
+
+def timer_classes(clock: Clock, *, today: bool) -> dict[str, type[Timer]]:
     """The timers of one controller, by canonical name."""
     classes: dict[str, type[Timer]] = {}
+    reading = {"_now": _now} if today else {}
     for suffix, tick in (("", _NS_PER_MS), ("_LTIME", 1)):
-        base = _running_timer(clock, tick, latched=dialect == "tia")
-        for name in METHODS:
-            classes[name + suffix] = type(name + suffix, (base,), {"__slots__": ()})
+        base = _running_timer(clock, tick, latched=today)
+        for name, method in METHODS.items():
+            parts = {"__slots__": (), "_method": method, **reading}
+            classes[name + suffix] = type(name + suffix, (base,), parts)
     classes["IEC_TIMER"] = type("IEC_TIMER", (classes["TON"],), {"__slots__": ()})
     return classes
