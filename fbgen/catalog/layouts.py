@@ -84,10 +84,6 @@ class Layout(Sourced):
         """A field towards the gateway. Raises DiagnosticError FB1105 with the nearest names."""
         return pick(self.output, name, "FB1105", f"'{self.name}' has no output field '{name}'")
 
-    def input_field(self, name: str) -> CyclicField:
-        """A field from the gateway. Raises DiagnosticError FB1105 with the nearest names."""
-        return pick(self.input, name, "FB1105", f"'{self.name}' has no input field '{name}'")
-
     @property
     def consistent(self) -> bool:
         """Whether one identifier that is consistent over its whole length carries everything."""

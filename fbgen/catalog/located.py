@@ -242,7 +242,8 @@ def _type_help(kind: str, value: object) -> str:
             plain = value.lstrip("0") or "0"
             return f"a leading 0 means octal to some readers: write {plain} (or 0o{plain})"
         if re.fullmatch(r"[-+]?[0-9]+[eE][-+]?[0-9]+", value):
-            return "write it with a decimal point"
+            whole = "write the digits out"
+            return whole if kind.startswith("int") else "write it with a decimal point"
         if ":" in value:
             return "a number with a colon is a text here: write it in one unit"
     return ""

@@ -161,7 +161,9 @@ def _changed(rows: Iterable["Row"]) -> Iterator["Row"]:
 
 
 def _ms(now_ns: int) -> str:
-    return f"{now_ns / _NS_PER_MS:g}"
+    """Every digit: the column has to tell any two cycles apart."""
+    whole, rest = divmod(now_ns, _NS_PER_MS)
+    return f"{whole}.{rest:06}".rstrip("0").rstrip(".")
 
 
 def _table(trial: "Trial", rows: Iterable["Row"]) -> None:

@@ -31,6 +31,7 @@ class LineMarks(Extension):
 
     def preprocess(self, source: str, name: str | None, filename: str | None = None) -> str:
         table: OriginTable = self.environment.origin_table  # type: ignore[attr-defined]
+        place: str = self.environment.place_of(name)  # type: ignore[attr-defined]
         source = without_marks(source)
         inside = _places_inside_tags(source)
         lines = source.split("\n")
@@ -39,7 +40,7 @@ class LineMarks(Extension):
             content = line.lstrip()
             at = start + len(line) - len(content)
             if content and at not in inside and not content.startswith(("{%", "{#")):
-                template = Origin("template", f"templates/{name}", number)
+                template = Origin("template", place, number)
                 indent = line[: len(line) - len(content)]
                 lines[number - 1] = f"{indent}{table.line_mark(template)}{content}"
             start += len(line) + 1
@@ -73,6 +74,7 @@ class TemplateRenderer:
             finalize=self._finalize,
         )
         self._environment.origin_table = self.table  # type: ignore[attr-defined]
+        self._environment.place_of = self._place  # type: ignore[attr-defined]
         self._environment.add_extension(LineMarks)
 
     def render(self, template: str, context: dict[str, object]) -> str:
@@ -152,10 +154,17 @@ class TemplateRenderer:
             "compare it with the shipped template of that name",
         )
 
+    def _place(self, template: str) -> str:
+        """Where a template lies, for a person: the user's own by its path."""
+        for folder in self._folders[:-1]:
+            if (folder / template).is_file():
+                return (folder / template).as_posix()
+        return f"templates/{template}"
+
     def _span(self, template: str, line: int) -> Span | None:
         """A line of a template."""
         try:
-            source = Source(f"templates/{template}", self.text_of(template))
+            source = Source(self._place(template), self.text_of(template))
         except (TemplateNotFound, DiagnosticError):
             return None
         start = sum(len(text) + 1 for text in source.text.split("\n")[: line - 1])

@@ -44,7 +44,7 @@ def read_bytes(path: Path) -> bytes:
     except OSError as problem:
         reason = (problem.strerror or str(problem)).lower()
         raise error(
-            "FB3014", f"cannot read {path}: {reason}", help="check the name and your rights to it"
+            "FB3014", f"cannot read {path}: {reason}", help="name a file that you may read"
         ) from None
 
 

@@ -55,7 +55,6 @@ _DATES_AND_TIMES = {
     "LDATE_AND_TIME": "LDT",
     "DTL": "DTL",
 }
-DATE_PREFIXES = frozenset(_DATES) | frozenset(_TIMES_OF_DAY) | frozenset(_DATES_AND_TIMES)
 _STRINGS = {"STRING": False, "CHAR": False, "WSTRING": True, "WCHAR": True}
 
 _INTEGER = re.compile(r"[+-]?[0-9]+(?:_[0-9]+)*\Z")

@@ -28,8 +28,6 @@ from fbgen.lang.types import (
     DTL,
     ELEMENTARY,
     LDT,
-    LTIME,
-    LTIME_OF_DAY,
     S5TIME,
     TIME,
     TIME_OF_DAY,
@@ -42,7 +40,6 @@ from fbgen.lang.types import (
 
 _NS_PER_MS = 1_000_000
 _S5_BASES = ((0, 10), (1, 100), (2, 1000), (3, 10_000))
-_COUNTED_IN_NS = (LTIME, LTIME_OF_DAY, DATE_AND_TIME, LDT)
 _COUNTED_IN_MS = (TIME, TIME_OF_DAY)
 _UNPREFIXED = {
     ast.LiteralKind.DURATION: TIME,

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from fbgen.lang import ast
-from fbgen.lang.checked import Constant, Convert, ReferenceTo, VariableKind
+from fbgen.lang.checked import Constant, Convert, ReferenceTo
 from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.constants import constant_of, whole_number
 from fbgen.lang.checker.context import Context
@@ -34,8 +34,6 @@ from fbgen.source import Span
 
 if TYPE_CHECKING:
     from fbgen.lang.checker.library import Library
-
-_SETTABLE = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.STATIC, VariableKind.IN_OUT)
 
 
 class Initials:

@@ -108,6 +108,7 @@ def test_a_number_keeps_its_spelling() -> None:
         ("count: true", (1, 8), ""),
         ("ratio: 1.0e999", (1, 8), ""),
         ("ratio: 1E3", (1, 8), "decimal point"),
+        ("count: 1E3", (1, 8), "digits"),
         ("word: FA001", (1, 7), ""),
         ("parts: {name: a}", (1, 8), ""),
         ("parts: [a]", (1, 9), ""),

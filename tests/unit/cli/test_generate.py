@@ -63,6 +63,18 @@ def test_a_dialect_that_blocks_are_not_generated_in_is_wrong_usage(
     assert f"blocks are generated in tia or iec, not in '{dialect}'" in run.err
 
 
+def test_a_mistake_in_a_template_of_the_users_own_names_that_file(
+    fbgen: Fbgen, plant: Path
+) -> None:
+    mine = plant.parent / "mine" / "blocks" / "TOS_TriggerCounter.scl.jinja"
+    mine.parent.mkdir(parents=True)
+    for text in ("{{ nothing_of_that_name }}\n", "FUNCTION_BLOCK\n"):
+        mine.write_text(text, encoding="utf-8")
+        run = fbgen("generate", str(plant), "-o", "out", "--templates", str(plant.parent / "mine"))
+        assert (run.status, run.out) == (1, "")
+        assert f"{mine}:1" in run.err
+
+
 def test_a_file_changed_by_hand_is_kept_unless_forced(fbgen: Fbgen, plant: Path) -> None:
     arguments = ("generate", str(plant), "-o", str(plant.parent / "out"))
     path = Path(fbgen(*arguments).out.splitlines()[0])

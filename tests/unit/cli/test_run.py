@@ -101,6 +101,19 @@ def test_without_watch_the_outputs_are_shown(fbgen: Fbgen, ramp: str) -> None:
     assert run.out == "cycle,ms,value,atTarget\n1,0,0.0,TRUE\n2,1000,0.0,TRUE\n"
 
 
+@pytest.mark.parametrize(
+    ("every", "times"),
+    [
+        ("20d", ["0", "1728000000", "3456000000"]),
+        ("1234567ms", ["0", "1234567", "2469134"]),
+        ("100ns", ["0", "0.0001", "0.0002"]),
+    ],
+)
+def test_times_are_written_out(fbgen: Fbgen, ramp: str, every: str, times: list[str]) -> None:
+    run = fbgen("run", ramp, "--cycles", "3", "--every", every, "--format", "csv")
+    assert [line.split(",")[1] for line in run.out.splitlines()[1:]] == times
+
+
 def test_only_changes_are_shown_if_asked_for(fbgen: Fbgen, ramp: str) -> None:
     run = fbgen(
         *("run", ramp, "--cycles", "7", "--set", "target=0.5", "--set", "enable=TRUE@3"),

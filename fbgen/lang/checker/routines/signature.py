@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from enum import Enum
 
-from fbgen.lang.types import ALIASES, ELEMENTARY, VOID, Elementary, StringType, Type
+from fbgen.lang.types import ALIASES, ELEMENTARY, VOID, StringType, Type
 
 
 class Direction(Enum):
@@ -96,10 +96,3 @@ def _parameters(piece: str) -> list[Parameter]:
         Parameter(f"{head.removesuffix('#')}{number}", direction, kinds, optional=True)
         for number in range(_NUMBERED)
     ]
-
-
-def named_elementary(kind: Type) -> str:
-    """How the tables name a type."""
-    if isinstance(kind, StringType):
-        return "WSTRING" if kind.wide else "STRING"
-    return kind.name if isinstance(kind, Elementary) else ""

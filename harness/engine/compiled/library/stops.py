@@ -89,14 +89,6 @@ class TooDeep(Stop):
         self.block = block
 
 
-class NotConnected(Stop):
-    """An in-out that no call has connected yet."""
-
-    def __init__(self, name: str) -> None:
-        super().__init__(name)
-        self.name = name
-
-
 class NoAddress(Stop):
     """An absolute address behind the end of its area of `size` bytes."""
 

@@ -18,7 +18,6 @@ from harness.engine.compiled.library.stops import (
 )
 
 _Value = TypeVar("_Value")
-_HUGE = 1 << 64
 
 
 def quotient(left: int, right: int) -> int:
