@@ -42,6 +42,7 @@ def test_whole_numbers(text: str, value: int, type_name: str, base: int) -> None
         ("1_0.2_5", 10.25, ""),
         ("REAL#-2.5", -2.5, "REAL"),
         ("LREAL#2", 2.0, "LREAL"),
+        ("REAL#1E-3", 0.001, "REAL"),
     ],
 )
 def test_real_numbers(text: str, value: float, type_name: str) -> None:
