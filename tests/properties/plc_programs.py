@@ -163,7 +163,7 @@ class Writer:
         whole = self._known((*SIGNED, *UNSIGNED))
         bits, reals = self._known(BITS), self._known(REALS)
         if kind == "BOOL":
-            source = self.one_of(bits)
+            source = self.one_of((*bits, *whole))
         elif kind in REALS:
             source = self.one_of((*whole, *(real for real in reals if real != kind)))
         elif kind == "TIME":

@@ -46,10 +46,18 @@ def converted(text: str, source: str, target: str) -> tuple[str, Program, Progra
     return "\n".join(printed), check([file], source), check(again, target)
 
 
+class Classic(StandaloneEnvironment):
+    """An S7-300: in `tia` its timers alone go on in their calls only, as in the other dialects."""
+
+    @property
+    def classic(self) -> bool:
+        return True
+
+
 def history(program: Program, steps: Sequence[Scan]) -> list[str]:
     """What can be seen after each call; a fault ends it with its code."""
     kernel = Kernel()
-    engine = engine_named("compiled")(program, StandaloneEnvironment(kernel), LIMITS)
+    engine = engine_named("compiled")(program, Classic(kernel), LIMITS)
     block = BlockInstance(engine.instance("Outer"), program)
     seen = []
     for wait_ms, inputs in steps:

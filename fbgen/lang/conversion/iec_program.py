@@ -50,6 +50,7 @@ class IecProgram:
 
     def __init__(self, files: Sequence[File], findings: Findings) -> None:
         self.files = files
+        self.dialect = files[0].dialect
         self.sections: list[VarSection] = []
         self.addresses: dict[str, DirectAddress] = {}
         self.variables: dict[str, str] = {}

@@ -52,6 +52,7 @@ from fbgen.lang.conversion.rewriting import Rewriter, Rule, replaced
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.plant import BlockScope, PlantText
 from fbgen.lang.lowering.spelling import S7_NAMES
+from fbgen.lang.lowering.truth import same_truth
 
 _SET = {"S=": True, "R=": False}
 _GONE = (Globals, Configuration)
@@ -288,7 +289,7 @@ class _IecToTia(Rewriter):
         expression: Expression = self.inside(node)
         return expression
 
-    def _call(self, node: Call) -> Call:
+    def _call(self, node: Call) -> Expression:
         callee = node.callee
         call: Call = self.inside(node)
         if not isinstance(callee, Name) or (self._scope and self._scope.is_declared(callee)):
@@ -296,7 +297,9 @@ class _IecToTia(Rewriter):
         function = self._plant.function(callee.name)
         if function is None:
             plain = Call(call.span, Name(callee.span, callee.name), call.arguments)
-            return standard_with_names(plain)
+            return same_truth(
+                standard_with_names(plain), self._program.dialect, "tia", self._findings
+            )
         inputs = tuple(
             name.name
             for section in function.sections

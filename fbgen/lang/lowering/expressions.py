@@ -35,6 +35,7 @@ from fbgen.lang.lowering.spelling import (
     is_standard_function,
     literal_text,
 )
+from fbgen.lang.lowering.truth import same_truth
 
 _HARDWARE_HINT = "put the access into a block of its own for each dialect"
 
@@ -167,7 +168,8 @@ class ExpressionLowering:
             is_standard_function(upper, self.context.target) or upper in RENAMED_FUNCTIONS
         ):
             name = RENAMED_FUNCTIONS.get(upper, upper)
-            return Call(node.span, Name(callee.span, name), arguments)
+            call = Call(node.span, Name(callee.span, name), arguments)
+            return same_truth(call, "tia", self.context.target.dialect.name, self.context.findings)
         self.context.findings.refuse(f"the instruction {callee.name}", callee.span, _HARDWARE_HINT)
         return node
 
