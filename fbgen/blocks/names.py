@@ -15,10 +15,11 @@ from fbgen.source import Span
 
 _OF_SEQUENCE_BLOCK = frozenset(
     (
-        *("execute", "invno", "slot", "maxfrequency", "channel"),
+        *("execute", "abort", "invno", "slot", "maxfrequency", "channel"),
         *("done", "busy", "error", "active", "status", "stepnumber", "failedstep"),
         *("instdelay", "statdelaying", "statdelay", "statexecute"),
-        *("tempstart", "tempsend", "tempreleased"),
+        *("instlimit", "statwaiting", "statlimit"),
+        *("tempstart", "tempsend", "tempreleased", "tempnext", "tempstatus"),
     )
 )
 """What templates/blocks/TOS_Seq.scl.jinja and templates/types/typeTosSeq.udt.jinja declare."""
@@ -47,7 +48,7 @@ def _sequence(sequence: Sequence) -> Iterator[Diagnostic]:
         yield _taken(f"the sequence's id '{sequence.id}' is a reserved word", place)
     interface: tuple[Parameter | Result, ...] = (*sequence.parameters, *sequence.results)
     for item in interface:
-        if item.name in _OF_SEQUENCE_BLOCK or item.name.startswith("stat_"):
+        if item.name in _OF_SEQUENCE_BLOCK or item.name.startswith(("stat_", "statcount_")):
             message = f"'{item.name}' is called like a variable of the block itself"
             yield _taken(message, item.span_of("name"))
         elif _is_reserved(item.name):

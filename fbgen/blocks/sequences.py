@@ -1,22 +1,29 @@
 """Command sequences as templates see them: steps with their telegrams spelled out in SCL."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from fbgen.blocks.literals import NOTHING, SclText, comno, milliseconds, one_line, real, word
 from fbgen.catalog import (
+    BranchStep,
     Catalog,
     ComNo,
+    Condition,
     DelayStep,
     Drive,
     Parameter,
     Protocol,
     ReadStep,
+    RepeatStep,
     Result,
     Sequence,
+    Step,
+    WaitStep,
     WriteStep,
     origin,
 )
 
+_SIGNS = {"equals": "=", "at_least": ">=", "at_most": "<="}
 _SCL_TYPES = {"BOOL": "Bool", "INT": "Int", "WORD": "Word", "REAL": "Real", "TIME": "Time"}
 
 
@@ -32,7 +39,11 @@ class ParameterView:
 
 @dataclass(frozen=True, slots=True)
 class StepView:
-    """One step. `kind` is "write", "read" or "delay"; unused parts are empty."""
+    """One step. `kind` is the key of the catalogue's step; unused parts are empty.
+
+    `condition` is an expression, of the reply's data for "wait"; `target` the number of the step
+    to which "branch" and "repeat" go.
+    """
 
     number: int
     kind: str
@@ -44,6 +55,10 @@ class StepView:
     timeout: SclText = NOTHING
     duration: SclText = NOTHING
     store: SclText = NOTHING
+    condition: SclText = NOTHING
+    limit: SclText = NOTHING
+    target: SclText = NOTHING
+    times: SclText = NOTHING
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,13 +75,23 @@ class SequenceView:
 
     @property
     def read_steps(self) -> tuple[StepView, ...]:
-        """The steps that store something."""
-        return tuple(step for step in self.steps if step.kind == "read")
+        """The steps that look at the reply."""
+        return tuple(step for step in self.steps if step.kind in ("read", "wait"))
+
+    @property
+    def waits(self) -> tuple[StepView, ...]:
+        """The steps that read until a condition holds."""
+        return tuple(step for step in self.steps if step.kind == "wait")
+
+    @property
+    def repeats(self) -> tuple[StepView, ...]:
+        """The steps that go back, each with a counter."""
+        return tuple(step for step in self.steps if step.kind == "repeat")
 
     @property
     def has_delay(self) -> bool:
         """Whether the block needs a timer."""
-        return any(step.kind == "delay" for step in self.steps)
+        return any(step.kind in ("delay", "wait") for step in self.steps)
 
 
 def sequence_view(sequence: Sequence, drive: Drive, catalog: Catalog) -> SequenceView:
@@ -104,6 +129,12 @@ class _Steps:
             return self._write(number, step)
         if isinstance(step, ReadStep):
             return self._read(number, step)
+        if isinstance(step, WaitStep):
+            return self._wait(number, step)
+        if isinstance(step, BranchStep):
+            return self._branch(number, step)
+        if isinstance(step, RepeatStep):
+            return self._repeat(number, step)
         return self._delay(number, step)
 
     def _write(self, number: int, step: WriteStep) -> StepView:
@@ -145,6 +176,73 @@ class _Steps:
         else:
             duration = milliseconds(step.delay.ms or 0, place)
         return StepView(number, "delay", _comment(step, "wait"), duration=duration)
+
+    def _wait(self, number: int, step: WaitStep) -> StepView:
+        target = self.drive.comno(step.wait)
+        place = origin(f"step {number} of {self.sequence.id}", step, target.source or "")
+        return StepView(
+            number,
+            "wait",
+            _comment(step, f"wait for {target.name}"),
+            self._command("read_padded"),
+            comno(target),
+            (SclText("#channel.request.data := 16#0000;"),),
+            timeout=self._timeout(step),
+            duration=milliseconds(step.every_ms, place),
+            condition=SclText(self._awaited(step.until, target), place),
+            limit=milliseconds(step.limit_ms, place),
+        )
+
+    def _awaited(self, until: Condition, target: ComNo) -> str:
+        """The condition on the data of the reply."""
+        data = "#channel.reply.data"
+        number = f"DWORD_TO_DINT(WORD_TO_DWORD({data}))"
+        parts = [
+            f"{number} {_SIGNS[name]} {round(value / target.resolution)}"
+            for name, value in until.numbers.items()
+        ]
+        if until.bits:
+            bits = self.drive.word(target.word or "")
+            mask, wanted = bits.encode(until.bits.keys()), bits.encode(until.bits)
+            parts.append(f"({data} AND {word(mask)}) = {word(wanted)}")
+        return " AND ".join(parts)
+
+    def _branch(self, number: int, step: BranchStep) -> StepView:
+        place = origin(f"step {number} of {self.sequence.id}", step)
+        target = str(self.sequence.position(step.to))
+        return StepView(
+            number,
+            "branch",
+            _comment(step, f"go to {step.to} if {step.branch} says so"),
+            condition=SclText(self._compared(step), place),
+            target=SclText(target, place),
+        )
+
+    def _compared(self, step: BranchStep) -> str:
+        """The condition on a parameter or a result of the block."""
+        parameter = next((p for p in self.sequence.parameters if p.name == step.branch), None)
+        item = parameter or next(r for r in self.sequence.results if r.name == step.branch)
+        name = f"#stat_{item.name}" if parameter is not None else f"#{item.name}"
+        if item.type == "REAL":
+            return _compare(name, {key: str(real(v)) for key, v in step.when.numbers.items()})
+        whole = {key: str(round(value)) for key, value in step.when.numbers.items()}
+        if item.type == "BOOL":
+            number = f"BOOL_TO_INT({name})"
+        elif item.type == "WORD":
+            number = f"DWORD_TO_DINT(WORD_TO_DWORD({name}))"
+        else:
+            number = name
+        return _compare(number, whole)
+
+    def _repeat(self, number: int, step: RepeatStep) -> StepView:
+        place = origin(f"step {number} of {self.sequence.id}", step)
+        return StepView(
+            number,
+            "repeat",
+            _comment(step, f"back to {step.repeat}"),
+            target=SclText(str(self.sequence.position(step.repeat)), place),
+            times=SclText(str(step.times), place),
+        )
 
     def _value(self, step: WriteStep, target: ComNo) -> list[SclText]:
         place = origin(f"step of {self.sequence.id}", step, self.sequence.source or "")
@@ -221,13 +319,17 @@ class _Steps:
         place = origin(f"command {command.letter}", command, command.source or "")
         return SclText(f"16#{command.code:02X}", place)
 
-    def _timeout(self, step: WriteStep | ReadStep) -> SclText:
+    def _timeout(self, step: WriteStep | ReadStep | WaitStep) -> SclText:
         if step.timeout_ms is not None:
             return milliseconds(step.timeout_ms, origin("timeout_ms", step))
         return milliseconds(self.sequence.reply_timeout_ms, origin("timeout", self.sequence))
 
 
-def _comment(step: WriteStep | ReadStep | DelayStep, fallback: str) -> SclText:
+def _compare(value: str, numbers: Mapping[str, str]) -> str:
+    return " AND ".join(f"{value} {_SIGNS[name]} {number}" for name, number in numbers.items())
+
+
+def _comment(step: Step, fallback: str) -> SclText:
     return SclText(one_line(step.title or fallback), origin("step", step))
 
 

@@ -7,15 +7,16 @@ from fbgen.catalog.layouts import AccessWay, CyclicField, Layout, PlacedIdentifi
 from fbgen.catalog.located import Located, origin, validate
 from fbgen.catalog.options import Option, OptionValue
 from fbgen.catalog.protocols import Command, ErrorCode, Frame, Protocol
-from fbgen.catalog.sequences import (
+from fbgen.catalog.sequences import Parameter, Result, Sequence, Telegram
+from fbgen.catalog.steps import (
+    BranchStep,
+    Condition,
     Delay,
     DelayStep,
-    Parameter,
     ReadStep,
-    Result,
-    Sequence,
+    RepeatStep,
     Step,
-    Telegram,
+    WaitStep,
     WriteStep,
 )
 from fbgen.catalog.values import parse_word
@@ -32,6 +33,10 @@ __all__ = [
     "DecodedField",
     "Delay",
     "DelayStep",
+    "BranchStep",
+    "Condition",
+    "RepeatStep",
+    "WaitStep",
     "Document",
     "Drive",
     "ErrorCode",

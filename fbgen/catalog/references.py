@@ -1,13 +1,15 @@
 """Names in one catalogue file that stand for entries of another: do they exist?"""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from fbgen.catalog.drives import Drive
+from fbgen.catalog.drives import ComNo, Drive
 from fbgen.catalog.located import Located
-from fbgen.catalog.sequences import DelayStep, Parameter, Result, Sequence, WriteStep
+from fbgen.catalog.sequences import Parameter, Result, Sequence
+from fbgen.catalog.steps import Condition, ReadStep, WaitStep, WriteStep
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.nearest import nearest
+from fbgen.source import Span
 
 if TYPE_CHECKING:
     from fbgen.catalog.catalog import Catalog
@@ -56,8 +58,11 @@ def _sequence(sequence: Sequence, drive: Drive) -> Iterator[Diagnostic]:
         if isinstance(step, WriteStep):
             yield from _comno(step, "write", step.write, drive, "w")
             yield from _bits(step, drive)
-        elif not isinstance(step, DelayStep):
+        elif isinstance(step, ReadStep):
             yield from _comno(step, "read", step.read, drive, "r")
+        elif isinstance(step, WaitStep):
+            yield from _comno(step, "wait", step.wait, drive, "r")
+            yield from _awaited(step, step.until, drive)
 
 
 def _comno(
@@ -78,22 +83,44 @@ def _comno(
         )
 
 
+def _awaited(step: WaitStep, until: Condition, drive: Drive) -> Iterator[Diagnostic]:
+    """FB1105 and FB1107: bits or values that the ComNo of a wait does not have."""
+    try:
+        comno = drive.comno(step.wait)
+    except DiagnosticError:
+        return
+    places = {name: until.item_span_of("bits", name) for name in until.bits}
+    yield from _bits_of(comno, places, drive, step.span_of("wait"))
+    for name, value in until.numbers.items():
+        if not 0 <= round(value / comno.resolution) <= 0xFFFF:
+            yield Diagnostic(
+                "FB1107",
+                f"{value:g} is no value of {comno.hex} '{comno.name}'",
+                until.span_of(name),
+                f"use 0 to {comno.to_value(0xFFFF):g} {comno.unit}".rstrip(),
+            )
+
+
 def _bits(step: WriteStep, drive: Drive) -> Iterator[Diagnostic]:
-    names = [*(step.bits or ()), *step.bits_from]
     try:
         comno = drive.comno(step.write)
     except DiagnosticError:
         return
-    if names and comno.word is None:
-        yield Diagnostic(
-            "FB1105", f"{comno.hex} of '{drive.id}' is no bit word", step.span_of("write")
-        )
-        return
     places = {name: step.item_span_of("bits", at) for at, name in enumerate(step.bits or ())}
     places |= {name: step.item_span_of("bits_from", name) for name in step.bits_from}
-    for name in names:
+    yield from _bits_of(comno, places, drive, step.span_of("write"))
+
+
+def _bits_of(
+    comno: ComNo, places: Mapping[str, Span | None], drive: Drive, whole: Span | None
+) -> Iterator[Diagnostic]:
+    """FB1105: named bits of a ComNo that is no bit word, or that has no such bit."""
+    if places and comno.word is None:
+        yield Diagnostic("FB1105", f"{comno.hex} of '{drive.id}' is no bit word", whole)
+        return
+    for name, place in places.items():
         try:
             drive.word(comno.word or "").field(name)
         except DiagnosticError as unknown:
             for found in unknown.diagnostics:
-                yield Diagnostic("FB1105", found.message, places[name], found.help)
+                yield Diagnostic("FB1105", found.message, place, found.help)

@@ -1,19 +1,20 @@
 """Command sequences: what a PLC sends to one inverter, step by step.
 
-A step is a mapping with one of the keys `write`, `read` or `delay`. ComNos and bits are named as
-in the drive series for which the sequence is made; `catalog/references.py` checks the names.
+ComNos and bits are named as in the drive series for which the sequence is made;
+`catalog/references.py` checks the names, `catalog/steps.py` has the steps.
 """
 
 import re
 from collections.abc import Iterable
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates
-from fbgen.catalog.scalars import Count, EntryId, HexWord, SnakeName, Text
+from fbgen.catalog.scalars import Count, EntryId, SnakeName, Text
 from fbgen.catalog.sourced import Sourced
+from fbgen.catalog.steps import END, BranchStep, DelayStep, ReadStep, RepeatStep, Step, WriteStep
 from fbgen.diagnostics import Diagnostic
 from fbgen.nearest import nearest
 
@@ -32,7 +33,6 @@ _DEFAULT_EXAMPLES: dict[ValueType, str] = {
     "REAL": "0.0",
     "TIME": "T#500ms",
 }
-DriveTime = Literal["reply_max", "boot", "reset_silence"]
 
 
 class Parameter(Located):
@@ -72,107 +72,6 @@ class Result(Located):
     def problems(self) -> Iterable[Diagnostic]:
         """FB1107: a scale without a number to scale."""
         return _scale(self, self.name, self.type, self.scaled_by)
-
-
-class WriteStep(Located):
-    """Write a ComNo. The value comes from exactly one of
-
-    * `bits`: names of bits that are 1, with `bits_from`: bits that follow BOOL parameters;
-    * `parameter`: the value of a parameter;
-    * `literal`: a word as it is, with a `note` why it is not built from bits.
-
-    `reply: none` says that the inverter does not answer this telegram. `memory` chooses between
-    the RAM (command P) and RAM with EEPROM (command W).
-    """
-
-    write: Text
-    title: Text | None = None
-    bits: tuple[SnakeName, ...] | None = None
-    bits_from: dict[SnakeName, SnakeName] = Field(default_factory=dict)
-    parameter: SnakeName | None = None
-    literal: HexWord | None = None
-    note: Text | None = None
-    memory: Literal["ram", "eeprom"] = "ram"
-    reply: Literal["expected", "none"] = "expected"
-    timeout_ms: Annotated[Count, Field(ge=1, le=60_000)] | None = None
-
-    def problems(self) -> Iterable[Diagnostic]:
-        """FB1107: no value, several values, or a literal without a note."""
-        given = [
-            name for name in ("bits", "parameter", "literal") if getattr(self, name) is not None
-        ]
-        if len(given) != 1:
-            yield Diagnostic(
-                "FB1107",
-                "a write step has " + (" and ".join(given) or "no value"),
-                self.span_of(given[1]) if given else self.span_of("write"),
-                "give exactly one of bits, parameter and literal",
-            )
-        if self.bits_from and self.bits is None:
-            yield Diagnostic(
-                "FB1107",
-                "bits_from adds to bits, which is missing",
-                self.span_of("bits_from"),
-                "add bits: [] or the names of the bits that are always 1",
-            )
-        if self.literal is not None and self.note is None:
-            yield Diagnostic(
-                "FB1107",
-                f"the literal word {self.literal:04X} has no note",
-                self.span_of("literal"),
-                "say in note: why the word is not built from named bits",
-            )
-
-
-class ReadStep(Located):
-    """Read a ComNo `into` a result."""
-
-    read: Text
-    title: Text | None = None
-    into: SnakeName
-    timeout_ms: Annotated[Count, Field(ge=1, le=60_000)] | None = None
-
-
-class Delay(Located):
-    """A time: fixed in milliseconds, one that the drive's entry knows, or a TIME parameter."""
-
-    ms: Annotated[Count, Field(ge=1, le=3_600_000)] | None = None
-    drive_time: DriveTime | None = None
-    parameter: SnakeName | None = None
-
-    def problems(self) -> Iterable[Diagnostic]:
-        """FB1107: no time or several."""
-        fields = ("ms", "drive_time", "parameter")
-        given = [name for name in fields if getattr(self, name) is not None]
-        if len(given) != 1:
-            yield Diagnostic(
-                "FB1107",
-                "a delay has " + (" and ".join(given) or "no time"),
-                self.span_of(given[1]) if given else self.span,
-                "give exactly one of ms, drive_time and parameter",
-            )
-
-
-class DelayStep(Located):
-    """Wait."""
-
-    delay: Delay
-    title: Text | None = None
-
-
-def _kind(step: Any) -> str | None:
-    for key in ("write", "read", "delay"):
-        if (isinstance(step, dict) and key in step) or hasattr(step, key):
-            return f"{key}_step"
-    return None
-
-
-Step = Annotated[
-    Annotated[WriteStep, Tag("write_step")]
-    | Annotated[ReadStep, Tag("read_step")]
-    | Annotated[DelayStep, Tag("delay_step")],
-    Discriminator(_kind),
-]
 
 
 class Telegram(Sourced):
@@ -242,6 +141,10 @@ class Sequence(Sourced):
             if isinstance(step, ReadStep):
                 filled.add(step.into)
                 yield from self._result(step)
+            elif isinstance(step, BranchStep):
+                used.add(step.branch)
+                yield from self._branch(step)
+        yield from self._labels()
         for parameter in self.parameters:
             if parameter.name not in used:
                 yield Diagnostic(
@@ -255,6 +158,45 @@ class Sequence(Sourced):
                 yield Diagnostic(
                     "FB1107", f"there is no step {telegram.step}", telegram.span_of("step")
                 )
+
+    def _branch(self, step: BranchStep) -> Iterable[Diagnostic]:
+        items: tuple[Parameter | Result, ...] = (*self.parameters, *self.results)
+        interface = {item.name: item.type for item in items}
+        if step.branch not in interface:
+            message = f"there is no parameter or result '{step.branch}'"
+            advice = nearest(step.branch, interface)
+            yield Diagnostic("FB1107", message, step.span_of("branch"), advice)
+        elif interface[step.branch] == "TIME":
+            message = f"'{step.branch}' is a TIME, which a branch does not compare"
+            yield Diagnostic("FB1107", message, step.span_of("branch"))
+        elif step.when.bits:
+            message = "a branch compares numbers, not bits"
+            advice = "wait for the bits of a ComNo, or read the word and compare it as a number"
+            yield Diagnostic("FB1107", message, step.when.span_of("bits"), advice)
+
+    def _labels(self) -> Iterable[Diagnostic]:
+        """FB1102 a label twice; FB1107 no such label, or one that a repetition has not passed."""
+        labels = {step.label: at for at, step in enumerate(self.steps) if step.label is not None}
+        labelled = tuple(step for step in self.steps if step.label is not None)
+        yield from no_duplicates(labelled, "label", lambda item: item.label or "", "label")
+        for at, step in enumerate(self.steps):
+            if step.label == END:
+                message = f"'{END}' is behind the last step, no step can be labelled so"
+                yield Diagnostic("FB1107", message, step.span_of("label"))
+            if isinstance(step, BranchStep) and step.to not in (END, *labels):
+                message = f"there is no label '{step.to}'"
+                advice = nearest(step.to, [END, *labels])
+                yield Diagnostic("FB1107", message, step.span_of("to"), advice)
+            if isinstance(step, RepeatStep) and labels.get(step.repeat, at) >= at:
+                message = f"there is no label '{step.repeat}' in front of this step"
+                advice = nearest(step.repeat, labels)
+                yield Diagnostic("FB1107", message, step.span_of("repeat"), advice)
+
+    def position(self, label: str) -> int:
+        """The number of the step with a label, from 1; `end` is one behind the last."""
+        if label == END:
+            return len(self.steps) + 1
+        return next(at for at, step in enumerate(self.steps, start=1) if step.label == label)
 
     def _result(self, step: ReadStep) -> Iterable[Diagnostic]:
         names = [result.name for result in self.results]

@@ -2,7 +2,20 @@
 
 from collections.abc import Sequence
 
-from fbgen.catalog import ComNo, Drive, Gateway, Protocol, ReadStep, Step, Word, WriteStep
+from fbgen.catalog import (
+    BranchStep,
+    ComNo,
+    Condition,
+    Drive,
+    Gateway,
+    Protocol,
+    ReadStep,
+    RepeatStep,
+    Step,
+    WaitStep,
+    Word,
+    WriteStep,
+)
 from fbgen.catalog import Sequence as CommandSequence
 from fbgen.catalog.catalog import Entry
 from fbgen.catalog.options import Option
@@ -187,8 +200,19 @@ def _step(step: Step) -> tuple[str, str]:
             return f"write {step.write} = {step.parameter}", title
         bits = [*(step.bits or ()), *(f"{bit}={name}" for bit, name in step.bits_from.items())]
         return f"write {step.write} = {' '.join(bits) or '0000'}", title
+    if isinstance(step, WaitStep):
+        return f"read {step.wait} until {_condition(step.until)}, {step.limit_ms} ms at most", title
+    if isinstance(step, BranchStep):
+        return f"if {step.branch} is {_condition(step.when)} go to {step.to}", title
+    if isinstance(step, RepeatStep):
+        return f"go back to {step.repeat}, {step.times} times in all", title
     delay = step.delay
     return f"wait {f'{delay.ms} ms' if delay.ms else delay.drive_time or delay.parameter}", title
+
+
+def _condition(condition: Condition) -> str:
+    numbers = [f"{name.replace('_', ' ')} {value:g}" for name, value in condition.numbers.items()]
+    return " and ".join([*numbers, *(f"{bit}={value}" for bit, value in condition.bits.items())])
 
 
 def _options(options: Sequence[Option], sources: _Sources) -> list[str]:
