@@ -201,6 +201,16 @@ def stop_requested(span: Span) -> DiagnosticError:
     return error("FB6016", "the program stops the CPU here", span, "call STP under a condition")
 
 
+def cannot_run(span: Span | None, what: str) -> DiagnosticError:
+    """FB6072: a statement that is read and checked only."""
+    return error(
+        "FB6072",
+        f"{what} cannot run",
+        span,
+        "test the other statements on their own, or write this one without it",
+    )
+
+
 def not_modelled(node: RoutineCall) -> DiagnosticError:
     """FB6070: a call of something that only a stub could carry out."""
     inputs = ", ".join(name for name, _ in node.inputs)

@@ -7,7 +7,7 @@ from harness.engine.paths import Step, parse_path
 
 def type_at(program: Program, path: str) -> Type:
     """The type of what stands at a path that the engine can read."""
-    first, *rest = parse_path(path)
+    first, *rest = global_steps(program, path)
     key = str(first).casefold()
     kind: Type
     if key in program.globals:
@@ -17,6 +17,17 @@ def type_at(program: Program, path: str) -> Type:
     for step in rest:
         kind = part_type(program, kind, step)
     return kind
+
+
+def global_steps(program: Program, path: str) -> tuple[Step, ...]:
+    """The steps of a path from a global variable on; `GVL.x` is the x of that list."""
+    steps = parse_path(path)
+    first, *rest = steps
+    key = str(first).casefold()
+    if not rest or key in program.globals or key not in program.lists:
+        return steps
+    name = program.lists[key].get(str(rest[0]).casefold())
+    return steps if name is None else (program.globals[name].name, *rest[1:])
 
 
 def part_type(program: Program, kind: Type, step: Step) -> Type:

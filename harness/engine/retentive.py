@@ -35,7 +35,9 @@ def restore_retentive(engine: Engine, values: Mapping[str, Value]) -> None:
 
 
 def _paths(program: Program) -> Iterator[str]:
-    for variable in program.globals.values():
+    for key, variable in program.globals.items():
+        if program.program_variable(key) is not None:
+            continue  # comes with the PROGRAMs
         yield from _of_variable(program, f'"{variable.name}"', variable, variable.remanent)
     for name, block in program.program_instances().items():
         for variable in block.variables:

@@ -2,7 +2,7 @@
 
 On S7 the user's OB1 runs and those from OB123 on behind it, or, where the files have none, the
 harness's own, which calls TOS_Main. IEC programs run as their CONFIGURATION says; without one every
-PROGRAM runs once a cycle.
+PROGRAM that no block calls runs once a cycle.
 """
 
 from collections import Counter
@@ -80,7 +80,9 @@ def cyclic_tasks(program: Program, settings: ObSettings | None = None) -> list[C
     if blocks:
         return [CyclicTask("OB1", None, 1, tuple(blocks))]
     programs = tuple(
-        block.name for block in program.blocks.values() if block.kind is BlockKind.PROGRAM
+        block.name
+        for block in program.blocks.values()
+        if block.kind is BlockKind.PROGRAM and block not in program.called_programs
     )
     if not programs:
         raise error(

@@ -57,7 +57,7 @@ def check_case(report: Report, node: Case) -> None:
         if not any(first <= value <= last for arm in node.arms for first, last in arm.ranges)
     ]
     if missing:
-        report.warning(
+        report.hint(
             "FB4216",
             f"this CASE leaves out {', '.join(missing)} of {kind.name} and has no ELSE",
             node.selector.span,

@@ -233,6 +233,9 @@ class Flow:
         self.ways_out += 1
         self.alive = False
 
+    def _stop(self, _node: checked.Stop) -> None:
+        """What it would do is not known; a run on a controller goes on behind it."""
+
     def _goto(self, node: checked.Goto) -> None:
         key = node.label
         self.jumped.add(key)
@@ -390,6 +393,7 @@ _STEPS: dict[type, Any] = {
     checked.Exit: Flow._exit,
     checked.Continue: Flow._continue,
     checked.Return: Flow._return,
+    checked.Stop: Flow._stop,
     checked.Goto: Flow._goto,
     checked.Label: Flow._label,
 }

@@ -31,7 +31,7 @@ def check_names(flow: Flow, ctx: "Context") -> None:
             continue
         other = hidden.get(key)
         if other is not None and other is not entry and isinstance(entry, Variable):
-            flow.report.warning(
+            flow.report.hint(
                 "FB4240",
                 f"'{entry.name}' of {flow.block.name} hides the global variable of that name",
                 entry.span,

@@ -6,7 +6,9 @@ from fbgen.diagnostics import Note
 from fbgen.lang.analysis.effects import PlaceKey, root_of
 from fbgen.lang.analysis.facts import CalledInstance
 from fbgen.lang.analysis.flow import Flow
-from fbgen.lang.checked import FunctionCall, Variable, VariableKind
+from fbgen.lang.ast import BlockKind
+from fbgen.lang.checked import AnyBlock, Block, FunctionCall, Variable, VariableKind
+from fbgen.lang.life_cycle import is_method
 from fbgen.lang.types import BOOL, BlockType
 
 _OWN = (VariableKind.STATIC, VariableKind.TEMP, VariableKind.GLOBAL)
@@ -30,6 +32,8 @@ def check_uncalled(flows: Sequence[Flow]) -> None:
             kind = member.base.type
             assert isinstance(kind, BlockType)
             block = flow.program.block_of(kind.name)
+            if is_program(block):
+                continue  # the controller calls it
             if not any(
                 one.kind is VariableKind.OUTPUT and one.name == member.name
                 for one in block.variables
@@ -45,6 +49,11 @@ def check_uncalled(flows: Sequence[Flow]) -> None:
             )
 
 
+def is_program(block: AnyBlock) -> bool:
+    """True for a PROGRAM, which is its own instance."""
+    return isinstance(block, Block) and block.kind is BlockKind.PROGRAM
+
+
 def check_shared_instances(flows: Sequence[Flow]) -> None:
     """FB4223: one instance in the hands of two blocks mixes up the states of both."""
     first: dict[PlaceKey, tuple[Flow, CalledInstance]] = {}
@@ -54,6 +63,8 @@ def check_shared_instances(flows: Sequence[Flow]) -> None:
             root = root_of(called.call.instance)
             if called.key is None or root is None or root.kind is not VariableKind.GLOBAL:
                 continue
+            if is_program(called.call.block):
+                continue  # it is there once, and all know it
             other, earlier = first.setdefault(called.key, (flow, called))
             if other is flow or called.key in reported:
                 continue
@@ -83,7 +94,11 @@ def check_dropped_results(flows: Sequence[Flow]) -> None:
                     call.span,
                     f"use the result: x := {call.function.name}(...);",
                 )
-            elif call.type == BOOL and result in callee.facts.written:
+            elif (
+                call.type == BOOL
+                and result in callee.facts.written
+                and not is_method(call.function)
+            ):
                 flow.report.warning(
                     "FB4235",
                     f"the answer of {call.function.name} is dropped",

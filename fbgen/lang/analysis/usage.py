@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 from fbgen.lang.analysis.flow import Flow
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Variable, VariableKind
-from fbgen.lang.life_cycle import is_life_cycle
-from fbgen.lang.types import Elementary, StringType
+from fbgen.lang.life_cycle import is_life_cycle, is_method
+from fbgen.lang.types import BOOL, Elementary, StringType
 
 if TYPE_CHECKING:
     from fbgen.lang.checker.context import Context
@@ -25,7 +25,15 @@ def check_usage(flow: Flow, ctx: "Context", members_written: Set[tuple[str, str]
 
     `members_written` are (block, variable) that somebody writes from outside, casefolded.
     """
+    if is_action(flow, ctx):
+        return  # it has the names of its block
+    inherited = inherited_names(ctx)
+    is_open = ctx.library.objects.is_open(ctx.owner or flow.block)
     for entry in ctx.scope.entries.values():
+        if entry in inherited or entry in ctx.library.linked or entry in ctx.library.receivers:
+            continue
+        if is_open and entry not in ctx.scope.read_only:
+            continue
         if not isinstance(entry, Variable):
             if entry not in ctx.used:
                 _unused(flow, "constant", entry)
@@ -38,6 +46,19 @@ def check_usage(flow: Flow, ctx: "Context", members_written: Set[tuple[str, str]
                 _unused(flow, "variable", entry)
         elif flow.block.kind is not BlockKind.ORGANIZATION_BLOCK and flow.block.syntax.body:
             _parameter(flow, ctx, entry)
+
+
+def is_action(flow: Flow, ctx: "Context") -> bool:
+    """True for an action, which has no variables of its own."""
+    is_block = flow.block.kind is BlockKind.FUNCTION_BLOCK
+    return is_block and ctx.owner is not None and ctx.owner is not flow.block
+
+
+def inherited_names(ctx: "Context") -> Set[object]:
+    """What the scope of a block has from its base."""
+    objects = ctx.library.objects
+    base = None if ctx.owner is None or ctx.method else objects.base_of(ctx.owner)
+    return set() if base is None else set(ctx.library.context_of(base).scope.entries.values())
 
 
 def _unused(flow: Flow, what: str, entry: "Entry") -> None:
@@ -119,7 +140,7 @@ def check_results(flow: Flow) -> None:
         return
     for variable in _results(flow):
         if variable not in flow.facts.written:
-            if variable is block.result:
+            if variable is block.result and not _may_stay_unset(flow, variable):
                 flow.report.warning(
                     "FB4102",
                     f"{block.name} never sets its result",
@@ -136,6 +157,12 @@ def check_results(flow: Flow) -> None:
                 "set it at the beginning, or in every branch",
                 about=variable,
             )
+
+
+def _may_stay_unset(flow: Flow, result: Variable) -> bool:
+    """Methods and, in CODESYS and TwinCAT, BOOL functions often have a result for form's sake."""
+    on_s7 = flow.program.dialect in ("tia", "step7")
+    return not on_s7 and (is_method(flow.block) or result.type == BOOL)
 
 
 def _results(flow: Flow) -> Iterable[Variable]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from fbgen.lang import ast
 from fbgen.lang.checked import Variable
+from fbgen.lang.other_languages import bodies, is_foreign
 from fbgen.lang.walk import walk
 
 if TYPE_CHECKING:
@@ -18,6 +19,8 @@ _BODIES = frozenset(("body", "branches", "otherwise", "arms"))
 
 def vague_variables(ctx: "Context", block: ast.Block, errors: Sequence[int]) -> frozenset[Variable]:
     """The variables in what has an error at one of these offsets, and in methods and actions."""
+    if any(is_foreign(body) for body in bodies(block)):
+        return frozenset(one for one in ctx.scope.entries.values() if isinstance(one, Variable))
     unclear: list[object] = [*_with_error(block.body, errors), *block.members]
     unclear += [
         declaration

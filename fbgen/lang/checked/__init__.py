@@ -60,6 +60,7 @@ from fbgen.lang.checked.statements import (
     Repeat,
     Return,
     Statement,
+    Stop,
     While,
 )
 from fbgen.lang.checked.variables import (
@@ -114,6 +115,7 @@ __all__ = [
     "StandardBlock",
     "StandardCall",
     "Statement",
+    "Stop",
     "SystemCall",
     "Task",
     "TypeTest",

@@ -6,7 +6,7 @@ from dataclasses import field
 from fbgen.lang.ast import BlockKind, node
 from fbgen.lang.checked.statements import Statement
 from fbgen.lang.checked.variables import AnyBlock, Block, StandardBlock, Variable
-from fbgen.lang.types import StructType
+from fbgen.lang.types import BlockType, StructType
 
 
 @node
@@ -50,7 +50,9 @@ class Program:
     or actions. `starts` has for blocks with instances inside that have an FB_init the FUNCTION that
     calls those, with the in-out THIS and the input `retains`; "" is for the global variables.
     `temporaries` are further variables of a block, TEMP, that hold a value within one statement;
-    they are written before they are read.
+    they are written before they are read. `lists` has for each list of global variables its
+    variables and the keys that these have in `globals`, all casefolded. `called_programs` are the
+    PROGRAMs that some block calls.
     """
 
     dialect: str
@@ -65,6 +67,8 @@ class Program:
     members: Mapping[str, BlockMembers] = field(default_factory=dict)
     starts: Mapping[str, Block] = field(default_factory=dict)
     temporaries: Mapping[Block, tuple[Variable, ...]] = field(default_factory=dict)
+    lists: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    called_programs: frozenset[Block] = field(default=frozenset())
 
     def program_instances(self) -> dict[str, Block]:
         """The PROGRAMs by casefolded names: their own, and those that a configuration gives."""
@@ -74,6 +78,14 @@ class Program:
         for task in self.tasks:
             instances |= {name.casefold(): block for name, block in task.programs}
         return instances
+
+    def program_variable(self, key: str) -> Variable | None:
+        """The global variable that a PROGRAM is because other blocks name it; else None."""
+        variable = self.globals.get(key)
+        kind = None if variable is None else variable.type
+        block = self.blocks.get(key)
+        is_own = isinstance(kind, BlockType) and block is not None and kind.name == block.name
+        return variable if is_own else None
 
     def block_of(self, type_name: str) -> AnyBlock:
         """The function block of that name, the user's before the standard one."""

@@ -144,6 +144,14 @@ class Return:
 
 
 @node
+class Stop:
+    """A statement that is right and cannot run: a run that comes here ends; `what` says why."""
+
+    span: Span
+    what: str
+
+
+@node
 class Label:
     """A place in a list of statements that `Goto` can go on at; `name` is casefolded."""
 
@@ -177,6 +185,7 @@ Statement: TypeAlias = (
     | Exit
     | Continue
     | Return
+    | Stop
     | Label
     | Goto
 )

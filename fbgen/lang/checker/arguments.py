@@ -1,7 +1,7 @@
 """Which argument of a call belongs to which parameter."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 from fbgen.diagnostics import Note
@@ -36,6 +36,8 @@ def bind(
         argument for argument in call.arguments if argument.kind is ast.ArgumentKind.POSITIONAL
     ]
     if positional and len(positional) != len(call.arguments):
+        if ctx.rules.mixed_arguments and call.arguments[: len(positional)] == tuple(positional):
+            return _first_by_position(ctx, call, name, parameters, len(positional))
         ctx.findings.error(
             "FB4044",
             f"the call of {name} mixes arguments with and without names",
@@ -46,6 +48,19 @@ def bind(
     if positional:
         return _by_position(ctx, call, name, parameters)
     return _by_name(ctx, call, name, parameters)
+
+
+def _first_by_position(
+    ctx: Context,
+    call: ast.Call,
+    name: str,
+    parameters: Sequence[tuple[str, _P]],
+    count: int,
+) -> list[tuple[_P, ast.Argument]] | None:
+    """`f(1, 2, q => x)`: the first arguments in their order, the others by their names."""
+    first = _by_position(ctx, replace(call, arguments=call.arguments[:count]), name, parameters)
+    rest = _by_name(ctx, replace(call, arguments=call.arguments[count:]), name, parameters[count:])
+    return None if first is None or rest is None else [*first, *rest]
 
 
 def only_argument(ctx: Context, call: ast.Call, name: str) -> ast.Expression | None:

@@ -29,8 +29,10 @@ from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.members import Receiver, find_setter, made_call
 from fbgen.lang.checker.memory_instructions import check_pointer_constant, points
+from fbgen.lang.checker.not_run import cannot_run
 from fbgen.lang.checker.objects import Method
 from fbgen.lang.checker.operators import combine
+from fbgen.lang.checker.pointers import has_addresses
 from fbgen.lang.checker.references import bind_reference
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.checker.variants import assignment_attempt
@@ -128,6 +130,9 @@ def _written(ctx: Context, links: Sequence[_Link], value: Expression) -> list[St
             continue
         place = link.place
         assert place is not None
+        if isinstance(place.type, BlockType) and value.type == place.type and has_addresses(ctx):
+            cannot_run(ctx, link.span, "a copy of an instance")
+            return None
         if isinstance(place.type, BlockType | OpenArrayType):
             ctx.findings.error(
                 "FB4010",

@@ -1,6 +1,7 @@
 """The arguments of a call of a block, checked against its variables."""
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
+from dataclasses import replace
 
 from fbgen.lang import ast
 from fbgen.lang.checked import (
@@ -9,19 +10,24 @@ from fbgen.lang.checked import (
     Constant,
     Expression,
     Place,
+    StandardBlock,
     Variable,
     VariableKind,
 )
 from fbgen.lang.checker.arguments import Bound, bind
+from fbgen.lang.checker.codesys_types import is_any_value
 from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import fits_place
 from fbgen.lang.checker.converted_outputs import converted_output
 from fbgen.lang.checker.enabling import ENABLED
 from fbgen.lang.checker.evaluation import check_expression
-from fbgen.lang.checker.literals import default_value
+from fbgen.lang.checker.literals import ERRONEOUS, default_value
 from fbgen.lang.checker.memory_instructions import check_pointer_constant, points
+from fbgen.lang.checker.not_run import cannot_run
 from fbgen.lang.checker.numbered import numbered
+from fbgen.lang.checker.pointers import has_addresses
+from fbgen.lang.checker.standard_blocks import parameter_name
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.checker.unknown_callees import (
     check_arguments_alone,
@@ -29,6 +35,7 @@ from fbgen.lang.checker.unknown_callees import (
 from fbgen.lang.types import (
     NUMBER_TYPES,
     Elementary,
+    Enumeration,
     OpenArrayType,
     StringType,
     Type,
@@ -91,6 +98,11 @@ def bind_variables(
         status = next((one for one in node.arguments if one.name.casefold() == ENABLED), None)
         rest = tuple(one for one in node.arguments if one is not status)
         node = ast.Call(node.span, node.callee, rest)
+    if isinstance(block, Block) and ctx.library.objects.is_partial(block):
+        node = _without_inherited(ctx, node, {key.casefold() for key, _ in parameters})
+    if isinstance(block, StandardBlock) and has_addresses(ctx):
+        named = (replace(one, name=parameter_name(name, one.name)) for one in node.arguments)
+        node = replace(node, arguments=tuple(named))
     bound = bind(ctx, node, name, parameters)
     if bound is None:
         check_arguments_alone(ctx, node)
@@ -114,6 +126,8 @@ def bind_variables(
                 value = check_pointer_constant(ctx, argument.value, variable.type, where)
             else:
                 value = check_expression(ctx, argument.value, variable.type)
+            if is_any_value(variable.type) and value.type not in (variable.type, ERRONEOUS):
+                value = cannot_run(ctx, argument.span, f"an argument of type {variable.type.name}")
             inputs.append((variable, coerce(ctx, value, variable.type, where)))
         elif variable.kind is VariableKind.IN_OUT:
             place = _in_out(ctx, argument.value, variable, where)
@@ -137,6 +151,14 @@ def bind_variables(
         report_missing(ctx, node, name, missing)
         return None
     return Bound(tuple(inputs), tuple(in_outs), tuple(outputs)) if complete else None
+
+
+def _without_inherited(ctx: Context, node: ast.Call, known: Set[str]) -> ast.Call:
+    """The call without arguments for parameters that a base in no file may have."""
+    others = [one for one in node.arguments if one.name and one.name.casefold() not in known]
+    check_arguments_alone(ctx, replace(node, arguments=tuple(others)))
+    rest = tuple(one for one in node.arguments if one not in others)
+    return replace(node, arguments=rest)
 
 
 def _wrong_way(
@@ -164,6 +186,8 @@ def _in_out(ctx: Context, node: ast.Expression, variable: Variable, where: str) 
     if place is None:
         return None
     kind = variable.type
+    if _is_same_number(ctx, place.type, kind):
+        return place
     if place.type != kind and not (isinstance(kind, OpenArrayType) and kind.takes(place.type)):
         ctx.findings.error(
             "FB4010",
@@ -176,10 +200,23 @@ def _in_out(ctx: Context, node: ast.Expression, variable: Variable, where: str) 
     return place
 
 
+def _is_same_number(ctx: Context, one: Type, other: Type) -> bool:
+    """True for an enumeration and the integer that it is, which share a variable in TwinCAT."""
+    if not ctx.rules.enumerations_are_numbers:
+        return False
+    kinds = (one, other)
+    if not any(isinstance(kind, Enumeration) for kind in kinds):
+        return False
+    plain = [kind.base if isinstance(kind, Enumeration) else kind for kind in kinds]
+    return plain[0] == plain[1]
+
+
 def _output(ctx: Context, node: ast.Expression, source: Type, where: str) -> Place | None:
     place = check_target(ctx, node, where)
     if place is None:
         return None
+    if _is_same_number(ctx, source, place.type):
+        return place
     if not fits_place(source, place.type, ctx.rules):
         converted_to = converted_output(ctx, node.span, source, place)
         if converted_to is not None:

@@ -34,15 +34,15 @@ from fbgen.lang.checker.memory_instructions import (
     check_memory_instruction,
     points,
 )
+from fbgen.lang.checker.name_lookup import names_block
 from fbgen.lang.checker.objects import Method
-from fbgen.lang.checker.places import is_place, names_block
+from fbgen.lang.checker.places import is_place
 from fbgen.lang.checker.routine_calls import (
     is_routine,
     unmodelled_instance_call,
     value_of_routine,
 )
 from fbgen.lang.checker.routines import is_modelled
-from fbgen.lang.checker.size_of import is_size_of, size_of
 from fbgen.lang.checker.standard_blocks import COUNTER_METHODS, TIMER_METHODS, standard_block
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.system_instructions import (
@@ -95,8 +95,6 @@ def check_call(ctx: Context, node: ast.Call, expected: Type | None) -> Expressio
         return _value_of_block(ctx, node, block)
     if is_variant_function(ctx, name):
         return variant_function(ctx, node, name)
-    if is_size_of(ctx, name):
-        return size_of(ctx, node)
     access = memory_access_named(name)
     if access is not None:
         return check_peek(ctx, node, access)

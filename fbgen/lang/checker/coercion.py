@@ -29,6 +29,7 @@ from fbgen.lang.checker.literals import (
     settled,
     settled_bits,
 )
+from fbgen.lang.checker.pointers import as_pointer
 from fbgen.lang.checker.rules import Rules
 from fbgen.lang.types import (
     BOOL,
@@ -97,6 +98,9 @@ def coerce(ctx: Context, expression: Expression, target: Type, where: str) -> Ex
             instance = ctx.library.objects.interfaces.value_of(expression, target)
             if instance is not None:
                 return instance
+    pointer = as_pointer(ctx, expression, target)
+    if pointer is not None:
+        return pointer
     if isinstance(expression, Constant) and (is_untyped(source) or isinstance(source, StringType)):
         return _fit(ctx, expression, target, where)
     if source == target:
@@ -217,7 +221,7 @@ def without_limits(expression: Expression) -> Expression:
 def as_counted(ctx: Context, expression: Expression) -> Expression:
     """A value that may count as a whole number in this dialect as that number."""
     kind = expression.type
-    if isinstance(kind, Enumeration) and ctx.rules.enumerations_are_numbers and not kind.strict:
+    if isinstance(kind, Enumeration) and ctx.rules.enumerations_are_numbers:
         return converted(expression, kind.base)
     return without_limits(expression)
 

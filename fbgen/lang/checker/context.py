@@ -38,6 +38,8 @@ class Context:
     methods and the actions of a block that has members, `owner` that block, and `method` the
     casefolded name of a method. `temporaries` are those that nobody declared. `copies` are what the
     present statement does with outputs that are converted on their way; None where it cannot.
+    `not_run` is what the present statement has that cannot run, None outside of statements;
+    `not_started` what keeps the block from starting.
     """
 
     __slots__ = (
@@ -52,6 +54,8 @@ class Context:
         "library",
         "loops",
         "method",
+        "not_run",
+        "not_started",
         "overflow_flag",
         "own_eno",
         "owner",
@@ -80,6 +84,8 @@ class Context:
         self.owner: Block | None = None
         self.this: Variable | None = None
         self.method = ""
+        self.not_run: list[str] | None = None
+        self.not_started: list[str] = []
         self.temporaries: list[Variable] = []
         self.copies: list[Assignment] | None = None
         self.used: set[Symbol] = set()

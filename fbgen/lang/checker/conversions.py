@@ -117,7 +117,7 @@ def _implicit(source: Elementary, target: Elementary, rules: Rules) -> bool:
     if isinstance(target, Enumeration | Subrange):
         return False
     if isinstance(source, Enumeration):
-        mixes = rules.enumerations_are_numbers and not source.strict
+        mixes = rules.enumerations_are_numbers
         return mixes and (source.base == target or _implicit(source.base, target, rules))
     if isinstance(source, Subrange):
         return source.base == target or _implicit(source.base, target, rules)

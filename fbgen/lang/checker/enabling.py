@@ -37,7 +37,7 @@ from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.members import called_member
-from fbgen.lang.checker.places import names_block
+from fbgen.lang.checker.name_lookup import names_block
 from fbgen.lang.checker.standard_blocks import COUNTER_METHODS, TIMER_METHODS
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.types import BOOL, INT, BlockType

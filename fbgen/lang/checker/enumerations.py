@@ -17,6 +17,7 @@ from fbgen.lang import ast
 from fbgen.lang.checked import Constant, Expression
 from fbgen.lang.checker.constants import constant_of, whole_number
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.folding import COMPARISONS
 from fbgen.lang.checker.literals import ERRONEOUS, erroneous
 from fbgen.lang.types import INT, Elementary, Enumeration, Family, Subrange, Type
 from fbgen.nearest import nearest
@@ -171,6 +172,8 @@ def bare_enumerator(ctx: Context, node: ast.Name, expected: Type | None) -> Expr
     free = [kind for kind in found if not kind.qualified]
     if not found:
         return None
+    if ctx.library.types.is_declaring(found):
+        return enumerator_value(ctx, node.span, found[0], node.name)
     if len(free) == 1:
         return enumerator_value(ctx, node.span, free[0], node.name)
     choices = [f"{kind.name}.{node.name}" for kind in (free or found)]
@@ -211,6 +214,18 @@ def typed_enumerator(ctx: Context, node: ast.Literal) -> Expression:
 
 def enumeration_named(ctx: Context, node: ast.Expression) -> Enumeration | None:
     """The enumeration whose name an expression is, as in `Colour.red`."""
-    if not isinstance(node, ast.Name) or node.local:
-        return None
-    return ctx.library.types.enumeration(node.name)
+    name = dotted(node)
+    return None if name is None else ctx.library.types.enumeration(name)
+
+
+def dotted(node: ast.Expression) -> str | None:
+    """The name that `a` or `a.b.c` spells; None for any other expression."""
+    if isinstance(node, ast.Member):
+        base = dotted(node.base)
+        return None if base is None else f"{base}.{node.name}"
+    return node.name if isinstance(node, ast.Name) and not node.local else None
+
+
+def is_strict(kind: Type, operator: str) -> bool:
+    """True for an enumeration that is compared, and not calculated with."""
+    return isinstance(kind, Enumeration) and kind.strict and operator not in COMPARISONS

@@ -15,6 +15,8 @@ from fbgen.lang.checker.constants import constant_of, whole_number
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.not_run import cannot_run
+from fbgen.lang.checker.pointers import has_addresses
 from fbgen.lang.checker.stamps import stamp_initial
 from fbgen.lang.types import (
     DTL,
@@ -66,13 +68,22 @@ class Initials:
             return self._shape(ctx, node.span, kind, base, "one value")
         if isinstance(kind, ReferenceType):
             found = coerce(ctx, check_expression(ctx, node, kind), kind, "this initial value")
-            if isinstance(found, ReferenceTo) and found.place is not None:
+            if isinstance(found, ReferenceTo) and found.place is not None and has_addresses(ctx):
+                cannot_run(ctx, node.span, "an initial value that is no constant")
+            elif isinstance(found, ReferenceTo) and found.place is not None:
                 return self._shape(ctx, node.span, kind, base, "NULL, and bind it in the block")
             return base
         if not isinstance(kind, Elementary | StringType):
             return base
-        value = constant_of(ctx, node, kind, "this initial value")
-        return base if value is None else value
+        if not has_addresses(ctx):
+            value = constant_of(ctx, node, kind, "this initial value")
+            return base if value is None else value
+        found = coerce(ctx, check_expression(ctx, node, kind), kind, "this initial value")
+        if isinstance(found, Constant) and found.type != ERRONEOUS:
+            return found.value
+        if found.type != ERRONEOUS:
+            cannot_run(ctx, node.span, "an initial value that is no constant")
+        return base
 
     def _stamp(self, ctx: Context, node: ast.Expression, base: Initial | None) -> Initial | None:
         """A DTL is written as one literal, too."""

@@ -7,8 +7,10 @@ before that of the block that extends it. `bInitRetains` is TRUE but for a warm 
 Sources: CODESYS online help and Beckhoff Infosys, "Methods FB_init, FB_reinit and FB_exit".
 """
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from itertools import product
+from typing import TYPE_CHECKING, TypeAlias
 
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
@@ -29,6 +31,7 @@ from fbgen.lang.checked import (
 )
 from fbgen.lang.checker.binding import bind_variables, report_missing
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.objects import RECEIVER
 from fbgen.lang.checker.symbols import Scope
 from fbgen.lang.types import (
@@ -42,7 +45,7 @@ from fbgen.lang.types import (
     StructType,
     Type,
 )
-from fbgen.source import Span
+from fbgen.source import Source, Span
 
 if TYPE_CHECKING:
     from fbgen.lang.checker.library import Library
@@ -52,6 +55,8 @@ IN_GLOBALS = ""
 """The name of what starts the instances among the global variables."""
 _RETAINS, _COPIES = "binitretains", "bincopycode"
 _OWNERS = (BlockKind.FUNCTION_BLOCK, BlockKind.PROGRAM)
+_NOWHERE = Span(Source("arguments of FB_init", ""), 0, 0)
+_Given: TypeAlias = tuple[ast.Argument, ...]
 _ARGUMENT_PLACES = (VariableKind.STATIC, VariableKind.GLOBAL)
 
 
@@ -61,6 +66,7 @@ class InstanceStarts:
     def __init__(self, library: "Library") -> None:
         self._library = library
         self._arguments: dict[Variable, tuple[Span, tuple[ast.Argument, ...]]] = {}
+        self._each: dict[Variable, list[_Given]] = {}
         self._needed: dict[str, bool] = {}
         self.bodies: dict[Block, tuple[Statement, ...]] = {}
         self.functions: dict[str, Block] = {}
@@ -72,13 +78,7 @@ class InstanceStarts:
             return
         first = declaration.arguments[0]
         if isinstance(first.value, ast.ArrayLiteral):
-            self._library.findings.error(
-                "FB4054",
-                "arguments for each element of an array are not supported",
-                first.span,
-                "write ARRAY[...] OF Type(x := 1), the same for all, or initial values in :=",
-            )
-            return
+            self._each[variable] = list(element_arguments(first.value))
         self._arguments[variable] = (first.span, declaration.arguments)
 
     def chain(self, block: Block) -> tuple[Block, ...]:
@@ -103,6 +103,8 @@ class InstanceStarts:
         self._of_globals()
         for variable, (place, _) in self._arguments.items():
             kind = _element(variable.type)
+            if kind == ERRONEOUS:
+                continue
             known = library.user_block(kind.name) if isinstance(kind, BlockType) else None
             if known is None or not self.chain(known) or variable.kind not in _ARGUMENT_PLACES:
                 library.findings.error(
@@ -171,7 +173,11 @@ class InstanceStarts:
         self.bodies[block] = tuple(start.statements)
         self.functions[name.casefold()] = block
 
-    def arguments_of(self, variable: Variable) -> tuple[ast.Argument, ...]:
+    def each_of(self, variable: Variable) -> Sequence[_Given]:
+        """The arguments for each element of an array; none if all have the same."""
+        return self._each.get(variable, ())
+
+    def arguments_of(self, variable: Variable) -> _Given:
         """The arguments in the declaration of a variable."""
         return self._arguments.get(variable, (variable.span, ()))[1]
 
@@ -205,18 +211,34 @@ class _Start:
 
     def add(self, place: Place, variable: Variable) -> None:
         """Start everything at a place; `variable` has the arguments for it."""
-        self.statements += self._started(place, variable, variable)
+        each = self._starts.each_of(variable)
+        if each and isinstance(place.type, ArrayType):
+            self.statements += self._each(place, place.type, variable, each)
+        else:
+            given = self._starts.arguments_of(variable)
+            self.statements += self._started(place, variable, given)
 
-    def _started(self, place: Place, variable: Variable, whose: Variable | None) -> list[Statement]:
+    def _each(
+        self, place: Place, kind: ArrayType, variable: Variable, each: Sequence[_Given]
+    ) -> list[Statement]:
+        """Each element with its own arguments, those of the first row."""
+        found: list[Statement] = []
+        for position, index in enumerate(_indices(kind)):
+            given = each[position] if position < len(each) else ()
+            element = IndexRef(place.span, place, index, kind.element)
+            found += self._started(element, variable, given)
+        return found
+
+    def _started(self, place: Place, variable: Variable, given: _Given) -> list[Statement]:
         kind = place.type
         if isinstance(kind, ArrayType):
-            return self._elements(place, kind, variable, whose)
+            return self._elements(place, kind, variable, given)
         if isinstance(kind, StructType):
             found: list[Statement] = []
             for part in kind.fields:
                 if self._starts.needs(part.type):
                     inner = FieldRef(place.span, place, part.name, part.type)
-                    found += self._started(inner, variable, None)
+                    found += self._started(inner, variable, ())
             return found
         assert isinstance(kind, BlockType)
         block = self._library.user_block(kind.name)
@@ -228,13 +250,13 @@ class _Start:
             this, retains = inside.variables[:2]
             found.append(self._call(span, inside, this, place, ((retains, self._retains(span)),)))
         for number, method in enumerate(chain := self._starts.chain(block)):
-            inputs = self._inputs(variable, whose, method, number == len(chain) - 1)
+            inputs = self._inputs(variable, given, method, number == len(chain) - 1)
             if inputs is not None:
                 found.append(self._call(span, method, method.variables[0], place, inputs))
         return found
 
     def _elements(
-        self, place: Place, kind: ArrayType, variable: Variable, whose: Variable | None
+        self, place: Place, kind: ArrayType, variable: Variable, given: _Given
     ) -> list[Statement]:
         span = variable.span
         own = [
@@ -243,7 +265,7 @@ class _Start:
         ]
         self.counters += own
         indices = tuple(VariableRef(span, one, DINT) for one in own)
-        body = self._started(IndexRef(span, place, indices, kind.element), variable, whose)
+        body = self._started(IndexRef(span, place, indices, kind.element), variable, given)
         for counter, (first, last) in reversed(list(zip(own, kind.bounds, strict=True))):
             ends = (Constant(span, first, DINT), Constant(span, last, DINT))
             step = Constant(span, 1, DINT)
@@ -265,10 +287,9 @@ class _Start:
         return Evaluate(span, FunctionCall(span, function, inputs, ((this, place),), (), kind))
 
     def _inputs(
-        self, variable: Variable, whose: Variable | None, method: Block, is_last: bool
+        self, variable: Variable, given: _Given, method: Block, is_last: bool
     ) -> tuple[tuple[Variable, Expression], ...] | None:
         """All inputs of FB_init; None after reporting errors."""
-        given = () if whose is None else self._starts.arguments_of(whose)
         own = tuple(
             one for one in method.variables if one.name.casefold() not in (_RETAINS, _COPIES)
         )
@@ -312,6 +333,36 @@ class _Start:
             report_missing(self._ctx, call, method.name, missing)
             return None
         return tuple(found)
+
+
+def _indices(kind: ArrayType) -> Iterator[tuple[Expression, ...]]:
+    """The indices of all elements, in flat order."""
+    ranges = (range(first, last + 1) for first, last in kind.bounds)
+    for numbers in product(*ranges):
+        yield tuple(Constant(_NOWHERE, number, DINT) for number in numbers)
+
+
+def element_arguments(node: ast.ArrayLiteral) -> Iterator[_Given]:
+    """The arguments in `[(1), (n := 2), 3(4)]`, one after the other."""
+    for item in node.items:
+        if isinstance(item, ast.Repeated):
+            count = item.count.value if isinstance(item.count, ast.Literal) else 1
+            yield from (_as_arguments(item.value),) * int(count)
+        else:
+            yield _as_arguments(item)
+
+
+def _as_arguments(node: ast.Expression | None) -> _Given:
+    if isinstance(node, ast.StructLiteral):
+        return node.fields
+    values: Sequence[ast.Expression | ast.Repeated | None] = (node,)
+    if isinstance(node, ast.ArrayLiteral):
+        values = node.items
+    return tuple(
+        ast.Argument(one.span, ast.ArgumentKind.POSITIONAL, "", one)
+        for one in values
+        if one is not None and not isinstance(one, ast.Repeated)
+    )
 
 
 def _element(kind: Type) -> Type:

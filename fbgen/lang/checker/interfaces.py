@@ -18,9 +18,13 @@ from fbgen.lang.checker.places import address_of
 from fbgen.lang.checker.symbols import NamedConstant, PendingSymbol
 from fbgen.lang.checker.type_names import type_of_anything
 from fbgen.lang.types import (
+    ArrayInitial,
     BlockType,
     Elementary,
+    OpenArrayType,
+    Scalar,
     StringType,
+    StructInitial,
     Type,
 )
 from fbgen.nearest import nearest
@@ -53,7 +57,7 @@ class Interfaces:
         for section in sections:
             if _is_constant(section):
                 for declaration in section.declarations:
-                    self._constants(ctx, declaration, block)
+                    self._constants(ctx, section, declaration, block)
 
     def declare(
         self,
@@ -89,17 +93,24 @@ class Interfaces:
     # --- constants ----------------------------------------------------------------------------
 
     def _constants(
-        self, ctx: Context, declaration: ast.Declaration, block: BlockKind | None
+        self,
+        ctx: Context,
+        section: ast.VarSection,
+        declaration: ast.Declaration,
+        block: BlockKind | None,
     ) -> None:
         for declared in declaration.names:
-            if not self._is_new(ctx, declared):
+            name = self._claimed(ctx, section, declared)
+            if name is None:
                 continue
 
-            def evaluate(declared: ast.DeclaredName = declared) -> NamedConstant | Variable:
-                return self._constant(ctx, declaration, declared, block)
+            def evaluate(
+                declared: ast.DeclaredName = declared, name: str = name
+            ) -> NamedConstant | Variable:
+                return self._constant(ctx, declaration, declared, name, block)
 
-            ctx.scope.entries[declared.name.casefold()] = PendingSymbol(
-                declared.span, declared.name, evaluate, is_constant=True
+            ctx.scope.entries[name.casefold()] = PendingSymbol(
+                declared.span, name, evaluate, is_constant=True
             )
 
     def _constant(
@@ -107,14 +118,15 @@ class Interfaces:
         ctx: Context,
         declaration: ast.Declaration,
         declared: ast.DeclaredName,
+        name: str,
         block: BlockKind | None,
     ) -> NamedConstant | Variable:
         if isinstance(declaration.type, ast.NamedType) and not declaration.type.name:
             return self._classic_constant(ctx, declaration, declared)
         resolved = self._library.types.resolve(ctx, declaration.type)
         kind = resolved.type
-        if declaration.initial is None and ctx.rules.dialect == "tia":
-            return self._empty_constant(declared, kind, block)
+        if declaration.initial is None and ctx.rules.dialect in ("tia", "twincat"):
+            return self._empty_constant(declared, name, kind, block)
         if declaration.initial is None and kind != ERRONEOUS:
             ctx.findings.error(
                 "FB4059",
@@ -124,7 +136,9 @@ class Interfaces:
             )
             kind = ERRONEOUS
         if isinstance(kind, Elementary | StringType):
-            value = None
+            value: Scalar | None = default_value(kind)
+            if not isinstance(resolved.initial, ArrayInitial | StructInitial | None):
+                value = resolved.initial
             if kind != ERRONEOUS and declaration.initial is not None:
                 value = constant_of(
                     ctx, declaration.initial, kind, f"the value of constant '{declared.name}'"
@@ -134,17 +148,17 @@ class Interfaces:
             return NamedConstant(declared.span, declared.name, kind, value)
         assert declaration.initial is not None
         initial = self._library.initial(ctx, declaration.initial, kind, resolved.initial)
-        return Variable(declared.span, declared.name, _place_of(block), kind, initial)
+        return Variable(declared.span, name, _place_of(block), kind, initial)
 
     def _empty_constant(
-        self, declared: ast.DeclaredName, kind: Type, block: BlockKind | None
+        self, declared: ast.DeclaredName, name: str, kind: Type, block: BlockKind | None
     ) -> NamedConstant | Variable:
-        """TIA Portal gives a constant without a value the default of its type."""
+        """A constant without a value has the default of its type."""
         if kind == ERRONEOUS:
             return NamedConstant(declared.span, declared.name, ERRONEOUS, 0)
         if isinstance(kind, Elementary | StringType):
             return NamedConstant(declared.span, declared.name, kind, default_value(kind))
-        return Variable(declared.span, declared.name, _place_of(block), kind, None)
+        return Variable(declared.span, name, _place_of(block), kind, None)
 
     def _classic_constant(
         self, ctx: Context, declaration: ast.Declaration, declared: ast.DeclaredName
@@ -178,14 +192,21 @@ class Interfaces:
         resolve = types.parameter if bound else types.resolve
         resolved = resolve(ctx, declaration.type)
         initial = resolved.initial
+        if kind is VariableKind.IN_OUT and "CONSTANT" in section.qualifiers:
+            # It cannot be written, so a copy of a value is as good as the variable.
+            is_value = not isinstance(resolved.type, BlockType | OpenArrayType)
+            kind = VariableKind.INPUT if is_value else kind
         if declaration.initial is not None and resolved.type != ERRONEOUS:
+            ctx.not_run = None if block is None else []
             initial = self._library.initial(
                 ctx, declaration.initial, resolved.type, resolved.initial
             )
+            ctx.not_started += ctx.not_run or []
+            ctx.not_run = None
         if isinstance(resolved.type, BlockType):
             self._check_instance(ctx, declaration, resolved.type, kind)
         address = self._address(ctx, declaration, resolved.type)
-        if isinstance(resolved.type, BlockType) and kind not in _KEEPING:
+        if isinstance(resolved.type, BlockType) and not self._may_live(kind):
             ctx.findings.error(
                 "FB4056",
                 f"an instance of {resolved.type.name} cannot live in {section.keyword} here",
@@ -194,16 +215,19 @@ class Interfaces:
             )
         variables = []
         for declared in declaration.names:
-            if not self._is_new(ctx, declared):
+            claimed = self._claimed(ctx, section, declared)
+            if claimed is None:
                 continue
             remanent = "RETAIN" in section.qualifiers
             shared = kind is VariableKind.GLOBAL and block is not None
-            name = self._library.name_of_shared(declared.name) if shared else declared.name
+            name = self._library.name_of_shared(declared.name) if shared else claimed
             variable = Variable(
                 declared.span, name, kind, resolved.type, initial, remanent, address
             )
             self._library.starts.declare(variable, declaration)
-            ctx.scope.entries[declared.name.casefold()] = variable
+            if _is_linked(declaration):
+                self._library.linked.add(variable)
+            ctx.scope.entries[claimed.casefold()] = variable
             if shared:
                 self._library.globals.entries[name.casefold()] = variable
             else:
@@ -243,6 +267,10 @@ class Interfaces:
                 declaration.type.span,
                 "declare an instance of a block that extends it",
             )
+
+    def _may_live(self, kind: VariableKind) -> bool:
+        """Whether an instance can be such a variable; in CODESYS and TwinCAT it can be any."""
+        return kind in _KEEPING or self._library.rules.dialect in ("iec", "twincat")
 
     def _kind(self, ctx: Context, section: ast.VarSection, block: BlockKind | None) -> VariableKind:
         if block is None:
@@ -324,12 +352,40 @@ class Interfaces:
             )
         return symbol
 
+    def _claimed(
+        self, ctx: Context, section: ast.VarSection, declared: ast.DeclaredName
+    ) -> str | None:
+        """The name that a new variable has in its scope; None if it is declared twice.
+
+        Two lists of global variables may have the same name: one of them has that of the list
+        in front then.
+        """
+        lists = self._library.lists
+        list_name = lists.list_of(section)
+        if not list_name:
+            return declared.name if self._is_new(ctx, declared) else None
+        earlier = ctx.scope.entries.get(declared.name.casefold())
+        name = lists.place(list_name, declared.name, earlier is not None)
+        if name is None:
+            key = lists.key_of(list_name, declared.name)
+            first = ctx.scope.entries[key or ""]
+            self._library.duplicate(declared.name, declared.span, first.span)
+        return name
+
     def _is_new(self, ctx: Context, declared: ast.DeclaredName) -> bool:
         earlier = ctx.scope.entries.get(declared.name.casefold())
         if earlier is None:
             return True
         self._library.duplicate(declared.name, declared.span, earlier.span)
         return False
+
+
+def _is_linked(declaration: ast.Declaration) -> bool:
+    """True for a variable at an address, and for one with an attribute: tools read and write it."""
+    return isinstance(declaration.at, ast.DirectAddress) or any(
+        one.kind is ast.TriviaKind.PRAGMA and "attribute" in one.text.casefold()
+        for one in declaration.leading
+    )
 
 
 def _is_constant(section: ast.VarSection) -> bool:

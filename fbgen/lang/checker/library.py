@@ -15,6 +15,7 @@ from fbgen.lang.checked import AnyBlock, Block, StandardBlock, Variable, Variabl
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enabling import enable_variables
 from fbgen.lang.checker.findings import Findings
+from fbgen.lang.checker.global_lists import GlobalLists
 from fbgen.lang.checker.initials import Initials
 from fbgen.lang.checker.instance_starts import InstanceStarts
 from fbgen.lang.checker.interfaces import Interfaces
@@ -26,10 +27,12 @@ from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS, standard_block
 from fbgen.lang.checker.symbols import Scope
 from fbgen.lang.checker.type_names import TypeResolver
 from fbgen.lang.checker.unmodelled import assigned_members, hardware_block, stubbed_block
+from fbgen.lang.other_languages import is_foreign
 from fbgen.lang.types import VOID, BlockType, Initial, StructType, Type
 from fbgen.source import Span
 
 _NESTING = 60
+_S7 = ("tia", "step7")
 _PARTS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.STATIC)
 
 
@@ -51,12 +54,15 @@ class Library:
         """The casefolded names of units that may declare more than could be read."""
         self.findings = findings
         self.globals = Scope()
+        self.lists = GlobalLists()
         self.types = TypeResolver(self)
         self.implicit: set[Variable] = set()
         """The ENO outputs that nobody declared: no parameters in the order of a call."""
         self.has_members = False
         self.receivers: set[Variable] = set()
         """The in-outs THIS of methods: the caller names them in front of the call."""
+        self.linked: set[Variable] = set()
+        """Variables that something outside of the program may read and write."""
         self.objects = Objects(self)
         self.starts = InstanceStarts(self)
         self._interfaces = Interfaces(self)
@@ -66,7 +72,6 @@ class Library:
         self._syntax: dict[str, ast.Block] = {}
         self._data_blocks: dict[str, ast.DataBlock] = {}
         self._configurations: list[ast.Configuration] = []
-        self._sections: list[ast.VarSection] = []
         self._blocks: dict[str, Block] = {}
         self._contexts: dict[Block, Context] = {}
         self._busy: list[str] = []
@@ -75,6 +80,8 @@ class Library:
         self._owners: list[str] = []
         self._classes: set[str] = set()
         self._block_types: dict[str, BlockType] = {}
+        self.programs: dict[str, Variable] = {}
+        """The PROGRAMs that other blocks name, as the global instances that they are."""
 
     # --- collecting ---------------------------------------------------------------------------
 
@@ -93,12 +100,10 @@ class Library:
 
     def _collect_unit(self, unit: ast.Unit) -> None:
         if isinstance(unit, ast.Globals):
-            self._sections.append(unit.section)
+            self.lists.add(unit)
         elif isinstance(unit, ast.Configuration):
             self._configurations.append(unit)
-            self._sections += unit.sections
-            for resource in unit.resources:
-                self._sections += resource.sections
+            self.lists.add_configuration(unit)
         elif isinstance(unit, ast.Namespace):
             for inner in unit.units:
                 self._collect_unit(qualified(inner, unit.name))
@@ -153,12 +158,12 @@ class Library:
 
     def declare_constants(self) -> None:
         """Declare the global constants."""
-        self._interfaces.declare_constants(self.global_context(), self._sections, None)
+        self._interfaces.declare_constants(self.global_context(), self.lists.sections, None)
 
     def declare_globals(self) -> None:
         """Declare global variables and data blocks."""
         ctx = self.global_context()
-        self._interfaces.declare(ctx, self._sections, None)
+        self._interfaces.declare(ctx, self.lists.sections, None)
         for key, node in self._data_blocks.items():
             entry = self.globals.entries.get(key)
             if entry is not None:
@@ -169,7 +174,8 @@ class Library:
             self.memory.declare(variable, self._is_optimized(node))
         for key, (name, span) in self._units.items():
             entry = self.globals.entries.get(key)
-            if entry is not None and key not in self._data_blocks:
+            in_list = self.lists.has(key)
+            if entry is not None and key not in self._data_blocks and not in_list:
                 self.duplicate(name, span, entry.span)
 
     def _is_optimized(self, node: ast.DataBlock) -> bool:
@@ -230,6 +236,10 @@ class Library:
         """True for a casefolded name of a block of the text."""
         return key in self._syntax
 
+    def is_declared(self, name: str) -> bool:
+        """True for the name of any unit of the text."""
+        return self.key_of(name) in self._units
+
     def type_names(self) -> list[str]:
         """The names of all function blocks, as types of instances."""
         kind = BlockKind.FUNCTION_BLOCK
@@ -261,7 +271,7 @@ class Library:
         block = standard_block(name)
         if block is not None:
             return block
-        block = hardware_block(name, self.rules.dialect in ("tia", "step7"))
+        block = hardware_block(name, True) if self.rules.dialect in _S7 else None
         if block is None and self.is_stubbed(name):
             block = stubbed_block(self._stubbed[name.casefold()])
         if block is not None:
@@ -362,7 +372,9 @@ class Library:
         self._contexts[block] = ctx
         if base is not None:
             self.objects.extend(block, base)
-        if base is not None or node.members:
+        if is_foreign(node.body):
+            self.objects.leave_open(node)
+        if node.extends is not None or node.members:
             ctx.owner = block
             ctx.this = self.objects.instance_of(block)
         return block
@@ -370,6 +382,7 @@ class Library:
     def _inherit(self, ctx: Context, base: Block) -> list[Variable]:
         """Names of the base in the scope of a derived block, and its variables."""
         around = self._contexts[base]
+        ctx.not_started += around.not_started
         inherited = self.objects.inherited(base)
         for key in list(around.scope.entries):
             symbol = around.local(key)
@@ -383,6 +396,18 @@ class Library:
     def instance_type(self, block: Block) -> BlockType:
         """The type of the instances of a block, also of one that cannot be declared."""
         return self._block_types.setdefault(block.name.casefold(), BlockType(block.name))
+
+    def program_variable(self, name: str) -> Variable | None:
+        """The instance that a PROGRAM is for other blocks; None if the name is of none."""
+        key = self.key_of(name)
+        node = self._syntax.get(key)
+        if node is None or node.kind is not BlockKind.PROGRAM:
+            return None
+        block = self.user_block(name)
+        if block is not None and key not in self.programs:
+            kind = self.instance_type(block)
+            self.programs[key] = Variable(block.span, block.name, VariableKind.GLOBAL, kind)
+        return self.programs.get(key)
 
     def own_blocks(self) -> list[Block]:
         """The blocks of the text, without their methods and actions."""

@@ -24,6 +24,7 @@ from fbgen.lang.checker.arguments import Bound
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.name_lookup import names_list
 from fbgen.lang.checker.objects import Members, Method
 from fbgen.lang.checker.symbols import NamedConstant
 from fbgen.lang.types import VOID, BlockType
@@ -58,6 +59,8 @@ def special_receiver(ctx: Context, node: ast.Expression) -> Receiver | None:
     if word == "THIS":
         return Receiver(place, ctx.owner)
     base = ctx.library.objects.base_of(ctx.owner)
+    if base is None and ctx.library.objects.is_partial(ctx.owner):
+        return None
     if base is None:
         ctx.findings.error(
             "FB4087",
@@ -102,7 +105,7 @@ def asked(ctx: Context, node: ast.Expression) -> tuple[Receiver, Members, str] |
         receiver = own_receiver(ctx, node.span)
         name = node.name
     elif isinstance(node, ast.Member):
-        if not ctx.library.objects.are_used:
+        if not ctx.library.objects.are_used or names_list(ctx, node.base):
             return None
         receiver = receiver_of(ctx, node.base)
         name = node.name

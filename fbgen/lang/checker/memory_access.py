@@ -13,7 +13,8 @@ from fbgen.lang.checker.coercion import as_typed, coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, erroneous, is_untyped
-from fbgen.lang.checker.places import find_symbol, report_no_value, report_optimized
+from fbgen.lang.checker.name_lookup import find_symbol
+from fbgen.lang.checker.places import report_no_value, report_optimized
 from fbgen.lang.types import (
     BOOL,
     BYTE,

@@ -24,7 +24,6 @@ from fbgen.lang.checked import (
     VariableRef,
 )
 from fbgen.lang.types import INTERFACE, BlockType, ReferenceType
-from fbgen.nearest import nearest
 
 if TYPE_CHECKING:
     from fbgen.lang.checker.library import Library
@@ -156,7 +155,5 @@ class ObjectInterfaces:
             if interface is not None:
                 found.append(interface)
                 continue
-            known = [one.name.name for one in self._nodes.values()]
-            message = f"there is no interface '{named.name}'"
-            self._library.findings.error("FB4003", message, named.span, nearest(named.name, known))
+            self._library.types.report_unknown(named.name, named.span)
         return found

@@ -79,6 +79,7 @@ class Objects:
         self._instances: dict[Block, Variable] = {}
         self._written: dict[str, Block] = {}
         self._promises: set[Block] = set()
+        self._partial: set[str] = set()
         self.interfaces = ObjectInterfaces(library)
 
     @property
@@ -95,6 +96,8 @@ class Objects:
                 self._check_complete(block)
 
     def _check_complete(self, block: Block) -> None:
+        if self.is_partial(block):
+            return
         members = self.members_of(block)
         missing = [
             (method.name, f"{method.owner.name} has it as ABSTRACT")
@@ -143,6 +146,10 @@ class Objects:
         """The block that a block extends."""
         return self._bases.get(block)
 
+    def leave_open(self, node: ast.Block) -> None:
+        """Say that a block has more than its text shows."""
+        self._partial.add(node.name.name.casefold())
+
     def extend(self, block: Block, base: Block) -> None:
         """Say which block a block extends."""
         self._bases[block] = base
@@ -151,7 +158,14 @@ class Objects:
         """The block behind EXTENDS; None without one, and after reporting errors."""
         if node.extends is None:
             return None
-        base = self._library.user_block(node.extends.name)
+        name = node.extends.name
+        base = self._library.user_block(name)
+        if base is None and not self._library.is_declared(name):
+            self._library.types.report_unknown(name, node.extends.span)
+            self._partial.add(node.name.name.casefold())
+            return None
+        if base is not None and self.is_partial(base):
+            self._partial.add(node.name.name.casefold())
         if base is None or base.kind is not node.kind or base.kind not in _WITH_MEMBERS:
             self._library.findings.error(
                 "FB4087",
@@ -168,6 +182,17 @@ class Objects:
                 "remove FINAL, or put an instance of it into the block",
             )
         return base
+
+    def is_partial(self, block: Block | None) -> bool:
+        """True if some base of the block is in no file: it may have any variable and method."""
+        return block is not None and block.name.casefold() in self._partial
+
+    def is_open(self, block: Block) -> bool:
+        """True for a block whose variables others see: it is extended, ABSTRACT, or its base is
+        in no file.
+        """
+        is_abstract = "ABSTRACT" in block.syntax.modifiers
+        return is_abstract or block in self._bases.values() or self.is_partial(block)
 
     def inherited(self, base: Block) -> list[Variable]:
         """The variables that a derived block has, too."""

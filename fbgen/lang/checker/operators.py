@@ -19,7 +19,15 @@ from fbgen.lang.checker.coercion import (
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import UNSIGNED_OF, common_type, wider_types
 from fbgen.lang.checker.enabling import attempted
+from fbgen.lang.checker.enumerations import is_strict
 from fbgen.lang.checker.evaluation import check_expression
+from fbgen.lang.checker.integer_logic import (
+    are_numbers,
+    as_bits,
+    as_pattern,
+    is_bit_pattern,
+    type_of_mixed_signs,
+)
 from fbgen.lang.checker.literals import (
     ERRONEOUS,
     UNTYPED_INTEGER,
@@ -31,6 +39,7 @@ from fbgen.lang.checker.literals import (
     is_untyped,
 )
 from fbgen.lang.checker.operator_help import operator_help
+from fbgen.lang.checker.pointers import calculated
 from fbgen.lang.checker.reference_comparison import compare
 from fbgen.lang.checker.stamps import as_stamp, is_stamp
 from fbgen.lang.checker.standard_functions import DATE_ARITHMETIC
@@ -86,12 +95,15 @@ def combine(
     if ERRONEOUS in (left.type, right.type):
         return erroneous(span)
     if isinstance(left.type, ReferenceType) or isinstance(right.type, ReferenceType):
-        same = compare(ctx, span, operator, left, right)
+        same = compare(ctx, span, operator, left, right) or calculated(ctx, left, right)
         if same is None:
             _refuse(ctx, span, operator, left, right)
         return erroneous(span) if same is None else same
     if DTL in (left.type, right.type):
         return _with_stamps(ctx, span, operator, left, right)
+    if is_strict(left.type, operator) or is_strict(right.type, operator):
+        _refuse(ctx, span, operator, left, right)
+        return erroneous(span)
     if left.type != right.type or operator not in ("=", "<>"):
         left, right = as_counted(ctx, left), as_counted(ctx, right)
     else:
@@ -214,8 +226,14 @@ def _logic(
     ctx: Context, span: Span, operator: str, left: Expression, right: Expression
 ) -> Expression | None:
     pair = unify(ctx, left, right)
-    if pair is None:
-        return None
+    if pair is None or are_numbers(ctx, *pair):
+        pair = as_bits(ctx, left, right)
+        if pair is None:
+            return None
+        mixed = type_of_mixed_signs(ctx, left.type, right.type)
+        whole = mixed or common_type(left.type, right.type, ctx.rules) or left.type
+        bits = _logic(ctx, span, operator, *pair)
+        return None if bits is None else converted(bits, whole)
     left, right = pair
     kind = left.type
     if operator in folding.SHORT_CIRCUIT and kind != BOOL:
@@ -283,6 +301,9 @@ def _arithmetic(
         if not ctx.rules.bit_string_arithmetic:
             return None
         left, right = _as_number(left), _as_number(right)
+    mixed = type_of_mixed_signs(ctx, left.type, right.type)
+    if mixed is not None:
+        left, right = converted(left, mixed), converted(right, mixed)
     result = _numbers(ctx, span, operator, left, right)
     if result is None or bits is None or result.type == ERRONEOUS:
         return result
@@ -420,6 +441,9 @@ def check_unary(ctx: Context, node: ast.Unary, expected: Type | None) -> Express
     if operand.type == ERRONEOUS:
         return operand
     result = apply_unary(node.span, node.operator, operand)
+    if result is None and node.operator == "NOT" and is_bit_pattern(ctx, operand):
+        inverted = apply_unary(node.span, "NOT", as_pattern(operand))
+        result = None if inverted is None else converted(inverted, operand.type)
     if isinstance(result, Constant) and result.type == UNTYPED_INTEGER and _too_large(result):
         result = None
     if result is not None:

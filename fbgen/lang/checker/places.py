@@ -29,14 +29,24 @@ from fbgen.lang.checker.enumerations import (
     enumerator_value,
 )
 from fbgen.lang.checker.evaluation import check_expression
+from fbgen.lang.checker.foreign_names import library_help
 from fbgen.lang.checker.literals import ERRONEOUS, NULL, erroneous
 from fbgen.lang.checker.members import of_owner, own_variable, read_property, read_special
+from fbgen.lang.checker.name_lookup import (
+    find_symbol,
+    is_program,
+    listed,
+    may_be_inherited,
+    names_list,
+)
+from fbgen.lang.checker.not_run import cannot_run
+from fbgen.lang.checker.pointers import has_addresses, is_pointer
+from fbgen.lang.checker.standard_blocks import parameter_name, standard_block
 from fbgen.lang.checker.symbols import NamedConstant, Symbol
 from fbgen.lang.types import (
     BOOL,
     BYTE,
     DWORD,
-    ELEMENTARY,
     LWORD,
     WORD,
     ArrayType,
@@ -70,34 +80,6 @@ def root_variable(place: Expression) -> Variable | None:
     return place.variable if isinstance(place, VariableRef) else None
 
 
-def find_symbol(ctx: Context, node: ast.Name) -> Symbol | None:
-    """What a name means as a value; None if nothing has that name."""
-    key = node.name.casefold()
-    if node.local:
-        return ctx.local(key)
-    if node.quoted:
-        return ctx.of_program(key) or ctx.local(key)
-    return ctx.local(key) or ctx.of_owner(key) or ctx.of_program(key)
-
-
-def names_block(ctx: Context, node: ast.Name) -> bool:
-    """True for a name in a call that means a block or an instruction, not a variable.
-
-    The result variable of a FUNCTION has the name of the function; a name in quotes is global, also
-    where a local variable has the same; TIA Portal marks a local name by #, so what cannot be
-    called does not hide the instruction of its name there.
-    """
-    if node.local:
-        return False
-    symbol = find_symbol(ctx, node)
-    if symbol is None or (isinstance(symbol, Variable) and symbol.kind is VariableKind.RESULT):
-        return True
-    if ctx.rules.quoted_blocks and not node.quoted and symbol.type.name in ELEMENTARY:
-        return True
-    is_own = symbol is ctx.local(node.name.casefold())
-    return node.quoted and is_own and ctx.library.user_block(node.name) is not None
-
-
 def _is_null(ctx: Context, node: ast.Name) -> bool:
     """True for NULL, and for NIL of STEP 7."""
     name = node.name.upper()
@@ -122,15 +104,12 @@ def check_name(ctx: Context, node: ast.Name, expected: Type | None = None) -> Ex
         if node.name and not _is_known_as_erroneous(ctx, node):
             _unknown_name(ctx, node)
         return erroneous(node.span)
-    ctx.used.add(symbol)
-    if node.name != symbol.name:
-        ctx.respelled.setdefault(symbol, node.span)
-    if isinstance(symbol, NamedConstant):
-        return Constant(node.span, symbol.value, symbol.type)
     if (
-        symbol.kind is VariableKind.GLOBAL
+        isinstance(symbol, Variable)
+        and symbol.kind is VariableKind.GLOBAL
         and ctx.rules.externals_required
         and ctx.block is not None
+        and ctx.library.lists.is_of_configuration(symbol)
         and node.name.casefold() not in ctx.scope.entries
     ):
         ctx.findings.warning(
@@ -139,6 +118,16 @@ def check_name(ctx: Context, node: ast.Name, expected: Type | None = None) -> Ex
             node.span,
             f"declare it in the block: VAR_EXTERNAL {symbol.name} : {symbol.type.name}; END_VAR",
         )
+    return _meant(ctx, node, symbol)
+
+
+def _meant(ctx: Context, node: ast.Name | ast.Member, symbol: Symbol) -> Expression:
+    """What a symbol is in an expression."""
+    ctx.used.add(symbol)
+    if node.name != symbol.name.rpartition(".")[2]:
+        ctx.respelled.setdefault(symbol, node.span)
+    if isinstance(symbol, NamedConstant):
+        return Constant(node.span, symbol.value, symbol.type)
     return VariableRef(node.span, symbol, symbol.type)
 
 
@@ -147,6 +136,8 @@ def _is_known_as_erroneous(ctx: Context, node: ast.Name) -> bool:
 
 
 def _unknown_name(ctx: Context, node: ast.Name) -> None:
+    if may_be_inherited(ctx):
+        return
     block = ctx.library.block(node.name)
     if block is not None:
         if isinstance(block, StandardBlock) or block.kind is BlockKind.FUNCTION_BLOCK:
@@ -158,7 +149,7 @@ def _unknown_name(ctx: Context, node: ast.Name) -> None:
         )
         return
     message = f"no variable or constant is called '{node.name}'"
-    if node.quoted and not node.local:
+    if node.quoted or has_addresses(ctx):
         ctx.findings.unknown("FB4001", message, node.span, lambda: _near_names(ctx, node))
     else:
         ctx.findings.error("FB4001", message, node.span, _near_names(ctx, node))
@@ -170,7 +161,7 @@ def _near_names(ctx: Context, node: ast.Name) -> str:
     known = ctx.scope.names()
     if not node.local:
         known += ctx.library.globals.names()
-    return nearest(node.name, known)
+    return (library_help if has_addresses(ctx) else nearest)(node.name, known)
 
 
 def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) -> Expression:
@@ -178,8 +169,10 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
     if ctx.this is not None and (own := own_variable(ctx, node) or read_special(ctx, node)):
         return own
     named = enumeration_named(ctx, node.base)
-    if named is not None and isinstance(node.base, ast.Name) and not find_symbol(ctx, node.base):
+    if named is not None and not _is_variable(ctx, node.base):
         return enumerator_value(ctx, node.span, named, node.name)
+    if names_list(ctx, node.base):
+        return _of_list(ctx, node)
     base = check_expression(ctx, node.base)
     kind = base.type
     if kind == ERRONEOUS:
@@ -214,7 +207,7 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
             "only structures and instances of function blocks have members",
         )
         return erroneous(node.span)
-    if ctx.library.is_incomplete(kind):
+    if _is_partial(ctx, kind) or ctx.library.is_incomplete(kind):
         return erroneous(node.span)
     message = f"{kind.name} has no member '{node.name}'"
     if kind.name.casefold() in ctx.library.unmodelled and not ctx.library.is_stubbed(kind.name):
@@ -225,14 +218,48 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
     return erroneous(node.span)
 
 
+def _is_partial(ctx: Context, kind: Type) -> bool:
+    """True if the base of a structure or block is in no file."""
+    if isinstance(kind, StructType):
+        return ctx.library.types.is_partial(kind)
+    return isinstance(kind, BlockType) and ctx.library.objects.is_partial(
+        ctx.library.user_block(kind.name)
+    )
+
+
+def _is_variable(ctx: Context, node: ast.Expression) -> bool:
+    while isinstance(node, ast.Member):
+        node = node.base
+    return isinstance(node, ast.Name) and find_symbol(ctx, node) is not None
+
+
+def _of_list(ctx: Context, node: ast.Member) -> Expression:
+    """`GVL.x`."""
+    symbol = listed(ctx, node)
+    if symbol is not None:
+        return _meant(ctx, node, symbol)
+    assert isinstance(node.base, ast.Name)
+    ctx.findings.error(
+        "FB4005",
+        f"the list {node.base.name} has no variable '{node.name}'",
+        node.span,
+        nearest(node.name, ctx.library.lists.names_in(node.base.name)),
+    )
+    return erroneous(node.span)
+
+
 def _instance_variable(ctx: Context, node: ast.Member, kind: BlockType) -> Variable | None:
     key = node.name.casefold()
+    if has_addresses(ctx) and standard_block(kind.name) is not None:
+        key = parameter_name(kind.name, node.name).casefold()
     for variable in ctx.library.variables_of(kind):
         if variable.name.casefold() != key:
             continue
         if variable.kind in (VariableKind.INPUT, VariableKind.OUTPUT):
             return variable
-        if variable.kind is VariableKind.STATIC and ctx.rules.statics_visible:
+        if variable.kind is VariableKind.STATIC and (
+            ctx.rules.statics_visible or is_program(ctx, kind)
+        ):
             return variable
         if variable.kind is not VariableKind.RESULT:
             ctx.findings.error(
@@ -260,6 +287,8 @@ def check_index(ctx: Context, node: ast.Index, _expected: Type | None = None) ->
     kind = base.type
     if kind == ERRONEOUS or any(index.type == ERRONEOUS for index in indices):
         return erroneous(node.span)
+    if is_pointer(kind) and has_addresses(ctx):
+        return cannot_run(ctx, node.span, "an index of a pointer")
     if isinstance(kind, OpenArrayType):
         limits: tuple[tuple[int, int] | None, ...] = (None,) * kind.dimensions
     elif isinstance(kind, ArrayType) and is_place(base):

@@ -9,7 +9,8 @@ from types import MappingProxyType
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.lang import ast
 from fbgen.lang.analysis import analyse, without_allowed
-from fbgen.lang.checked import Block, Program, Statement, Variable
+from fbgen.lang.ast import BlockKind
+from fbgen.lang.checked import Block, Program, Statement, Stop, Variable
 from fbgen.lang.checker import expressions  # noqa: F401  (enters the checks of expressions)
 from fbgen.lang.checker.configuration import tasks_of
 from fbgen.lang.checker.enabling import begin_enabled
@@ -119,7 +120,10 @@ def _check(files: Sequence[ast.File], library: Library) -> tuple[Program, Librar
     library.types.settle()
     for block in blocks.values():
         ctx = library.context_of(block)
-        bodies[block] = begin_enabled(ctx, check_body(ctx, block.syntax.body))
+        body = check_body(ctx, block.syntax.body)
+        if ctx.not_started:
+            body = (Stop(block.syntax.name.span, ctx.not_started[0]), *body)
+        bodies[block] = begin_enabled(ctx, body)
         check_jumps(ctx, block.syntax)
     report_recursive_calls(library, blocks)
     lay_out_what_is_pointed_to(library, bodies)
@@ -137,13 +141,21 @@ def _check(files: Sequence[ast.File], library: Library) -> tuple[Program, Librar
             key: entry
             for key, entry in library.globals.entries.items()
             if isinstance(entry, Variable)
-        },
+        }
+        | library.programs,
         standard_blocks={**STANDARD_BLOCKS, **library.unmodelled},
         tasks=tasks,
         byte_memory=library.memory.byte_memory(library),
         data_blocks=library.memory.numbers,
         members=library.objects.members_by_name(),
         starts=library.starts.functions,
+        lists=library.lists.members,
+        called_programs=frozenset(
+            called
+            for block in blocks.values()
+            for called in library.context_of(block).calls
+            if called.kind is BlockKind.PROGRAM
+        ),
         temporaries={
             block: tuple(found)
             for block in blocks.values()

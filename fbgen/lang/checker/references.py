@@ -30,6 +30,8 @@ from fbgen.lang.checker.coercion import as_null, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression, check_itself
 from fbgen.lang.checker.literals import ERRONEOUS, erroneous
+from fbgen.lang.checker.not_run import cannot_run
+from fbgen.lang.checker.pointers import has_addresses
 from fbgen.lang.checker.reference_comparison import compared, null
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.types import ReferenceType, Type
@@ -93,10 +95,12 @@ def check_maker(ctx: Context, node: ast.Call, name: str) -> Expression:
 
 def reference_to(ctx: Context, span: Span, node: ast.Expression, keyword: str) -> Expression:
     """A reference to a place; reports those that cannot be referred to."""
-    place = check_target(ctx, node, "this reference")
+    place = _referable(ctx, span, node)
     if place is None:
         return erroneous(span)
     reason = _transient(ctx, place)
+    if reason and has_addresses(ctx):
+        return cannot_run(ctx, span, "a reference to " + reason.removesuffix(","))
     if reason:
         ctx.findings.error(
             "FB4093",
@@ -107,6 +111,26 @@ def reference_to(ctx: Context, span: Span, node: ast.Expression, keyword: str) -
         return erroneous(span)
     kind = place.type
     return ReferenceTo(span, place, ReferenceType(keyword, _name(kind), lambda: kind))
+
+
+def _referable(ctx: Context, span: Span, node: ast.Expression) -> Place | None:
+    """The variable that is meant; None after saying why there is none."""
+    if not has_addresses(ctx):
+        return check_target(ctx, node, "this reference")
+    place = check_expression(ctx, node)
+    if place.type == ERRONEOUS:
+        return None
+    root: Expression = place
+    while isinstance(root, FieldRef | IndexRef | SliceRef):
+        root = root.base
+    if not isinstance(place, Place) or (
+        isinstance(root, VariableRef) and ctx.is_read_only(root.variable)
+    ):
+        cannot_run(ctx, span, "the address of what is no variable")
+        return None
+    if isinstance(root, VariableRef):
+        ctx.written.add(root.variable)
+    return place
 
 
 def _transient(ctx: Context, place: Place) -> str:

@@ -18,20 +18,21 @@ class Rules:
 
     `iec_check`: bit strings and integers do not mix implicitly. `iec_check_open`: the text does not
     tell the setting, so what only the IEC check refuses is a warning. `narrows_unchecked`: without
-    the IEC check a value becomes one of a narrower type too. `bit_string_arithmetic`: a bit
-    string counts as the unsigned integer of its width. `inputs_writable`: a block may change its
-    own inputs. `statics_visible`: the static variables of an instance can be read from outside.
-    `inputs_complete`: a call of a FUNCTION gives every input. `quoted_blocks`: an unquoted name in
-    a call means the controller's own function first. `externals_required`: a block names
-    the global variables it uses in VAR_EXTERNAL. `any_integer_to_real`: whole numbers of 32 bits
-    become REAL by themselves. `outputs_by_assignment`: outputs of a FUNCTION may be given by `:=`.
-    `shifts_integers`: SHL, SHR, ROL and ROR take integers too. `lowest_bit_is_bool`: X_TO_BOOL of
-    an integer looks at its lowest bit only, else at the whole number. `labels_declared`: jump
-    labels stand in a LABEL section. `enumerations_are_numbers`: an enumeration becomes its base by
-    itself, and a number an enumeration with a warning. `bits_are_numbers`: a bit string becomes
-    whatever the unsigned integer of its width becomes, and back. `sign_may_change`: an integer
-    becomes one of the other sign that is not narrower, and LREAL becomes REAL, with a warning.
-    `bool_is_bits`: BOOL becomes a bit string by itself.
+    the IEC check a value becomes one of a narrower type too. `bit_string_arithmetic`: a bit string
+    counts as the unsigned integer of its width. `statics_visible`: the static variables of an
+    instance can be read from outside. `inputs_complete`: a call of a FUNCTION gives every input.
+    `quoted_blocks`: an unquoted name in a call means the controller's own function first.
+    `externals_required`: a block names the global variables it uses in VAR_EXTERNAL.
+    `any_integer_to_real`: whole numbers of 32 bits become REAL by themselves.
+    `outputs_by_assignment`: outputs of a FUNCTION may be given by `:=`. `shifts_integers`: SHL,
+    SHR, ROL and ROR take integers too. `lowest_bit_is_bool`: X_TO_BOOL of an integer looks at its
+    lowest bit only, else at the whole number. `labels_declared`: jump labels stand in a LABEL
+    section. `enumerations_are_numbers`: an enumeration becomes its base by itself, and a number an
+    enumeration with a warning. `bits_are_numbers`: a bit string becomes whatever the unsigned
+    integer of its width becomes, and back. `sign_may_change`: an integer becomes one of the other
+    sign that is not narrower, and LREAL becomes REAL, with a warning. `bool_is_bits`: BOOL becomes
+    a bit string by itself. `mixed_arguments`: arguments without names may stand in front of those
+    with names.
     """
 
     dialect: str
@@ -39,7 +40,6 @@ class Rules:
     iec_check_open: bool
     narrows_unchecked: bool
     bit_string_arithmetic: bool
-    inputs_writable: bool
     statics_visible: bool
     inputs_complete: bool
     quoted_blocks: bool
@@ -53,6 +53,7 @@ class Rules:
     bits_are_numbers: bool
     sign_may_change: bool
     bool_is_bits: bool
+    mixed_arguments: bool
 
 
 _TIA = Rules(
@@ -61,7 +62,6 @@ _TIA = Rules(
     iec_check_open=True,
     narrows_unchecked=True,
     bit_string_arithmetic=True,
-    inputs_writable=True,
     statics_visible=True,
     inputs_complete=True,
     quoted_blocks=True,
@@ -75,6 +75,7 @@ _TIA = Rules(
     bits_are_numbers=False,
     sign_may_change=False,
     bool_is_bits=False,
+    mixed_arguments=False,
 )
 _STEP7 = Rules(
     dialect="step7",
@@ -82,7 +83,6 @@ _STEP7 = Rules(
     iec_check_open=False,
     narrows_unchecked=False,
     bit_string_arithmetic=True,
-    inputs_writable=True,
     statics_visible=True,
     inputs_complete=True,
     quoted_blocks=False,
@@ -96,6 +96,7 @@ _STEP7 = Rules(
     bits_are_numbers=False,
     sign_may_change=False,
     bool_is_bits=True,
+    mixed_arguments=False,
 )
 _IEC = Rules(
     dialect="iec",
@@ -103,7 +104,6 @@ _IEC = Rules(
     iec_check_open=False,
     narrows_unchecked=False,
     bit_string_arithmetic=False,
-    inputs_writable=False,
     statics_visible=False,
     inputs_complete=False,
     quoted_blocks=False,
@@ -117,6 +117,7 @@ _IEC = Rules(
     bits_are_numbers=False,
     sign_may_change=False,
     bool_is_bits=False,
+    mixed_arguments=True,
 )
 _TWINCAT = Rules(
     dialect="twincat",
@@ -124,7 +125,6 @@ _TWINCAT = Rules(
     iec_check_open=False,
     narrows_unchecked=False,
     bit_string_arithmetic=True,
-    inputs_writable=True,
     statics_visible=True,
     inputs_complete=False,
     quoted_blocks=False,
@@ -138,6 +138,7 @@ _TWINCAT = Rules(
     bits_are_numbers=True,
     sign_may_change=True,
     bool_is_bits=False,
+    mixed_arguments=True,
 )
 
 RULES = {rules.dialect: rules for rules in (_TIA, _STEP7, _IEC, _TWINCAT)}

@@ -105,12 +105,27 @@ ALIASES: dict[str, str] = {
 }
 """Other spellings, casefolded, of canonical names."""
 
+PARAMETER_NAMES = {
+    "SR": {"SET1": "S1", "RESET": "R"},
+    "RS": {"SET": "S", "RESET1": "R1"},
+    "CTU": {"RESET": "R"},
+    "CTD": {"LOAD": "LD"},
+    "CTUD": {"RESET": "R", "LOAD": "LD"},
+}
+"""What CODESYS and TwinCAT call the parameters of standard blocks."""
+
 TIMER_METHODS = ("TON", "TOF", "TP", "TONR")
 """`timer.TON(...)`: how TIA calls an instance of IEC_TIMER or of a timer type."""
 
 COUNTER_METHODS = {"CTU": "QU", "CTD": "QD", "CTUD": ""}
 """`counter.CTU(...)`: how TIA calls an instance of IEC_COUNTER, which has the memory of a CTUD, and
 the output of that which is its Q."""
+
+
+def parameter_name(block: str, name: str) -> str:
+    """The name of a parameter in the standard, for what CODESYS and TwinCAT call it."""
+    known = PARAMETER_NAMES.get(block.partition("_")[0], {})
+    return known.get(name.upper(), name)
 
 
 def standard_block(name: str) -> StandardBlock | None:

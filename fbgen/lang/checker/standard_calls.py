@@ -31,6 +31,7 @@ from fbgen.lang.checker.function_signatures import (
 )
 from fbgen.lang.checker.literals import ERRONEOUS, erroneous
 from fbgen.lang.checker.operators import apply_unary, combine
+from fbgen.lang.checker.pointers import SIZES, check_size
 from fbgen.lang.checker.references import IS_VALID, MAKERS, check_is_valid, check_maker
 from fbgen.lang.checker.standard_functions import (
     ALIASES,
@@ -80,6 +81,7 @@ def is_standard_function(name: str) -> bool:
         or key in BOUNDS
         or key in MAKERS
         or key == IS_VALID
+        or key in SIZES
         or key in RENAMED
         or _ROUNDED.match(key) is not None
         or conversion_types(key) is not None
@@ -103,6 +105,7 @@ def _canonical(name: str) -> str:
     """`ADD_INT` and `CONCAT_WSTRING` of IEC's second edition are ADD and CONCAT."""
     key = name.upper()
     key = ALIASES.get(key, key)
+    key = key.removeprefix("ANY_") if key.startswith("ANY_TO_") else key
     general, _, suffix = key.rpartition("_")
     if general not in _OVERLOADED or any(key in table for table in _TABLES):
         return key
@@ -130,6 +133,8 @@ def check_standard_call(
         return check_maker(ctx, node, key)
     if key == IS_VALID:
         return check_is_valid(ctx, node)
+    if key in SIZES:
+        return check_size(ctx, node, key)
     if key in BOUNDS:
         return check_bound(ctx, node, key)
     if key in _SPECIAL:

@@ -20,17 +20,17 @@ from fbgen.lang.checker.calls import (
     system_call,
 )
 from fbgen.lang.checker.characters import written_character
-from fbgen.lang.checker.coercion import as_typed, coerce, spelled
+from fbgen.lang.checker.coercion import as_counted, as_typed, coerce, converted, spelled
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.conversions import SIGNED_OF
+from fbgen.lang.checker.conversions import SIGNED_OF, UNSIGNED_OF
 from fbgen.lang.checker.enabling import enabled, speaks_of_enable
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.jumps import check_goto, check_label
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.members import Receiver, called_member
 from fbgen.lang.checker.memory_access import check_poke, memory_access_named
+from fbgen.lang.checker.name_lookup import names_block
 from fbgen.lang.checker.objects import Method
-from fbgen.lang.checker.places import names_block
 from fbgen.lang.checker.routine_calls import is_routine, routine
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.system_instructions import instruction_named
@@ -58,7 +58,14 @@ def check_body(ctx: Context, nodes: Sequence[ast.Statement]) -> tuple[Statement,
     for node in nodes:
         if ctx.too_deep(node.span):
             break
-        found.extend(_CHECKS[type(node)](ctx, node))
+        around, ctx.not_run = ctx.not_run, []
+        checked_ones = _CHECKS[type(node)](ctx, node)
+        if ctx.not_run:
+            checked_ones = (checked.Stop(node.span, ctx.not_run[0]),)
+        elif not checked_ones:
+            ctx.findings.unclear.append(node.span)
+        ctx.not_run = around
+        found.extend(checked_ones)
     ctx.depth -= 1
     return tuple(found)
 
@@ -295,7 +302,8 @@ def _report_overlaps(ctx: Context, taken: list[tuple[int, int, Span]]) -> None:
 def _for(ctx: Context, node: ast.For) -> Sequence[Statement]:
     variable = check_target(ctx, node.variable, "FOR")
     kind = variable.type if variable is not None else None
-    if kind is not None and not (isinstance(kind, Elementary) and kind.is_integer):
+    counts = ctx.rules.bits_are_numbers and kind in UNSIGNED_OF
+    if kind is not None and not (isinstance(kind, Elementary) and (kind.is_integer or counts)):
         ctx.findings.error(
             "FB4033",
             f"FOR counts in an integer variable, not in {spelled(kind)}",
@@ -305,7 +313,7 @@ def _for(ctx: Context, node: ast.For) -> Sequence[Statement]:
         kind = None
     counter = kind if isinstance(kind, Elementary) else None
     first = _bound(ctx, node.first, counter, "the start of FOR")
-    last = _bound(ctx, node.last, counter, "the end of FOR")
+    last = _end(ctx, node.last, counter)
     step = _step(ctx, node, counter)
     body = _loop_body(ctx, node)
     if variable is None or counter is None or step is None:
@@ -316,6 +324,18 @@ def _for(ctx: Context, node: ast.For) -> Sequence[Statement]:
 def _bound(ctx: Context, node: ast.Expression, kind: Elementary | None, where: str) -> Expression:
     value = check_expression(ctx, node, kind)
     return value if kind is None else coerce(ctx, value, kind, where)
+
+
+def _end(ctx: Context, node: ast.Expression, kind: Elementary | None) -> Expression:
+    """The end; CODESYS and TwinCAT compare it with a variable of another integer type, too."""
+    if kind is None or not ctx.rules.sign_may_change:
+        return _bound(ctx, node, kind, "the end of FOR")
+    value = check_expression(ctx, node, kind)
+    if isinstance(value, Constant):
+        return coerce(ctx, value, kind, "the end of FOR")
+    number = as_counted(ctx, value)
+    is_whole = isinstance(number.type, Elementary) and number.type.is_integer
+    return converted(number, kind) if is_whole else coerce(ctx, value, kind, "the end of FOR")
 
 
 def _step(ctx: Context, node: ast.For, kind: Elementary | None) -> Expression | None:

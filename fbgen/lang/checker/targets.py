@@ -18,6 +18,7 @@ from fbgen.lang.checked import (
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.name_lookup import is_program
 from fbgen.lang.types import VARIANT_VALUE, BlockType
 
 
@@ -75,21 +76,13 @@ def _variable_may_be_written(ctx: Context, ref: VariableRef, where: str) -> bool
         return False
     if variable.kind is not VariableKind.INPUT or variable.type == VARIANT_VALUE:
         return True
-    return _report_input(ctx, ref, variable, where)
-
-
-def _report_input(ctx: Context, ref: VariableRef, variable: Variable, where: str) -> bool:
-    help_text = "copy it to a variable of the block and change that"
-    if ctx.rules.inputs_writable:
-        ctx.findings.warning(
-            "FB4103",
-            f"{where} changes the block's own input '{variable.name}'",
-            ref.span,
-            help_text,
-        )
-        return True
-    ctx.findings.error("FB4021", f"{where} writes the input '{variable.name}'", ref.span, help_text)
-    return False
+    ctx.findings.warning(
+        "FB4103",
+        f"{where} changes the block's own input '{variable.name}'",
+        ref.span,
+        "copy it to a variable of the block and change that",
+    )
+    return True
 
 
 def _member(ctx: Context, field: FieldRef, instance: BlockType) -> Variable:
@@ -102,7 +95,7 @@ def _member_may_be_written(ctx: Context, field: FieldRef, instance: BlockType, w
         return True
     message = f"{where} writes {variable.kind.value} '{field.name}' of {instance.name} from outside"
     help_text = "let the block write it, and give it what it needs as an input"
-    if ctx.rules.statics_visible:
+    if ctx.rules.statics_visible or is_program(ctx, instance):
         ctx.findings.warning("FB4106", message, field.span, help_text)
         return True
     ctx.findings.error("FB4023", message, field.span, help_text)

@@ -1,17 +1,19 @@
 """From a written type to the type it means."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.checked import Expression
+from fbgen.lang.checker.codesys_types import codesys_type
 from fbgen.lang.checker.constants import whole_number
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.elsewhere import type_help
 from fbgen.lang.checker.enumerations import enumeration, subrange, typed_enumerator
+from fbgen.lang.checker.foreign_names import library_help
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.references import reference_type
 from fbgen.lang.checker.system_types import system_type
@@ -27,6 +29,7 @@ from fbgen.lang.types import (
     POINTER_VALUE,
     UINT,
     VARIANT_VALUE,
+    VOID,
     WORD,
     ArrayInitial,
     ArrayType,
@@ -40,7 +43,6 @@ from fbgen.lang.types import (
     StructType,
     Type,
 )
-from fbgen.nearest import nearest
 from fbgen.source import Span
 
 if TYPE_CHECKING:
@@ -115,6 +117,7 @@ class TypeResolver:
         self._targets: list[Callable[[], Type]] = []
         self._busy: list[str] = []
         self._cells: dict[int, int] = {}
+        self._partial: set[str] = set()
         self.structures: dict[str, StructType] = {}
 
     def declare(self, node: ast.TypeDeclaration) -> None:
@@ -128,6 +131,15 @@ class TypeResolver:
     def names(self) -> list[str]:
         """The names of all types of the text."""
         return [node.name.name for node in self._declared.values()]
+
+    def is_known(self, name: str) -> bool:
+        """True for the name of a type, of the text or not."""
+        return (
+            elementary_type(name) is not None
+            or self._library.key_of(name) in self._declared
+            or codesys_type(self._library.rules.dialect, name) is not None
+            or self._library.block_type(name) is not None
+        )
 
     def declared(self) -> list[str]:
         """The casefolded names of all types of the text."""
@@ -185,10 +197,13 @@ class TypeResolver:
 
     def enumeration(self, name: str) -> Enumeration | None:
         """The enumeration that a TYPE of the text declares; None if there is none."""
-        node = self._declared.get(name.casefold())
+        key = name.casefold()
+        node = self._declared.get(key)
+        if node is None and (own := codesys_type(self._library.rules.dialect, name)) is not None:
+            node = self._declared[key] = own
         if node is None:
             return None
-        kind = self._user_type(name.casefold(), node.name.span).type
+        kind = self._user_type(key, node.name.span).type
         return kind if isinstance(kind, Enumeration) else None
 
     def enumerations_with(self, ctx: Context, enumerator: str) -> list[Enumeration]:
@@ -227,6 +242,10 @@ class TypeResolver:
             if (system := system_type(name)) is not None:
                 self._declared[full] = system
                 return self._user_type(full, span)
+        own = codesys_type(self._library.rules.dialect, name)
+        if own is not None and self._library.block_type(name) is None:
+            self._declared[full] = own
+            return self._user_type(full, span)
         interface = self._library.objects.interfaces.find(name)
         if interface is not None:
             return Resolved(self._library.objects.interfaces.type_of(interface))
@@ -261,11 +280,21 @@ class TypeResolver:
         if self._library.rules.dialect == "tia" and not quoted and _OBJECT.match(name):
             findings.gap(f"{name} has no model, so this program cannot run", span, _OBJECT_HELP)
             return Resolved(ERRONEOUS)
-        known = [*self.names(), *self._library.type_names(), *ELEMENTARY, "STRING"]
-        advise = type_help if on_s7 else nearest
-        message = f"there is no type '{name}'"
-        findings.unknown("FB4003", message, span, lambda: advise(name, known))
+        self.report_unknown(name, span)
         return Resolved(ERRONEOUS)
+
+    def report_unknown(self, name: str, span: Span) -> None:
+        """Report the name of a type, a base or an interface that no file has."""
+        on_s7 = self._library.rules.dialect in ("tia", "step7")
+        advise = type_help if on_s7 else library_help
+        self._library.findings.unknown(
+            "FB4003",
+            f"there is no type '{name}'",
+            span,
+            lambda: advise(
+                name, [*self.names(), *self._library.type_names(), *ELEMENTARY, "STRING"]
+            ),
+        )
 
     def all_user_types(self) -> None:
         """Resolve every TYPE, so that errors in unused ones are found too."""
@@ -282,7 +311,7 @@ class TypeResolver:
         self._busy.append(key)
         ctx = self._library.global_context()
         if isinstance(node.type, ast.StructSpec):
-            struct = self.structure(ctx, node.type.fields, node.name.name)
+            struct = self.structure(ctx, node.type.fields, node.name.name, self._base(ctx, node))
             if isinstance(struct, StructType):
                 self.structures[key] = struct
             resolved = Resolved(struct)
@@ -299,6 +328,14 @@ class TypeResolver:
         self._busy.pop()
         self._known[key] = resolved
         return resolved
+
+    def is_declaring(self, kinds: Sequence[Enumeration]) -> bool:
+        """True for the one enumeration whose TYPE is being looked at: its names stand alone."""
+        return (
+            len(kinds) == 1
+            and bool(self._busy)
+            and self._known.get(self._busy[-1], Resolved(VOID)).type is kinds[0]
+        )
 
     def _report_recursion(self, key: str, node: ast.TypeDeclaration, span: Span) -> None:
         if key not in self._busy:
@@ -318,9 +355,39 @@ class TypeResolver:
             (Note("the type is declared here", node.name.span),),
         )
 
-    def structure(self, ctx: Context, declarations: tuple[ast.Declaration, ...], name: str) -> Type:
-        """A new structure type with these parts."""
-        fields: list[Field] = []
+    def _base(self, ctx: Context, node: ast.TypeDeclaration) -> tuple[Field, ...]:
+        """The parts that a structure has from the one that it extends."""
+        if node.extends is None:
+            return ()
+        base = self.named(ctx, node.extends.name, node.extends.span).type
+        if isinstance(base, StructType):
+            if self.is_partial(base):
+                self._partial.add(node.name.name.casefold())
+            return base.fields
+        if base == ERRONEOUS:
+            self._partial.add(node.name.name.casefold())
+        else:
+            self._library.findings.error(
+                "FB4087",
+                f"{node.name.name} cannot extend '{node.extends.name}'",
+                node.extends.span,
+                "a structure extends a structure",
+            )
+        return ()
+
+    def is_partial(self, kind: StructType) -> bool:
+        """True if the base of a structure is in no file: it may have any part."""
+        return kind.name.casefold() in self._partial
+
+    def structure(
+        self,
+        ctx: Context,
+        declarations: tuple[ast.Declaration, ...],
+        name: str,
+        inherited: tuple[Field, ...] = (),
+    ) -> Type:
+        """A new structure type with these parts, behind those that are inherited."""
+        fields: list[Field] = list(inherited)
         seen: dict[str, ast.DeclaredName] = {}
         for declaration in declarations:
             resolved = self.resolve(ctx, declaration.type)

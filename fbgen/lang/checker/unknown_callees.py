@@ -4,11 +4,16 @@ from fbgen.lang import ast
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.elsewhere import block_help
 from fbgen.lang.checker.evaluation import check_expression
+from fbgen.lang.checker.foreign_names import library_help
+from fbgen.lang.checker.name_lookup import may_be_inherited
+from fbgen.lang.checker.not_run import cannot_run
+from fbgen.lang.checker.pointers import RAW_MEMORY, check_raw_memory, has_addresses
 from fbgen.lang.checker.refused_instructions import NOT_SUPPORTED, WRITTEN_OTHERWISE
 from fbgen.lang.checker.routines import MODELLED
 from fbgen.lang.checker.standard_blocks import standard_block
 from fbgen.lang.checker.standard_functions import OPERATORS_BY_NAME, STANDARD_FUNCTIONS
 from fbgen.lang.checker.system_instructions import INSTRUCTIONS
+from fbgen.lang.other_languages import language_of
 
 _NOT_RUN = ("__NEW", "__DELETE", "__QUERYINTERFACE", "__QUERYPOINTER")
 """Operators of CODESYS and TwinCAT for memory and interfaces that are made while running."""
@@ -19,10 +24,7 @@ def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
     if standard_block(name) is not None:
         without_instance(ctx, node, name)
         return
-    if name.upper() in _NOT_RUN:
-        message = f"{name.upper()} is read and printed, but cannot run"
-        help_text = "declare the instances that the program needs as variables"
-        ctx.findings.error("FB4054", message, node.callee.span, help_text)
+    if has_addresses(ctx) and _cannot_run(ctx, node, name):
         return
     refused = NOT_SUPPORTED.get(name.upper()) if ctx.rules.dialect == "tia" else None
     if refused is not None:
@@ -30,13 +32,28 @@ def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
         ctx.findings.gap(message, node.callee.span, f"to run it, {refused}")
         check_arguments_alone(ctx, node)
         return
-    ctx.findings.unknown(
-        "FB4004",
-        f"there is no function or block '{name}'",
-        node.callee.span,
-        lambda: WRITTEN_OTHERWISE.get(name.upper()) or block_help(name, _callable_names(ctx)),
-    )
+    advise = library_help if has_addresses(ctx) else block_help
+    if not may_be_inherited(ctx):
+        ctx.findings.unknown(
+            "FB4004",
+            f"there is no function or block '{name}'",
+            node.callee.span,
+            lambda: WRITTEN_OTHERWISE.get(name.upper()) or advise(name, _callable_names(ctx)),
+        )
     check_arguments_alone(ctx, node)
+
+
+def _cannot_run(ctx: Context, node: ast.Call, name: str) -> bool:
+    """Take note of what CODESYS and TwinCAT can do and a run here cannot."""
+    if language := language_of(name):
+        cannot_run(ctx, node.callee.span, f"a body in {language}")
+    elif name.upper() in _NOT_RUN:
+        cannot_run(ctx, node.callee.span, name.upper())
+    elif name.upper() in RAW_MEMORY:
+        check_raw_memory(ctx, node, name)
+    else:
+        return False
+    return True
 
 
 def _callable_names(ctx: Context) -> list[str]:

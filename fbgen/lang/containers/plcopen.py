@@ -17,6 +17,7 @@ from fbgen.lang.containers.places import CodeOf, Slot
 from fbgen.lang.containers.plcopen_declarations import DeclarationReader
 from fbgen.lang.containers.twincat import CodeInXml, other_language
 from fbgen.lang.containers.xml_tree import Element
+from fbgen.lang.other_languages import foreign_body
 
 ROOT = "project"
 _KINDS = {"program": "PROGRAM", "functionBlock": "FUNCTION_BLOCK", "function": "FUNCTION"}
@@ -171,6 +172,7 @@ class _Reader:
                     self.text.add_content(inner)
                     self.slots.append(Slot(inner, code))
                 elif language.tag not in ("addData", "documentation"):
+                    self.text.add_at(foreign_body(language.tag), language.start)
                     self.findings.append(other_language(name, language))
 
     # --- configurations -----------------------------------------------------------------------

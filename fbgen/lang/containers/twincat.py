@@ -7,7 +7,7 @@ one tree comes of it. Source: files that TwinCAT XAE writes, in published projec
 
 from dataclasses import dataclass, field
 
-from fbgen.diagnostics import Diagnostic
+from fbgen.diagnostics import Diagnostic, Severity
 from fbgen.lang.ast import Accessor, Action, Block, File, Globals, Interface, Property
 from fbgen.lang.containers import code_parts
 from fbgen.lang.containers.embedded import Assembly, EmbeddedSource, content
@@ -15,6 +15,7 @@ from fbgen.lang.containers.places import CodeOf, Slot
 from fbgen.lang.containers.xml_tree import Element
 from fbgen.lang.dialects import dialect_named
 from fbgen.lang.lexer import tokenize
+from fbgen.lang.other_languages import foreign_body
 from fbgen.source import Source
 
 ROOT = "TcPlcObject"
@@ -150,6 +151,7 @@ class _Reader:
             if language.tag == "ST":
                 self._code(language, code)
             else:
+                self.assembly.add_at(foreign_body(language.tag), language.start)
                 self.findings.append(other_language(name, language))
 
 
@@ -160,6 +162,7 @@ def other_language(name: str, language: Element) -> Diagnostic:
         f"the body of {name} is written in {language.tag}",
         language.place,
         "only structured text is read; its variables are known all the same",
+        severity=Severity.WARNING,
     )
 
 

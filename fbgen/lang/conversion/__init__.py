@@ -21,6 +21,7 @@ from fbgen.lang.depth import room_for_depth
 from fbgen.lang.dialects import dialect_named
 from fbgen.lang.lowering import Schedule, lower_files
 from fbgen.lang.lowering.findings import Findings
+from fbgen.lang.other_languages import foreign_bodies
 
 __all__ = ["Schedule", "convert", "way"]
 
@@ -74,6 +75,11 @@ def convert(files: Sequence[File], target: str) -> list[File]:
             help="choose another target: " + ", ".join(_reachable(sources[0])),
         )
     result = list(files)
+    refused = Findings(target)
+    for span, language in foreign_bodies(files):
+        refused.refuse(f"a body in {language}", span, "write it in structured text first")
+    if refused.all:
+        raise DiagnosticError(refused.all)
     for first, second in pairwise(dialects):
         findings = Findings(second)
         with room_for_depth():

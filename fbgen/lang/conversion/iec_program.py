@@ -57,6 +57,9 @@ class IecProgram:
         self.enumerations: dict[str, dict[str, int]] = {}
         self.aliases: dict[str, TypeDeclaration] = {}
         self.programs: list[Block] = []
+        self.lists: dict[str, set[str]] = {}
+        self.called: set[str] = set()
+        """What is called by its name, casefolded; a PROGRAM among it is not called by OB1."""
         self._named: set[EnumSpec] = set()
         self._findings = findings
         for file in files:
@@ -66,6 +69,8 @@ class IecProgram:
                 if isinstance(node, EnumSpec) and node not in self._named:
                     place = f"{node.span.source.name}:{node.span.start}"
                     self.enumerations[place] = dict(self._values(node))
+                elif isinstance(node, Call) and isinstance(node.callee, Name):
+                    self.called.add(node.callee.name.casefold())
         for section in self.sections:
             for declaration in section.declarations:
                 self._declare(declaration)
@@ -73,6 +78,8 @@ class IecProgram:
     def _collect(self, unit: object) -> None:
         if isinstance(unit, Globals):
             self.sections.append(unit.section)
+            if unit.name:
+                self._enlist(unit)
         elif isinstance(unit, Configuration):
             self.sections += unit.sections
             tasks: list[Task] = []
@@ -92,6 +99,29 @@ class IecProgram:
                 self.enumerations[unit.name.name.casefold()] = dict(self._values(unit.type))
         elif isinstance(unit, Block) and unit.kind is BlockKind.PROGRAM:
             self.programs.append(unit)
+
+    def _enlist(self, unit: Globals) -> None:
+        """One data block takes all lists, so no two of them may have the same name."""
+        members = self.lists.setdefault(unit.name.casefold(), set())
+        for declaration in unit.section.declarations:
+            for name in declaration.names:
+                key = name.name.casefold()
+                if any(key in one for one in self.lists.values()):
+                    self._findings.refuse(
+                        f"the variable {name.name} of several lists",
+                        name.span,
+                        "give it a name that no other list of global variables has",
+                    )
+                members.add(key)
+
+    def in_list(self, list_name: str, name: str) -> bool:
+        """Whether a list of global variables has a variable."""
+        return name.casefold() in self.lists.get(list_name.casefold(), ())
+
+    def instance_of(self, name: str) -> str:
+        """The data block that a PROGRAM becomes; "" for any other name."""
+        found = (one.name.name for one in self.programs if one.name.name.casefold() == name)
+        return next((f"{one}_DB" for one in found), "")
 
     def _declare(self, declaration: Declaration) -> None:
         for name in declaration.names:
@@ -163,7 +193,8 @@ class IecProgram:
             instance = Name(place, f"{program.name.name}_DB", True)
             kind = NamedType(place, program.name.name, True)
             units.append(DataBlock(place, instance, (), kind, None, (), ()))
-            calls.append(CallStatement(place, Call(place, instance, ())))
+            if program.name.name.casefold() not in self.called:
+                calls.append(CallStatement(place, Call(place, instance, ())))
         if calls:
             place = calls[0].span
             units.append(

@@ -256,6 +256,8 @@ class _IecToTia(Rewriter):
         value = self._program.enumerator("", node.name)
         if value is not None:
             return number(node.span, value)
+        if instance := self._program.instance_of(key):
+            return Name(node.span, instance, True)
         known = key in self._plant.blocks or key in self._plant.types
         return Name(node.span, node.name, True) if known else node
 
@@ -286,6 +288,9 @@ class _IecToTia(Rewriter):
             value = self._program.enumerator(node.base.name, node.name)
             if value is not None:
                 return number(node.span, value)
+            is_own = self._scope is not None and self._scope.is_declared(node.base)
+            if not is_own and self._program.in_list(node.base.name, node.name):
+                return self._name(Name(node.span, node.name))
         expression: Expression = self.inside(node)
         return expression
 
@@ -293,6 +298,8 @@ class _IecToTia(Rewriter):
         callee = node.callee
         call: Call = self.inside(node)
         if not isinstance(callee, Name) or (self._scope and self._scope.is_declared(callee)):
+            return call
+        if self._program.instance_of(callee.name.casefold()):
             return call
         function = self._plant.function(callee.name)
         if function is None:

@@ -31,13 +31,14 @@ from harness.engine.compiled.outside_variants import new_variable, reference_to
 from harness.engine.compiled.passes import may_exceed
 from harness.engine.compiled.placement import Bytes
 from harness.engine.compiled.procedure import Probe
+from harness.engine.compiled.programs import program_data
 from harness.engine.compiled.routines import Routines, unmodelled_classes
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.stopping import Stopper
 from harness.engine.environment import Environment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block, wrong_path
 from harness.engine.interface import Convert, FunctionResult, Limits, Reference, State, Value
-from harness.engine.paths import parse_path
+from harness.engine.path_types import global_steps
 from harness.engine.starting import own_starts
 from harness.engine.values import accept, accept_scalar, array_of
 
@@ -46,7 +47,7 @@ class CompiledEngine:
     """One program on one controller. `probe` adds lines to the generated code, for coverage."""
 
     __slots__ = (
-        *("_bytes", "_cpu", "_environment", "_facts", "_globals", "_initial", "_listings"),
+        *("_bytes", "_cpu", "_environment", "_facts", "_globals", "_initial", "_listings", "_own"),
         *("_located", "_makers", "_memory", "_model", "_namespace", "_program", "_programs"),
         *("_records", "_routines", "_runs", "_stopper"),
     )
@@ -99,9 +100,10 @@ class CompiledEngine:
         self._load(probe)
         self._globals = self._make_globals()
         self._programs: dict[str, tuple[Record, Any]] = {
-            key: (self._model.block_record(block), self._namespace[self._model.name_of(block)]())
+            key: (self._model.block_record(block), program_data(self._model, self._namespace, key))
             for key, block in program.program_instances().items()
         }
+        self._own = [key for key in self._programs if program.program_variable(key) is None]
         self._runs: dict[str, Callable[[], Any]] = {}
         self._makers: dict[str, Callable[..., Any]] = {}
         self._records = {
@@ -442,7 +444,8 @@ class CompiledEngine:
 
     def _find_located(self, path: str) -> Variable | None:
         """The variable with an absolute address that a path names."""
-        steps = [step.casefold() for step in parse_path(path) if isinstance(step, str)]
+        found = global_steps(self._program, path)
+        steps = [step.casefold() for step in found if isinstance(step, str)]
         if len(steps) == 1:
             return self._located.get(steps[0])
         if len(steps) == 2 and steps[0] in self._programs:
@@ -452,7 +455,7 @@ class CompiledEngine:
         return None
 
     def _find(self, path: str) -> Location:
-        first, *rest = parse_path(path)
+        first, *rest = global_steps(self._program, path)
         if isinstance(first, tuple):
             raise wrong_path(path, "it starts with an index")
         if self._model.global_record.part(first) is None and first.casefold() in self._programs:
@@ -467,7 +470,7 @@ class CompiledEngine:
         """All that lives in the program itself: global variables and the variables of PROGRAMs."""
         return (
             self._memory.snapshot(self._model.global_record, self._globals),
-            *(self._memory.snapshot(record, data) for record, data in self._programs.values()),
+            *(self._memory.snapshot(*self._programs[key]) for key in self._own),
             self._routines.counters.snapshot(),
         )
 
@@ -491,6 +494,9 @@ class CompiledEngine:
         assert isinstance(state, tuple)
         *contents, counters = state
         self._routines.counters.restore(counters)
-        records = [(self._model.global_record, self._globals), *self._programs.values()]
+        records = [
+            (self._model.global_record, self._globals),
+            *(self._programs[key] for key in self._own),
+        ]
         for (record, data), content in zip(records, contents, strict=True):
             self._memory.restore(record, data, content, remanent_too=remanent_too)

@@ -74,6 +74,10 @@ def _no_block(number: int) -> int:
     raise stops.NoBlock(number)
 
 
+def _cannot_run(what: str) -> None:
+    raise stops.CannotRun(what)
+
+
 def _outside(size: int) -> int:
     raise stops.NoAddress(size)
 
@@ -167,6 +171,7 @@ LIBRARY: dict[str, Any] = {
     "_text_to_real": _text_to_real,
     **FUNCTIONS,
     "_no_block": _no_block,
+    "_cannot_run": _cannot_run,
     "_outside": _outside,
     **{f"_{name.lower()}": function for name, function in reals.FUNCTIONS.items()},
     **{f"_{name.lower()}": function for name, function in reals.WHOLE_REALS.items()},

@@ -18,6 +18,7 @@ from fbgen.lang.checked import (
     Return,
     RoutineCall,
     Statement,
+    Stop,
     SystemCall,
     While,
 )
@@ -154,6 +155,8 @@ def write_statement(procedure: Procedure, statement: Statement) -> None:
             _continue(procedure)
         case Return():
             _return(procedure)
+        case Stop():
+            procedure.line(f"_cannot_run({statement.what!r})")
     procedure.nesting -= 1
 
 

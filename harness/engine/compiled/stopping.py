@@ -56,6 +56,8 @@ class Stopper:
             return None
         if isinstance(exception, stops.Endless):
             return faults.endless_loop(self._line_span(frame, line), self._limits.loop_passes)
+        if isinstance(exception, stops.CannotRun):
+            return faults.cannot_run(self._line_span(frame, line), exception.what)
         if isinstance(exception, stops.StepZero):
             return faults.step_is_zero(self._line_span(frame, line))
         if isinstance(exception, AttributeError) and site and isinstance(site.node, Dereference):

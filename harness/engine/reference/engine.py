@@ -14,6 +14,7 @@ from fbgen.lang.types import ArrayType, BlockType, OpenArrayType, Type
 from harness.engine.environment import Environment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block
 from harness.engine.interface import Convert, FunctionResult, Limits, Reference, State, Value
+from harness.engine.path_types import global_steps
 from harness.engine.paths import parse_path
 from harness.engine.reference.allocation import Allocator
 from harness.engine.reference.calls import Calls
@@ -184,7 +185,7 @@ class ReferenceEngine:
 
     def snapshot(self) -> State:
         """Global variables and the variables of PROGRAMs."""
-        storages = (*self._globals.values(), *self._runnable.values())
+        storages = (*self._globals.values(), *self._own().values())
         blocks = tuple(bytes(memory) for memory in self._blocks.values())
         values = tuple(storage.snapshot() for storage in storages)
         return blocks, values, self._calls.routines.snapshot()
@@ -192,7 +193,7 @@ class ReferenceEngine:
     def restore(self, state: State) -> None:
         """Go back to a snapshot of the same program."""
         assert isinstance(state, tuple)
-        storages = (*self._globals.values(), *self._runnable.values())
+        storages = (*self._globals.values(), *self._own().values())
         for storage, saved in zip(storages, state[1], strict=True):
             storage.restore(saved)
         for memory, data in zip(self._blocks.values(), state[0], strict=True):
@@ -206,7 +207,7 @@ class ReferenceEngine:
                 storage.reset(self._fresh(variable, {}), warm)
         self._calls.routines.reset()
         fresh = self._own_instances()
-        for key, instance in self._runnable.items():
+        for key, instance in self._own().items():
             instance.reset(fresh[key], warm)
         self._start_inside(IN_GLOBALS, None, retains=not warm)
         for instance in self._runnable.values():
@@ -238,8 +239,19 @@ class ReferenceEngine:
             if block.kind is BlockKind.ORGANIZATION_BLOCK
         }
         for key, block in self._program.program_instances().items():
-            instances[key] = self._allocator.of_block(block)
+            variable = self._program.program_variable(key)
+            shared = None if variable is None else self._globals[variable]
+            assert shared is None or isinstance(shared, InstanceStorage)
+            instances[key] = shared or self._allocator.of_block(block)
         return instances
+
+    def _own(self) -> dict[str, InstanceStorage]:
+        """What runs by itself and is no global variable."""
+        return {
+            key: instance
+            for key, instance in self._runnable.items()
+            if self._program.program_variable(key) is None
+        }
 
     def _block(self, name: str) -> Block:
         blocks = self._program.blocks
@@ -248,7 +260,7 @@ class ReferenceEngine:
         return blocks[name.casefold()]
 
     def _global(self, path: str) -> Storage:
-        first, *rest = parse_path(path)
+        first, *rest = global_steps(self._program, path)
         key = str(first).casefold()
         storage = self._by_key.get(key) or self._runnable.get(key)
         if storage is None:

@@ -22,12 +22,13 @@ from fbgen.lang.checked import (
     Return,
     RoutineCall,
     Statement,
+    Stop,
     While,
 )
 from fbgen.lang.types import Elementary
 from fbgen.source import Span
 from harness.engine.fault_values import places_of, with_values
-from harness.engine.faults import endless_loop, step_is_zero
+from harness.engine.faults import cannot_run, endless_loop, step_is_zero
 from harness.engine.interface import Value
 from harness.engine.reference.arithmetic import wrap
 from harness.engine.reference.expressions import Expressions
@@ -186,6 +187,8 @@ class Statements:
                 return Flow.CONTINUE
             case Return():
                 return Flow.RETURN
+            case Stop():
+                raise cannot_run(statement.span, statement.what)
             case Label():
                 pass
             case Goto():

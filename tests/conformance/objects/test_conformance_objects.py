@@ -211,3 +211,9 @@ def test_names_in_namespaces_are_found_whole_and_from_inside(engine_name: str) -
     block()
     block()
     assert (block.moved, block.turns) == (28, 2)
+
+
+def test_each_element_of_an_array_has_arguments_of_its_own(twincat: Twincat) -> None:
+    program = twincat("element_arguments.st")
+    program.run("Main")
+    assert program.engine.global_value("Main.sum") == 11 + 25 + 8 + 8 + 9

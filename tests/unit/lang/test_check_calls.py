@@ -123,7 +123,7 @@ def test_arguments_convert_like_assignments() -> None:
         ("Counter(total := t);", "FB4045"),
         ("n := c(total := t);", "FB4045"),
         ("unknown(total := t);", "FB4004"),
-        ("main();", "FB4047"),
+        ("main();", "FB4051"),
     ],
 )
 def test_wrong_calls(call: str, code: str) -> None:

@@ -58,7 +58,7 @@ def test_files_may_come_in_any_order() -> None:
 
 def test_errors_of_all_files_are_raised_together() -> None:
     files = [
-        parse(Source(name, in_program("x : INT;", "x := y;").replace("main", name)), "iec")
+        parse(Source(name, in_program("x : INT;", f"x := y{name};").replace("main", name)), "iec")
         for name in ("one", "two")
     ]
     with pytest.raises(DiagnosticError) as caught:

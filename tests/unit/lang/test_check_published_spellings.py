@@ -56,16 +56,6 @@ def test_a_place_that_is_linked_later_needs_no_width(dialect: str) -> None:
     assert errors_of(f"{text}b[1] := SEL(a, 0, 1);\nEND_PROGRAM\n", dialect) == []
 
 
-def test_arguments_for_the_elements_of_an_array_are_refused_by_name() -> None:
-    text = (
-        f"{_INPUTS}PROGRAM main\nVAR\nlist : ARRAY[1..2] OF Feeder[(1), (2)];\nEND_VAR\n"
-        "list[1](go := TRUE);\nEND_PROGRAM\n"
-    )
-    (found,) = errors_of(text, "twincat")
-    assert found.span is not None
-    assert (found.code, found.span.line, found.span.column) == ("FB4054", 6, 29)
-
-
 @pytest.mark.parametrize("arguments", ["go := , speed := 2.0", "go := TRUE, speed := 2.0,"])
 def test_tia_wants_every_argument_to_have_a_value(arguments: str) -> None:
     text = f'FUNCTION "f" : Void\nBEGIN\n"d"({arguments});\nEND_FUNCTION\n'

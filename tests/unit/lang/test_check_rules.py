@@ -44,9 +44,9 @@ def test_settings_of_a_project_replace_those_of_the_dialect() -> None:
     assert "FB4011" in [one.code for one in check_reporting([file], rules=on)[1]]
 
 
-def test_own_input_may_be_changed_in_tia_with_a_warning() -> None:
+def test_own_input_may_be_changed_with_a_warning() -> None:
     text = "FUNCTION_BLOCK b\nVAR_INPUT x : INT; END_VAR\nx := 1;\nEND_FUNCTION_BLOCK\n"
-    assert codes(text, "iec", "iec") == ["FB4021"]
+    assert codes(text, "iec", "iec") == ["FB4103"]
     assert codes(text, "iec", "tia") == ["FB4103"]
 
 
@@ -130,6 +130,9 @@ def test_every_standard_function_has_one_entry() -> None:
 
 
 def test_global_variable_without_external_is_a_warning_in_iec() -> None:
-    text = "VAR_GLOBAL g : INT; END_VAR\nPROGRAM main\ng := 1;\nEND_PROGRAM\n"
+    text = (
+        "PROGRAM main\ng := 1;\nEND_PROGRAM\n"
+        "CONFIGURATION c\nVAR_GLOBAL g : INT; END_VAR\nEND_CONFIGURATION\n"
+    )
     assert [one.code for one in findings_of(text)] == ["FB4104"]
     assert program_of(text).globals

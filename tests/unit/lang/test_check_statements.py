@@ -105,7 +105,7 @@ def test_structures_are_copied_if_they_are_of_one_type() -> None:
         ("x : INT;", "REPEAT ; UNTIL x END_REPEAT;", "FB4013"),
         ("x : ARRAY[0..1] OF INT;", "x := 5;", "FB4010"),
         ("x : ARRAY[0..1] OF INT; y : ARRAY[1..2] OF INT;", "x := y;", "FB4010"),
-        ("x : TON; y : TON;", "x := y;", "FB4010"),
+        ("x : TON; y : TOF;", "x := y;", "FB4010"),
         ("x : INT;", "CONTINUE;", "FB4034"),
         ("x : INT;", "x[1] := 5;", "FB4019"),
         ("x : INT;", "x.y := 5;", "FB4005"),

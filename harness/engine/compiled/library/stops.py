@@ -114,6 +114,14 @@ class NoArea(Stop):
         self.reason = reason
 
 
+class CannotRun(Stop):
+    """A statement that is read and checked only."""
+
+    def __init__(self, what: str) -> None:
+        super().__init__(what)
+        self.what = what
+
+
 class NoSuchDate(Stop):
     """Numbers that make up no date or time of day."""
 
