@@ -31,7 +31,7 @@ from harness.engine.compiled.outside_variants import new_variable, reference_to
 from harness.engine.compiled.passes import may_exceed
 from harness.engine.compiled.placement import Bytes
 from harness.engine.compiled.procedure import Probe
-from harness.engine.compiled.programs import program_data
+from harness.engine.compiled.programs import programs
 from harness.engine.compiled.routines import Routines, unmodelled_classes
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.stopping import Stopper
@@ -99,10 +99,7 @@ class CompiledEngine:
         }
         self._load(probe)
         self._globals = self._make_globals()
-        self._programs: dict[str, tuple[Record, Any]] = {
-            key: (self._model.block_record(block), program_data(self._model, self._namespace, key))
-            for key, block in program.program_instances().items()
-        }
+        self._programs = dict(programs(self._model, self._namespace))
         self._own = [key for key in self._programs if program.program_variable(key) is None]
         self._runs: dict[str, Callable[[], Any]] = {}
         self._makers: dict[str, Callable[..., Any]] = {}
