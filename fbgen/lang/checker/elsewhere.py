@@ -26,4 +26,6 @@ def block_help(name: str, known: Iterable[str]) -> str:
 
 def value_help(name: str, known: Iterable[str]) -> str:
     """For what stands for a value, or has members."""
-    return did_you_mean(name, known, _ALIKE) or f"{_TABLES}; for a data block {_FILES}"
+    return did_you_mean(name, known, _ALIKE) or (
+        f"{_TABLES}; for a data block {_FILES}; a text stands in '...'"
+    )

@@ -13,6 +13,7 @@ from fbgen.lang.ast import Argument, HeaderItem, Trivia, TriviaKind, TriviaList
 from fbgen.lang.depth import DEEPEST
 from fbgen.lang.dialects.dialect import Dialect, Feature
 from fbgen.lang.lexer import Extra, tokenize
+from fbgen.lang.parser.slips import help_for_slip
 from fbgen.lang.parser.soft_words import settle_soft_words
 from fbgen.source import Source, Span
 
@@ -127,6 +128,9 @@ class Cursor:
         self._last_finding_at = at
         kind, text = self.kinds[at], self.texts[at]
         span = self.token_span(at)
+        before = self.texts[at - 1] if at else ""
+        behind = self.texts[at + 1] if at + 1 < len(self.texts) else ""
+        hint = help_for_slip(before, text, behind, expected) or hint
         if kind == "unterminated":
             what = "name" if text[0] == '"' and self.dialect.has(Feature.QUOTED_NAMES) else "string"
             self.report("FB3003", f"this {what} has no end", span, f"close it with {text[0]}")

@@ -91,6 +91,20 @@ def test_after_a_restart_the_process_image_is_empty(rig):
     assert rig.received[-1][1] == "00" * 10
 
 
+def test_after_a_restart_the_slave_gets_zeros_until_the_program_writes_again(make_rig):
+    rig = make_rig(process_image=False).start()
+    rig.body(lambda: rig.cpu.write_peripheral(256, 1, 7))
+    rig.run_ms(15)
+    rig.cpu.stop()
+    rig.run_ms(20)
+    assert [data[:2] for _, data in rig.received] == ["07", "00"]
+    rig.body(lambda: None)
+    rig.cpu.start()
+    rig.run_ms(100)
+    assert rig.cpu.mode is CpuMode.RUN
+    assert [data[:2] for _, data in rig.received] == ["07", "00"]
+
+
 @pytest.mark.parametrize(("restart", "warm"), [(Restart.WARM, True), (Restart.COLD, False)])
 def test_a_restart_gives_the_program_its_initial_values(rig, restart, warm):
     rig.cpu.start(restart)
