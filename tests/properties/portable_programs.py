@@ -1,7 +1,7 @@
 """Random PLC programs of what every dialect can say, for comparing dialects after a conversion.
 
-They leave out ENO, jumps, CONTINUE, references, enumerations, objects, slices as places of outputs,
-AND_THEN, and F_TRIG, which begins differently on S7.
+They leave out ENO, jumps, CONTINUE, references, enumerations, objects, slices as places of outputs
+and AND_THEN.
 """
 
 from collections.abc import Callable, Sequence
@@ -49,7 +49,8 @@ class PortableWriter(Writer):
                 place = self.one_of([one for one in self.writable["BOOL"] if "%" not in one])
                 return f"{indent}{mark}{name}(IN := {signal}, PT := {preset}, Q => {place});\n"
             case 1 if self.types is TYPES:
-                return f"{indent}{mark}instRise(CLK := {signal});\n"
+                name = self.one_of(("instRise", "instFall"))
+                return f"{indent}{mark}{name}(CLK := {signal});\n"
             case 2:
                 reset, preset = self.expression("BOOL", 1), self.expression("INT", 0)
                 return (
@@ -86,7 +87,8 @@ def _declarations(mark: str, types: Sequence[str]) -> str:
             f"    {prefix}{name} : {SPELLED.get(kind, kind)};\n" for kind, name in names.items()
         )
 
-    rise, narrow = ("    instRise : R_TRIG;\n", "USINT") if "USINT" in types else ("", "INT")
+    edges = "    instRise : R_TRIG;\n    instFall : F_TRIG;\n"
+    rise, narrow = (edges, "USINT") if "USINT" in types else ("", "INT")
     lists = "".join(f"    list{names[kind]} : ARRAY[1..3] OF {kind};\n" for kind in ARRAY_TYPES)
     frame = f"{quote}typeFrame{quote}"
     structure = "STRUCT\n    intPart : INT := 3;\n    realPart : REAL;\nEND_STRUCT;\nEND_TYPE\n"

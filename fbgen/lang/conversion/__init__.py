@@ -14,6 +14,7 @@ from typing import TypeAlias
 
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.ast import File
+from fbgen.lang.conversion.falling_edges import with_own_falling_edges
 from fbgen.lang.conversion.from_step7 import from_step7
 from fbgen.lang.conversion.iec_to_tia import iec_to_tia
 from fbgen.lang.conversion.to_step7 import to_step7
@@ -74,12 +75,12 @@ def convert(files: Sequence[File], target: str) -> list[File]:
             f"there is no way from dialect {sources[0]} to {target}",
             help="choose another target: " + ", ".join(_reachable(sources[0])),
         )
-    result = list(files)
     refused = Findings(target)
     for span, language in foreign_bodies(files):
         refused.refuse(f"a body in {language}", span, "write it in structured text first")
     if refused.all:
         raise DiagnosticError(refused.all)
+    result = with_own_falling_edges(files, target)
     for first, second in pairwise(dialects):
         findings = Findings(second)
         with room_for_depth():
