@@ -20,14 +20,17 @@ def near_names(name: str, known: Iterable[str], alike: float = _ALIKE) -> list[s
     """
     plain = {_plain(candidate): candidate for candidate in sorted(set(known))}
     wanted = _plain(name)
-    if len(plain) > _SEARCHED:
+    beginning = 1
+    while len(plain) > _SEARCHED:
+        if beginning > len(wanted):
+            return []
         plain = {
             candidate: spelled
             for candidate, spelled in plain.items()
-            if candidate[:1] == wanted[:1] and abs(len(candidate) - len(wanted)) <= _LONGER
+            if candidate.startswith(wanted[:beginning])
+            and abs(len(candidate) - len(wanted)) <= _LONGER
         }
-    if len(plain) > _SEARCHED:
-        return []
+        beginning += 1
     near = get_close_matches(wanted, plain, n=_NEAR, cutoff=alike)
     if not near and len(wanted) > 1:
         near = [candidate for candidate in plain if wanted in candidate][:_NEAR]

@@ -17,7 +17,7 @@ _CLASSIC_TIMER = ": TON"
 """How an instance of the on-delay timer is declared; TON is SFB 4 on S7-300/400."""
 
 
-_WITH_STARTUP_BLOCKS = ("tia",)
+_WITH_STARTUP_BLOCKS = ("tia", "step7")
 """Dialects of PLCs that may keep data over a restart, and have OB100 to say so."""
 _LONGEST_TRIP_TEXT = 40
 _COMMANDS_IN_A_ROW = 8
@@ -56,11 +56,8 @@ class PlantView:
     most_drives: int
 
 
-def plan_blocks(plant: Plant, catalog: Catalog, dialect: str) -> BlockPlan:
-    """Which blocks the plant needs in a dialect.
-
-    Raises DiagnosticError for what cannot be generated.
-    """
+def plan_blocks(plant: Plant, catalog: Catalog) -> BlockPlan:
+    """Which blocks the plant needs. Raises DiagnosticError for what cannot be generated."""
     known = [catalog.sequence(name) for name in plant.sequences]
     found = [*name_conflicts(plant, known), *missing_fields(plant, catalog), *_other_types(plant)]
     if found:
@@ -74,7 +71,7 @@ def plan_blocks(plant: Plant, catalog: Catalog, dialect: str) -> BlockPlan:
     context["times"] = {"timeout": gateways[0].timeout, "gap": gateways[0].gap}
     context["line"] = _line_context(drives[0], gateways)
     specs = [*_types(gateways, sequences), *_blocks(gateways, sequences), *_data(gateways)]
-    if dialect in _WITH_STARTUP_BLOCKS:
+    if plant.dialect in _WITH_STARTUP_BLOCKS:
         specs.append(_block("TOS_Restart"))
     return BlockPlan(tuple(specs), context, tuple(_eeprom_writes(plant, catalog)))
 
@@ -99,9 +96,7 @@ def _types(
     line = ("Input", "Output", "Request", "Reply", "Channel", "Line")
     plain = (*line, "Control", "State", "Polled")
     specs = [_type(f"typeTos{name}") for name in plain]
-    specs += [
-        _type(f"typeTosSeq_{item.id}", "typeTosSeq", {"sequence": item}) for item in sequences
-    ]
+    specs += [_type(f"typeTos_{item.id}", "typeTosSeq", {"sequence": item}) for item in sequences]
     specs.append(_type("typeTosDrive"))
     specs += [
         _type(f"typeTosGateway_{item.name}", "typeTosGateway", {"gateway": item})

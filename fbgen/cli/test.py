@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from fbgen.cli import FINDINGS
+from fbgen.cli.dialects import PlantDialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import JsonOption
 from fbgen.cli.output import report, result, result_json, say
@@ -24,6 +25,7 @@ def register(program: typer.Typer) -> None:
             "fbgen test",
             "fbgen test scenarios/start.scenario.yaml",
             "fbgen test scenarios -k 'start and not reverse'",
+            "fbgen test scenarios --dialect step7",
             "fbgen test scenarios --seed 7 --json",
         ),
     )(run_scenarios)
@@ -50,12 +52,13 @@ def run_scenarios(
         int | None,
         typer.Option("--seed", metavar="N", min=0, help="This seed instead of the files' own."),
     ] = None,
+    dialect: PlantDialectOption = None,
     as_json: JsonOption = False,
 ) -> None:
     """Run scenario files on simulated plants.
 
-    Each generates its plant, simulates it, does its steps and checks what they expect. The same
-    seed gives the same run. Exit status 1 if a scenario fails.
+    Each generates its plant, reads that text, simulates the plant, does its steps and checks what
+    they expect. The same seed gives the same run. Exit status 1 if a scenario fails.
     """
     from fbgen.diagnostics import error
     from harness.scenario import run_paths
@@ -64,6 +67,7 @@ def run_scenarios(
         paths or [Path()],
         seed=seed,
         select=select,
+        dialect=dialect,
         finished=(lambda _: None) if as_json else _show,
     )
     if not done.results:

@@ -14,11 +14,11 @@ from hashlib import sha256
 from pathlib import Path
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
-from fbgen.emit.generator import GeneratedSet
+from fbgen.emit.generated import GeneratedSet
 from fbgen.writing import replace_file, why_not_written
 
 FILE_LIST = "fbgen-files.json"
-_FILE_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\.(scl|udt|db|st)")
+_FILE_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\.(scl|udt|db|sdf|st|TcPOU|TcDUT|TcGVL|xml)")
 """What fbgen calls its files; a list that names anything else is not followed."""
 
 
@@ -37,7 +37,7 @@ def write_set(generated: GeneratedSet, folder: Path, *, force: bool = False) -> 
     Raises DiagnosticError FB5020 for files that a person has changed (unless `force`), FB5021 where
     the folder cannot be written, FB5022 where the list of generated files cannot be read.
     """
-    texts = {file.name: file.text.encode("ascii") for file in generated.files}
+    texts = {file.name: file.data for file in generated.files}
     known = _read_list(folder)
     present = {name: _read(folder / name) for name in {*texts, *known}}
     if not force and (theirs := _changed_by_person(texts, known, present)):

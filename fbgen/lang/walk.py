@@ -1,4 +1,4 @@
-"""Every node of a syntax tree, for rules that look at all of them."""
+"""Every node of a syntax tree, for rules that look at all of them; two trees side by side."""
 
 from collections.abc import Iterator
 
@@ -24,3 +24,19 @@ def walk(root: object) -> Iterator[object]:
             if kind is not ast.File:
                 yield item
             waiting += [getattr(item, name) for name in parts]
+
+
+def side_by_side(first: object, second: object) -> Iterator[tuple[object, object]]:
+    """The nodes of two trees, each with the one in its place. Where they differ in kind or number
+    nothing below is looked at."""
+    waiting = [(first, second)]
+    while waiting:
+        one, other = waiting.pop()
+        if type(one) is not type(other):
+            continue
+        if isinstance(one, tuple) and isinstance(other, tuple) and type(one) is tuple:
+            if len(one) == len(other):
+                waiting += zip(one, other, strict=True)
+        elif (parts := _PARTS.get(type(one))) is not None:
+            yield one, other
+            waiting += [(getattr(one, name), getattr(other, name)) for name in parts]

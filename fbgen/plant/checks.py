@@ -10,7 +10,7 @@ from fbgen.plant.families import FAMILIES, Family
 from fbgen.plant.names import name_problems
 
 if TYPE_CHECKING:
-    from fbgen.plant.plant import Plant, PlantDrive, PlantGateway
+    from fbgen.plant.plant import BlockNumbers, Plant, PlantDrive, PlantGateway
 
 Item = TypeVar("Item", bound=Located)
 
@@ -122,6 +122,17 @@ def _options(
                 yield Diagnostic("FB2003", found.message, place, found.help)
 
 
+def block_numbers(item: "BlockNumbers") -> Iterator[Diagnostic]:
+    """FB2020: a range that ends before it begins."""
+    if item.last < item.first:
+        yield Diagnostic(
+            "FB2020",
+            f"the numbers of the blocks go from {item.first} to {item.last}",
+            item.span_of("last"),
+            "write the lowest number as first, the highest as last",
+        )
+
+
 def inverter_numbers(item: "PlantGateway") -> Iterator[Diagnostic]:
     """FB2006: one INV-NO for two drives of one gateway."""
     yield from _twice(
@@ -219,6 +230,14 @@ def _reachable(part: "PlantGateway", layout: Layout, family: Family) -> Iterator
             f"{family.title} has no DPRD_DAT and DPWR_DAT",
             part.span_of("access"),
             "use process_image, or per_identifier where the layout has several identifiers",
+        )
+        return
+    if part.access == "per_identifier" and not family.peripheral:
+        yield Diagnostic(
+            "FB2005",
+            f"{family.title} has no direct access to single inputs and outputs",
+            part.span_of("access"),
+            "use process_image",
         )
         return
     if part.access == "process_image" and layout.consistent and not family.image_moves_whole:

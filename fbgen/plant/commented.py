@@ -16,11 +16,20 @@ name: my_plant
 # Optional, for people.
 title: Two inverters on one gateway
 
-# The language of the generated text: tia (TIA Portal SCL) or iec (Structured Text).
+# The language of the generated text:
+#   tia      SCL of TIA Portal, one source for each block
+#   step7    classic SCL of STEP 7 V5: one source and its symbol table
+#   iec      Structured Text of IEC 61131-3, one file
+#   twincat  objects of TwinCAT 3
+#   plcopen  the text of iec in PLCopen XML
 dialect: tia
 
-# The PLC: s7-1200, s7-1500, s7-300, s7-400 (dialect tia) or iec (dialect iec).
+# The PLC: s7-1200, s7-1500 (dialect tia), s7-300, s7-400 (tia or step7), iec (iec or plcopen) or
+# twincat (twincat or plcopen).
 plc: s7-1500
+
+# For dialect step7: the numbers that FBs, FCs, DBs and UDTs may have.
+block_numbers: {first: 200, last: 399}
 
 # Time between two calls of TOS_Main in milliseconds.
 cycle_time_ms: 10
@@ -52,7 +61,8 @@ gateways:
 
     # How the blocks reach the data:
     #   per_identifier  identifier by identifier, the trigger byte last (gsd10, doc9)
-    #   process_image   through the process image, the trigger one cycle after its data
+    #   process_image   through the process image, the trigger one cycle after its data; on iec and
+    #                   twincat the only way
     #   dpxx_dat        the whole frame by DPRD_DAT/DPWR_DAT, SFC14/15 (whole10)
     access: per_identifier
 

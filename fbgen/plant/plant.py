@@ -9,7 +9,10 @@ from fbgen.catalog import AccessWay, Catalog, Located, OptionValue
 from fbgen.catalog.scalars import Flag, Real, Text, Whole
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import checks
-from fbgen.plant.families import FAMILIES, Family, PlantDialect, PlcFamily
+from fbgen.plant.families import FAMILIES, LANGUAGES, Family, PlantDialect, PlcFamily
+
+HIGHEST_BLOCK = 7999
+"""The highest number of a block that an S7-300 or S7-400 takes; small CPUs take fewer."""
 
 
 class PlantDrive(Located):
@@ -60,6 +63,17 @@ class PlantGateway(Located):
         return checks.gateway(self, known)
 
 
+class BlockNumbers(Located):
+    """The numbers that FBs, FCs, DBs and UDTs of dialect step7 may have, each kind from `first`."""
+
+    first: Annotated[Whole, Field(ge=1, le=HIGHEST_BLOCK)] = 200
+    last: Annotated[Whole, Field(ge=1, le=HIGHEST_BLOCK)] = 399
+
+    def problems(self) -> Iterable[Diagnostic]:
+        """FB2020: the range ends before it begins."""
+        return checks.block_numbers(self)
+
+
 class Plant(Located):
     """A plant file. Sequences are ids of the catalogue, generated for every drive they fit."""
 
@@ -69,6 +83,7 @@ class Plant(Located):
     dialect: PlantDialect
     plc: PlcFamily
     cycle_time_ms: Annotated[Real, Field(gt=0, le=6000)] = 10
+    block_numbers: BlockNumbers = Field(default_factory=BlockNumbers)
     sequences: tuple[str, ...] = ()
     gateways: tuple[PlantGateway, ...] = Field(min_length=1)
 
@@ -76,6 +91,11 @@ class Plant(Located):
     def family(self) -> Family:
         """What the PLC can do."""
         return FAMILIES[self.plc]
+
+    @property
+    def language(self) -> str:
+        """The dialect of the language in which its text is written."""
+        return LANGUAGES[self.dialect]
 
     @property
     def drives(self) -> tuple[PlantDrive, ...]:

@@ -19,8 +19,7 @@ from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang import ast
 from fbgen.lang.checked import Program
 from fbgen.lang.checker import check, check_reporting
-from fbgen.lang.containers import read_document
-from fbgen.lang.parser import parse_recovering
+from fbgen.lang.containers import XML_SUFFIXES, read_document, read_text
 from fbgen.lang.tag_files import global_file
 from fbgen.lang.tags import ConstantValue, Tag
 from fbgen.source import Source
@@ -64,7 +63,8 @@ def load_program(
 ) -> "LoadedProgram":
     """Read, check and load PLC text on a controller without hardware.
 
-    `sources` are files by their paths, or texts as `Source`. `db_numbers` has the numbers of data
+    `sources` are files by their paths, or texts as `Source`, whose name tells XML from plain text.
+    `db_numbers` has the numbers of data
     blocks by their names, for absolute addresses; `DB100` has its number in its name. `constants`
     are user constants by their names, `tags` PLC tags, or exported tag tables. `stubs` are Python
     functions for blocks that the program calls and that neither the files nor the harness have; see
@@ -123,8 +123,10 @@ def read_program(
 
 def _tree(source: str | Path | Source, dialect: str) -> tuple[ast.File, Sequence[Diagnostic]]:
     if isinstance(source, Source):
-        return parse_recovering(source, dialect)
-    document = read_document(Path(source), dialect)
+        is_xml = Path(source.name).suffix.lower() in XML_SUFFIXES
+        document = read_text(source, dialect, is_xml)
+    else:
+        document = read_document(Path(source), dialect)
     return document.file, document.findings
 
 

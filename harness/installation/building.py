@@ -66,7 +66,7 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     if setup.sources is None:
         program = generated_program(plan, catalog)
     else:
-        program = read_program(setup.sources, plan.dialect)
+        program = read_program(setup.sources, plan.language)
     cpu.load(program, engine_named(setup.engine))
     return Installation(plan, catalog, kernel, cpu, master, gateways, stations, lines, drives)
 

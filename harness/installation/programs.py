@@ -4,7 +4,8 @@ and checking its text takes longer than simulating a minute of it: so programs a
 from collections import OrderedDict
 
 from fbgen.catalog import Catalog
-from fbgen.emit.generator import GeneratedFile, generate
+from fbgen.emit.generated import GeneratedFile
+from fbgen.emit.generator import generate
 from fbgen.lang.checked import Program
 from fbgen.plant import Plant
 from fbgen.source import Origin, Source
@@ -16,7 +17,8 @@ _programs: OrderedDict[tuple[str, int], tuple[Catalog, Program]] = OrderedDict()
 
 def generated_sources(plan: Plant, catalog: Catalog) -> list[Source]:
     """What fbgen generates for a plant, in the plant's dialect; lines know where they are from."""
-    return [Source(file.name, file.text, _origins(file)) for file in generate(plan, catalog).files]
+    files = generate(plan, catalog).files
+    return [Source(file.name, file.text, _origins(file)) for file in files if file.is_program]
 
 
 def generated_program(plan: Plant, catalog: Catalog) -> Program:
@@ -26,7 +28,7 @@ def generated_program(plan: Plant, catalog: Catalog) -> Program:
     """
     key = (plan.model_dump_json(), id(catalog))
     if key not in _programs:
-        program = read_program(generated_sources(plan, catalog), plan.dialect)
+        program = read_program(generated_sources(plan, catalog), plan.language)
         _programs[key] = (catalog, program)
         while len(_programs) > _KEPT:
             _programs.popitem(last=False)

@@ -20,6 +20,7 @@ class CpuFamily(Enum):
     S7_1200 = "s7-1200"
     S7_1500 = "s7-1500"
     IEC = "iec"
+    TWINCAT = "twincat"
 
     @property
     def classic(self) -> bool:
@@ -29,7 +30,7 @@ class CpuFamily(Enum):
     @property
     def consistent_instructions(self) -> bool:
         """True if there are DPRD_DAT and DPWR_DAT, as on every S7."""
-        return self is not CpuFamily.IEC
+        return self not in (CpuFamily.IEC, CpuFamily.TWINCAT)
 
 
 class DpInterface(Enum):

@@ -8,7 +8,7 @@ from pathlib import Path
 from fbgen.catalog import Catalog, Drive
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
 from fbgen.nearest import nearest
-from fbgen.plant import Plant, load_plant
+from fbgen.plant import Plant, in_dialect, load_plant, problems_of
 from harness.drives import Inverter, InverterSettings
 from harness.installation import PlantSetup, build_plant
 from harness.kernel import Kernel
@@ -21,11 +21,15 @@ from harness.scenario.runner import ScenarioRun
 
 @dataclass(frozen=True, slots=True)
 class ScenarioCase:
-    """A scenario of a file with one of its variations."""
+    """A scenario of a file with one of its variations.
+
+    `dialect` takes the place of that of the variation and of the plant file.
+    """
 
     path: Path
     scenario: Scenario
     variation: Variation
+    dialect: str | None = None
 
     @classmethod
     def of(cls, path: Path, scenario: Scenario) -> tuple["ScenarioCase", ...]:
@@ -36,7 +40,8 @@ class ScenarioCase:
     def changes(self) -> str:
         """The changes of the variation in brackets; empty for the plant as it is."""
         variation = self.variation
-        parts = [variation.dialect, variation.plc, variation.layout, variation.access]
+        dialect = self.dialect or variation.dialect
+        parts = [dialect, variation.plc, variation.layout, variation.access]
         parts += [f"{name}={value}" for name, value in variation.options.items()]
         shown = ", ".join(part for part in parts if part)
         return f"[{shown}]" if shown else ""
@@ -55,7 +60,9 @@ class ScenarioCase:
 def run_case(case: ScenarioCase, catalog: Catalog, seed: int | None = None) -> ScenarioResult:
     """Run a scenario; whatever is found becomes a failure of the result."""
     used = case.scenario.seed if seed is None else seed
-    result = ScenarioResult(case.name, case.path.as_posix(), used, True, changes=case.changes)
+    result = ScenarioResult(
+        case.name, case.path.as_posix(), used, True, changes=case.changes, dialect=case.dialect
+    )
     checks = virtual_ns = 0
     found: tuple[Diagnostic, ...] = ()
     try:
@@ -77,6 +84,8 @@ def prepare(case: ScenarioCase, catalog: Catalog, seed: int | None = None) -> Sc
     """
     scenario = case.scenario
     plan = _varied(_plant_of(case, catalog), case.variation, catalog)
+    if case.dialect is not None:
+        plan = in_dialect(plan, case.dialect, catalog)
     if found := list(_drive_problems(scenario, plan, catalog)):
         raise DiagnosticError(found)
     drives = {name: setup.conditions() for name, setup in scenario.drives.items()}
@@ -117,12 +126,7 @@ def _varied(plant: Plant, variation: Variation, catalog: Catalog) -> Plant:
         if value is not None
     }
     changed = plant.model_copy(update=changes)
-    found = [
-        *changed.problems(),
-        *changed.problems_against(catalog),
-        *(item for gateway in gateways for item in gateway.problems_against(catalog)),
-    ]
-    if found:
+    if found := problems_of(changed, catalog):
         raise DiagnosticError(_of_variation(item, variation) for item in found)
     return changed
 

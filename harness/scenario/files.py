@@ -1,6 +1,7 @@
 """Scenario files: found, read, run, one after the other."""
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from fbgen.catalog import Catalog, load_catalog, load_yaml, validate
@@ -49,13 +50,14 @@ def run_paths(
     *,
     seed: int | None = None,
     select: str = "",
+    dialect: str | None = None,
     finished: Callable[[ScenarioResult], None] = lambda result: None,
 ) -> ScenarioReport:
     """Run the scenarios of files and folders.
 
     `seed` takes the place of the files' own seeds; `select` is an expression over titles, files,
     variations and tags, see `harness.scenario.selection`; `finished` is told of each result as
-    soon as it is there.
+    soon as it is there. `dialect` takes the place of that of each plant file.
 
     Raises DiagnosticError FB8007 for missing files and FB8011 for a wrong expression. What is wrong
     in a file is a failure of its result.
@@ -65,18 +67,18 @@ def run_paths(
     catalog = load_catalog()
     results: list[ScenarioResult] = []
     for path in files:
-        for result in _run_file(path, catalog, seed, selection):
+        for result in _run_file(path, catalog, seed, selection, dialect):
             results.append(result)
             finished(result)
     return ScenarioReport(tuple(results))
 
 
 def _run_file(
-    path: Path, catalog: Catalog, seed: int | None, selection: Selection
+    path: Path, catalog: Catalog, seed: int | None, selection: Selection, dialect: str | None
 ) -> Iterable[ScenarioResult]:
     """The results of one file. What is wrong in the file itself is told once, not per variation."""
     try:
-        cases = scenario_cases(path)
+        cases = [replace(case, dialect=dialect) for case in scenario_cases(path)]
     except DiagnosticError as wrong:
         yield ScenarioResult(path.name, path.as_posix(), seed or 0, False, wrong.diagnostics)
         return

@@ -22,6 +22,7 @@ from fbgen.catalog import Located
 from fbgen.catalog.scalars import Count, Real, SnakeName, Text
 from fbgen.diagnostics import Diagnostic
 from fbgen.nearest import near_names
+from fbgen.plant import PlantDialect, PlcFamily
 from harness.drives import Load, LoadShape
 from harness.installation import DriveConditions
 from harness.scenario.durations import DurationNs, PositiveDurationNs
@@ -254,10 +255,8 @@ class DriveSetup(Located):
 class Variation(Located):
     """The scenario once more with changes to the plant file; {} is the plant as it is."""
 
-    dialect: Literal["tia", "iec"] | None = Field(default=None, description="Language of the text")
-    plc: Literal["s7-1200", "s7-1500", "s7-300", "s7-400", "iec"] | None = Field(
-        default=None, description="Family of the CPU"
-    )
+    dialect: PlantDialect | None = Field(default=None, description="Language of the text")
+    plc: PlcFamily | None = Field(default=None, description="Family of the CPU")
     layout: Text | None = Field(default=None, description="Cyclic data of all gateways")
     access: Literal["per_identifier", "dpxx_dat", "process_image"] | None = Field(
         default=None, description="How the program reaches the cyclic data of all gateways"

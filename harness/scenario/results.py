@@ -11,7 +11,7 @@ from fbgen.diagnostics import Diagnostic, render
 class ScenarioResult:
     """One run of one scenario. `virtual_ns` is how long it took in the plant's own time.
 
-    `changes` is what the variation changes, in brackets.
+    `changes` is what the variation changes, in brackets; `dialect` what was asked for beside it.
     """
 
     name: str
@@ -22,11 +22,14 @@ class ScenarioResult:
     virtual_ns: int = 0
     checks: int = 0
     changes: str = ""
+    dialect: str | None = None
 
     @property
     def replay(self) -> str:
         """The command that runs just this again, for a shell."""
         command = ["fbgen", "test", self.file, "--seed", str(self.seed)]
+        if self.dialect is not None:
+            command += ["--dialect", self.dialect]
         if self.changes:
             command += ["-k", f'"{self.changes}"']
         return shlex.join(command)

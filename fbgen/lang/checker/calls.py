@@ -264,6 +264,8 @@ def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | Evaluate | Non
     """The call of an instance of a function block; None after reporting errors."""
     callee = node.callee
     method = ""
+    if ctx.rules.instances_behind_blocks:
+        callee = _behind_its_block(ctx, callee)
     if isinstance(callee, ast.Member) and callee.name.upper() in TIMER_METHODS:
         base = check_expression(ctx, callee.base)
         if isinstance(base.type, BlockType) and standard_block(base.type.name):
@@ -306,6 +308,25 @@ def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | Evaluate | Non
     if bound is None:
         return None
     return InstanceCall(node.span, place, block, bound.inputs, bound.in_outs, bound.outputs)
+
+
+def _behind_its_block(ctx: Context, callee: ast.Expression) -> ast.Expression:
+    """The data block of `FB10.DB20`; anything else comes back. Reports one of another block."""
+    if not isinstance(callee, ast.Member) or not isinstance(callee.base, ast.Name):
+        return callee
+    block = ctx.library.block(callee.base.name) if names_block(ctx, callee.base) else None
+    if block is None:
+        return callee
+    data_block = ast.Name(callee.span, callee.name, callee.quoted)
+    kind = check_expression(ctx, data_block).type
+    if isinstance(kind, BlockType) and ctx.library.block(kind.name) is not block:
+        ctx.findings.error(
+            "FB4047",
+            f"'{callee.name}' is an instance of {kind.name}, not of {block.name}",
+            callee.span,
+            "write the block in front that the data block was made for",
+        )
+    return data_block
 
 
 def _counter_call(ctx: Context, node: ast.Call, callee: ast.Member) -> ast.Call:

@@ -9,7 +9,13 @@
 Places in trees and findings are those in the file on disk.
 """
 
-from fbgen.lang.containers.document import SUFFIXES, Document, read_document, read_text
+from fbgen.lang.containers.document import (
+    SUFFIXES,
+    XML_SUFFIXES,
+    Document,
+    read_document,
+    read_text,
+)
 from fbgen.lang.containers.new_files import CONTAINERS, NewFile, new_files
 
 __all__ = [
@@ -17,6 +23,7 @@ __all__ = [
     "Document",
     "NewFile",
     "SUFFIXES",
+    "XML_SUFFIXES",
     "new_files",
     "read_document",
     "read_text",

@@ -26,15 +26,15 @@ from fbgen.lang.other_languages import foreign_bodies
 
 __all__ = ["Schedule", "convert", "way"]
 
-Step: TypeAlias = Callable[[Sequence[File], Findings], list[File]]
+Step: TypeAlias = Callable[[Sequence[File], Findings, Schedule | None], list[File]]
 
 _STEPS: dict[tuple[str, str], Step] = {
-    ("tia", "step7"): to_step7,
-    ("step7", "tia"): from_step7,
-    ("tia", "iec"): lambda files, _: [lower_files(files, "iec")],
-    ("iec", "tia"): iec_to_tia,
-    ("twincat", "tia"): iec_to_tia,
-    ("tia", "twincat"): lambda files, _: [lower_files(files, "twincat")],
+    ("tia", "step7"): lambda files, findings, _: to_step7(files, findings),
+    ("step7", "tia"): lambda files, findings, _: from_step7(files, findings),
+    ("tia", "iec"): lambda files, _, schedule: [lower_files(files, "iec", schedule)],
+    ("iec", "tia"): lambda files, findings, _: iec_to_tia(files, findings),
+    ("twincat", "tia"): lambda files, findings, _: iec_to_tia(files, findings),
+    ("tia", "twincat"): lambda files, _, schedule: [lower_files(files, "twincat", schedule)],
 }
 
 
@@ -53,10 +53,11 @@ def way(source: str, target: str) -> tuple[str, ...]:
     return ()
 
 
-def convert(files: Sequence[File], target: str) -> list[File]:
+def convert(files: Sequence[File], target: str, schedule: Schedule | None = None) -> list[File]:
     """The files in the dialect `target`; they are one program and of one dialect.
 
-    Dialect `iec` comes as one file, in an order that compiles. Raises `DiagnosticError`: FB3011
+    Dialects `iec` and `twincat` come as one file, in an order that compiles; `schedule` says how
+    often programs of `iec` run, by default every 10 ms. Raises `DiagnosticError`: FB3011
     unknown dialect, FB3054 no way between the dialects, FB3050 names, FB3051 what has no
     counterpart, FB3052 types, FB3053 functions that would need global data.
     """
@@ -84,7 +85,7 @@ def convert(files: Sequence[File], target: str) -> list[File]:
     for first, second in pairwise(dialects):
         findings = Findings(second)
         with room_for_depth():
-            result = _STEPS[first, second](result, findings)
+            result = _STEPS[first, second](result, findings, schedule)
         if findings.all:
             raise DiagnosticError(findings.all)
     return result

@@ -21,6 +21,7 @@ from fbgen.lang.ast import (
     IndexedAddress,
     Literal,
     LiteralKind,
+    Member,
     Name,
     NamedType,
     Parenthesized,
@@ -165,8 +166,12 @@ class _FromStep7(Rewriter):
 
     def _call(self, node: Call) -> Call:
         """Functions of the controller stand without quotes."""
-        call: Call = self.inside(node)
         callee = node.callee
+        if self._is_behind_block(callee):
+            assert isinstance(callee, Member)
+            callee = Name(callee.span, callee.name, True)
+            node = replaced(node, callee=callee)
+        call: Call = self.inside(node)
         if not isinstance(callee, Name) or (
             self._scope is not None and self._scope.is_declared(callee)
         ):
@@ -181,6 +186,15 @@ class _FromStep7(Rewriter):
         if known is not None and _NUMBERED.fullmatch(name):
             name = known.name
         return Call(call.span, Name(callee.span, name), call.arguments)
+
+    def _is_behind_block(self, callee: Expression) -> bool:
+        """Whether this is `"FB"."DB"`, a global instance behind the block it belongs to."""
+        return (
+            isinstance(callee, Member)
+            and isinstance(callee.base, Name)
+            and not (self._scope is not None and self._scope.is_declared(callee.base))
+            and callee.name.casefold() in self._plant.data_blocks
+        )
 
     def _indexed(self, node: IndexedAddress) -> Expression:
         """`PIB[4]` is `%IB4:P`; what is worked out at run time stays so."""

@@ -2,19 +2,24 @@
 
 Source: TIA Portal help, "Migrating SCL programs"; published S7-SCL sources; documentation of S7-SCL
 for S7-300/400: constants in CONST, jump labels declared in LABEL, AUTHOR and FAMILY of up to eight
-characters, VERSION in quotes, names behind the parameters of shifts.
+characters, TITLE and VERSION in quotes, names behind the parameters of shifts. A global instance is
+called behind its block, `"FB"."DB"(...)`, and its outputs are read behind the call. The blocks of
+the system have their numbers: their symbols are in the project only if somebody put them there.
 """
 
-import re
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import chain
 from typing import ClassVar
 
 from fbgen.lang.ast import (
+    ArgumentKind,
     Assignment,
     Binary,
     Block,
     Bounds,
     Call,
+    CallStatement,
     DataBlock,
     Declaration,
     DeclaredName,
@@ -34,42 +39,56 @@ from fbgen.lang.ast import (
     ReferenceSpec,
     Region,
     Slice,
+    Statement,
     StringSpec,
     StructSpec,
     Trivia,
     TriviaKind,
+    TypeDeclaration,
     VarSection,
 )
-from fbgen.lang.conversion.parameters import standard_with_names
+from fbgen.lang.checker.system_instructions import ALIASES
+from fbgen.lang.conversion.bit_literals import BitLiterals, typed_bits
 from fbgen.lang.conversion.rewriting import Inlined, Rewriter, Rule, replaced, rewritten
 from fbgen.lang.dialects import dialect_named
+from fbgen.lang.dialects.step7 import is_absolute
 from fbgen.lang.lowering.chains import links
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.names import is_identifier
 from fbgen.lang.lowering.plant import BlockScope, PlantText
 from fbgen.lang.lowering.slices import can_be_sliced, read_slice, write_slice
 from fbgen.lang.lowering.spelling import TYPES
+from fbgen.lang.standard_parameters import standard_with_names
 from fbgen.lang.walk import walk
 from fbgen.source import Span
 
+_SYSTEM_BLOCKS = {
+    "CTU": "SFB0",
+    "CTD": "SFB1",
+    "CTUD": "SFB2",
+    "TP": "SFB3",
+    "TON": "SFB4",
+    "TOF": "SFB5",
+}
+_COUNTERS = frozenset({"CTU", "CTD", "CTUD"})
+_SYSTEM_FUNCTIONS = {name.upper(): number.upper() for number, name in ALIASES.items()}
 _EDGES = frozenset({"R_TRIG", "F_TRIG"})
-_PREFIXES = {"BYTE": "B", "WORD": "W", "DWORD": "DW", "DINT": "L"}
 _SHORT_TEXTS = frozenset({"AUTHOR", "FAMILY", "NAME"})
 _SHORT = 8
-_ABSOLUTE = re.compile(r"(?:P?[IEQA]|M|D)[XBWD]?\d+|(?:DB|FB|FC|OB|SFB|SFC|UDT|T|C|Z)\d+")
-"""Names that are addresses or absolute blocks to STEP 7."""
 
 
 def to_step7(files: Sequence[File], findings: Findings) -> list[File]:
     """The same files in dialect step7. What STEP 7 has not is noted in the findings."""
     plant = PlantText(files)
-    return rewritten(files, "step7", lambda unit: _ToStep7(plant, findings, unit))
+    typed = rewritten(files, "tia", lambda unit: BitLiterals(plant, unit))
+    return rewritten(typed, "step7", lambda unit: _ToStep7(plant, findings, unit))
 
 
 class _ToStep7(Rewriter):
     """Rewrites one unit."""
 
     def __init__(self, plant: PlantText, findings: Findings, unit: object) -> None:
+        self._plant = plant
         self._findings = findings
         self._scope = BlockScope(plant, unit) if isinstance(unit, Block) else None
         self._dialect = dialect_named("step7")
@@ -100,6 +119,14 @@ class _ToStep7(Rewriter):
             fields = tuple(one for section in block.sections for one in section.declarations)
             block = replaced(block, sections=(), struct=StructSpec(node.span, fields))
         return replaced(block, header=_header(block.header))
+
+    def _type_declaration(self, node: TypeDeclaration) -> TypeDeclaration:
+        """A UDT, which has no header: what stands in it is said above."""
+        declaration: TypeDeclaration = self.inside(node)
+        self._check_length(node.name)
+        titles = [_comment(one.span, one.text) for one in node.header if one.keyword == "TITLE"]
+        leading = (*node.leading, *chain(*titles), *node.header_comments)
+        return replaced(declaration, leading=leading, header=(), header_comments=())
 
     def _section(self, node: VarSection) -> VarSection:
         section: VarSection = self.inside(node)
@@ -135,7 +162,7 @@ class _ToStep7(Rewriter):
     def _check(self, name: str, place: Span) -> None:
         """A local name: no quotes can save it."""
         upper = name.upper()
-        is_taken = upper in self._dialect.reserved or _ABSOLUTE.fullmatch(upper)
+        is_taken = upper in self._dialect.reserved or is_absolute(name)
         if is_taken or not is_identifier(name):
             self._findings.report(
                 "FB3050",
@@ -159,8 +186,9 @@ class _ToStep7(Rewriter):
 
     def _type(self, node: NamedType) -> NamedType:
         upper = node.name.upper()
-        if not node.quoted and upper in TYPES:
-            return NamedType(node.span, TYPES[upper])
+        number = _SYSTEM_BLOCKS.get(TYPES.get(upper, upper))
+        if not node.quoted and number is not None:
+            return NamedType(node.span, number)
         if upper in _EDGES:
             self._findings.refuse(
                 f"the block {node.name}", node.span, "keep the last value and compare with it"
@@ -198,6 +226,40 @@ class _ToStep7(Rewriter):
 
     # --- statements ---------------------------------------------------------------------------
 
+    def _call_statement(self, node: CallStatement) -> object:
+        """The call of an instance, whose outputs are read behind it; or that of a function."""
+        instance = self._instance(node.call.callee)
+        if instance is None:
+            return self.inside(node)
+        given = [one for one in node.call.arguments if one.kind is not ArgumentKind.OUTPUT]
+        call = Call(node.call.span, instance.called, tuple(self.rewrite(one) for one in given))
+        statements: list[Statement] = [CallStatement(node.span, call, node.leading, node.trailing)]
+        for one in node.call.arguments:
+            if one.kind is ArgumentKind.OUTPUT and one.value is not None:
+                value = Member(one.span, instance.place, one.name)
+                taken = Assignment(one.span, one.value, ":=", value, one.leading, one.trailing)
+                statements.append(self._assigned(taken, value))
+        return tuple(statements)
+
+    def _instance(self, callee: Expression) -> "_Instance | None":
+        """The instance that is called; None for a function."""
+        if isinstance(callee, Member) and callee.name.upper() in _SYSTEM_BLOCKS:
+            if callee.name.upper() in _COUNTERS:
+                what = f"the call {callee.span.text}(...)"
+                self._findings.refuse(
+                    what, callee.span, "declare it as what it counts, and call that"
+                )
+            callee = callee.base  # `timer.TON(...)`
+        if not isinstance(callee, Name) or (self._scope and self._scope.is_declared(callee)):
+            place = self.rewrite(callee)
+            return _Instance(place, place)
+        block = self._plant.data_blocks.get(callee.name.casefold())
+        if block is None or block.type is None:
+            return None
+        kind = self._type(block.type)
+        called = Member(callee.span, Name(callee.span, kind.name, kind.quoted), callee.name, True)
+        return _Instance(called, Name(callee.span, callee.name, True))
+
     def _region(self, node: Region) -> Inlined:
         title = _comment(node.span, node.title)
         note = _comment(node.span, node.end_text.strip("; \t").removeprefix("//"))
@@ -209,8 +271,11 @@ class _ToStep7(Rewriter):
             return node
         return tuple(self._assigned(one) for one in links(node))
 
-    def _assigned(self, node: Assignment) -> Assignment:
-        """One assignment with `:=` to something that STEP 7 can name."""
+    def _assigned(self, node: Assignment, lowered: Expression | None = None) -> Assignment:
+        """One assignment with `:=` to something that STEP 7 can name.
+
+        `lowered` is its value where that is in dialect step7 already.
+        """
         value = node.value
         if node.operator != ":=":
             if any(isinstance(part, Call) for part in walk(node.target)):
@@ -220,7 +285,7 @@ class _ToStep7(Rewriter):
                     "work out the index first",
                 )
             value = Binary(node.span, node.operator[0], node.target, _operand(value))
-        value = self.rewrite(value)
+        value = lowered or self.rewrite(value)
         if isinstance(node.target, Slice):
             type_name = self._sliced(node.target)
             if not type_name:
@@ -266,8 +331,16 @@ class _ToStep7(Rewriter):
         return _name_arguments(read_slice(node.span, self.rewrite(node.base), type_name, node))
 
     def _call(self, node: Call) -> Call:
+        """A function, whose outputs are given by `:=` as all parameters are."""
         call: Call = self.inside(node)
-        return standard_with_names(call)
+        arguments = tuple(
+            replaced(one, kind=ArgumentKind.INPUT) if one.kind is ArgumentKind.OUTPUT else one
+            for one in call.arguments
+        )
+        callee = call.callee
+        if isinstance(callee, Name) and not callee.quoted and not callee.local:
+            callee = Name(callee.span, _SYSTEM_FUNCTIONS.get(callee.name.upper(), callee.name))
+        return standard_with_names(Call(call.span, callee, arguments))
 
     def _peripheral(self, node: Peripheral) -> Expression:
         self._findings.refuse(
@@ -295,12 +368,14 @@ class _ToStep7(Rewriter):
     rules: ClassVar[Mapping[type, Rule]] = {
         Block: _block,
         DataBlock: _data_block,
+        TypeDeclaration: _type_declaration,
         VarSection: _section,
         DeclaredName: _declared,
         NamedType: _type,
         StringSpec: _string,
         Bounds: _bounds,
         ReferenceSpec: _reference_type,
+        CallStatement: _call_statement,
         Region: _region,
         Assignment: _assignment,
         Name: _name,
@@ -311,6 +386,14 @@ class _ToStep7(Rewriter):
         Dereference: _dereference,
         Literal: _literal,
     }
+
+
+@dataclass(frozen=True, slots=True)
+class _Instance:
+    """An instance as a call names it, and as its variables are reached."""
+
+    called: Expression
+    place: Expression
 
 
 def _comment(place: Span, text: str) -> tuple[Trivia, ...]:
@@ -325,7 +408,8 @@ def _header(header: tuple[HeaderItem, ...]) -> tuple[HeaderItem, ...]:
         text = item.text.strip("'")
         if item.keyword == "{}":
             continue
-        if item.keyword == "VERSION":
+        if item.keyword in ("TITLE", "VERSION"):
+            text = text.replace("'", "$'") if text else text
             item = HeaderItem(item.span, item.keyword, f"'{text}'")
         elif item.keyword in _SHORT_TEXTS and len(text) > _SHORT:
             item = HeaderItem(item.span, item.keyword, text[:_SHORT])
@@ -339,11 +423,9 @@ def _typed(value: Literal, type_name: str) -> Literal:
         return replaced(
             value, kind=LiteralKind.REAL, value=float(value.value), text=f"{value.value}.0"
         )
-    prefix = _PREFIXES.get(type_name, "")
-    if value.kind is not LiteralKind.INTEGER or not prefix:
-        return value
-    digits = f"16#{value.value:X}" if type_name != "DINT" else value.text
-    return replaced(value, text=f"{prefix}#{digits}", type_name=type_name)
+    if value.kind is LiteralKind.INTEGER and type_name == "DINT":
+        return replaced(value, text=f"L#{value.text}", type_name=type_name)
+    return typed_bits(value, type_name)
 
 
 def _operand(value: Expression) -> Expression:

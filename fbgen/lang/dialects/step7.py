@@ -5,8 +5,20 @@ valid data types" for what S7-300/400 lack. Absolute names of blocks (`FB4200`, 
 are names like others; absolute addresses need no `%` and come with German or English mnemonics.
 """
 
+import re
+
 from fbgen.lang.dialects.dialect import Dialect, Feature
 from fbgen.lang.dialects.words import COMMON, words
+
+_ABSOLUTE = re.compile(
+    r"(?:P?[IEQA]|M|D)[XBWD]?\d+|(?:DB|FB|FC|OB|SFB|SFC|UDT|T|C|Z)\d+", re.IGNORECASE
+)
+
+
+def is_absolute(name: str) -> bool:
+    """Whether STEP 7 reads a name as an address or a block, where it stands without quotes."""
+    return _ABSOLUTE.fullmatch(name) is not None
+
 
 _WIDER = "use DINT or REAL; S7-300/400 calculate with 16 and 32 bits"
 _UNSIGNED = "use INT or DINT; S7-300/400 have no unsigned integers"

@@ -36,6 +36,7 @@ from fbgen.lang.lowering.spelling import (
     literal_text,
 )
 from fbgen.lang.lowering.truth import same_truth
+from fbgen.lang.standard_parameters import standard_without_names
 
 _HARDWARE_HINT = "put the access into a block of its own for each dialect"
 
@@ -167,8 +168,8 @@ class ExpressionLowering:
         if not callee.quoted and (
             is_standard_function(upper, self.context.target) or upper in RENAMED_FUNCTIONS
         ):
-            name = RENAMED_FUNCTIONS.get(upper, upper)
-            call = Call(node.span, Name(callee.span, name), arguments)
+            name = Name(callee.span, RENAMED_FUNCTIONS.get(upper, upper))
+            call = standard_without_names(Call(node.span, name, arguments))
             return same_truth(call, "tia", self.context.target.dialect.name, self.context.findings)
         self.context.findings.refuse(f"the instruction {callee.name}", callee.span, _HARDWARE_HINT)
         return node

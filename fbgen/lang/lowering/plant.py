@@ -4,7 +4,7 @@ Only what lowering needs: the declared type of a variable, a member, an element.
 is right is the checker's business and is taken for granted.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from fbgen.lang.ast import (
     ArraySpec,
@@ -25,6 +25,8 @@ from fbgen.lang.ast import (
     TypeSpec,
     VarSection,
 )
+
+_PARAMETERS = ("VAR_INPUT", "VAR_OUTPUT", "VAR_IN_OUT")
 
 
 class PlantText:
@@ -53,32 +55,23 @@ class PlantText:
         return block if block and block.kind is BlockKind.FUNCTION else None
 
 
-class BlockScope:
-    """The names that a block declares, in front of those of the plant."""
+class Scope:
+    """Names that mean variables, in front of those of the plant."""
 
-    def __init__(self, plant: PlantText, block: Block) -> None:
+    def __init__(self, plant: PlantText, declared: Mapping[str, TypeSpec]) -> None:
         self.plant = plant
-        self.block = block
-        self.declared: dict[str, TypeSpec] = {}
-        self.constants: dict[str, Expression] = {}
-        self.inputs: set[str] = set()
-        for section in block.sections:
-            for declaration in section.declarations:
-                for name in declaration.names:
-                    key = name.name.casefold()
-                    self.declared[key] = declaration.type
-                    if section.keyword == "VAR_INPUT":
-                        self.inputs.add(key)
-                    if "CONSTANT" in section.qualifiers and declaration.initial is not None:
-                        self.constants[key] = declaration.initial
-        if block.return_type is not None:
-            self.declared.setdefault(block.name.name.casefold(), block.return_type)
+        self.declared = dict(declared)
+
+    @classmethod
+    def of_data_block(cls, plant: PlantText, block: DataBlock) -> "Scope":
+        """The names that the start values of a data block are given to."""
+        scope = cls(plant, {})
+        scope.declared |= _types_by_name(scope.fields_of(_type_of_data_block(block)))
+        return scope
 
     def is_declared(self, name: Name) -> bool:
-        """Whether the block itself declares the name."""
-        key = name.name.casefold()
-        is_result = key == self.block.name.name.casefold()
-        return (name.local or not name.quoted or is_result) and key in self.declared
+        """Whether the name is one of them."""
+        return name.name.casefold() in self.declared
 
     def type_of(self, place: Expression) -> TypeSpec | None:
         """The declared type of a place or a typed literal; None if it cannot be seen."""
@@ -95,7 +88,9 @@ class BlockScope:
             array = self._resolved(self.type_of(place.base))
             return array.element if isinstance(array, ArraySpec) else None
         if isinstance(place, Member):
-            return self._member(self._resolved(self.type_of(place.base)), place.name)
+            return _types_by_name(self.fields_of(self.type_of(place.base))).get(
+                place.name.casefold()
+            )
         return None
 
     def elementary_of(self, place: Expression) -> str:
@@ -114,14 +109,59 @@ class BlockScope:
             spec = declaration.type
         return spec
 
-    def _member(self, spec: TypeSpec | None, name: str) -> TypeSpec | None:
+    def fields_of(self, spec: TypeSpec | None) -> tuple[Declaration, ...]:
+        """What a structure, or an instance of a block, consists of."""
+        spec = self._resolved(spec)
         if isinstance(spec, StructSpec):
-            return _find(spec.fields, name)
+            return spec.fields
         if isinstance(spec, NamedType):
             block = self.plant.blocks.get(spec.name.casefold())
             if block is not None:
-                return _find(_all(block.sections), name)
-        return None
+                return _all(block.sections)
+        return ()
+
+    def parameters_of(self, callee: Expression) -> tuple[tuple[str, TypeSpec], ...]:
+        """Names and types of the parameters of a function or instance, in their order."""
+        name: str | None = None
+        if isinstance(callee, Name) and not self.is_declared(callee):
+            name = callee.name
+        kind = self.type_of(callee)
+        if isinstance(kind, NamedType):
+            name = kind.name
+        block = self.plant.blocks.get(name.casefold()) if name else None
+        return tuple(
+            (declared.name, declaration.type)
+            for section in (block.sections if block else ())
+            if section.keyword in _PARAMETERS
+            for declaration in section.declarations
+            for declared in declaration.names
+        )
+
+
+class BlockScope(Scope):
+    """The names that a block declares, in front of those of the plant."""
+
+    def __init__(self, plant: PlantText, block: Block) -> None:
+        super().__init__(plant, {})
+        self.block = block
+        self.constants: dict[str, Expression] = {}
+        self.inputs: set[str] = set()
+        for section in block.sections:
+            self.declared |= _types_by_name(section.declarations)
+            for declaration in section.declarations:
+                keys = [name.name.casefold() for name in declaration.names]
+                if section.keyword == "VAR_INPUT":
+                    self.inputs |= set(keys)
+                if "CONSTANT" in section.qualifiers and declaration.initial is not None:
+                    self.constants |= dict.fromkeys(keys, declaration.initial)
+        if block.return_type is not None:
+            self.declared.setdefault(block.name.name.casefold(), block.return_type)
+
+    def is_declared(self, name: Name) -> bool:
+        """Whether the block itself declares the name."""
+        key = name.name.casefold()
+        is_result = key == self.block.name.name.casefold()
+        return (name.local or not name.quoted or is_result) and key in self.declared
 
 
 def _type_of_data_block(block: DataBlock) -> TypeSpec:
@@ -134,9 +174,9 @@ def _all(sections: Iterable[VarSection]) -> tuple[Declaration, ...]:
     return tuple(one for section in sections for one in section.declarations)
 
 
-def _find(declarations: Iterable[Declaration], name: str) -> TypeSpec | None:
-    key = name.casefold()
-    for declaration in declarations:
-        if any(declared.name.casefold() == key for declared in declaration.names):
-            return declaration.type
-    return None
+def _types_by_name(declarations: Iterable[Declaration]) -> dict[str, TypeSpec]:
+    return {
+        declared.name.casefold(): declaration.type
+        for declaration in declarations
+        for declared in declaration.names
+    }

@@ -9,6 +9,7 @@ from fbgen.lang.ast import (
     Configuration,
     DataBlock,
     Declaration,
+    DirectAddress,
     Globals,
     Name,
     NamedType,
@@ -42,7 +43,7 @@ def lower_units(
         lower_data_block(context, unit) for unit in plant.units if isinstance(unit, DataBlock)
     ]
     blocks = [lower_block(context, one) for one in plant.blocks.values()]
-    variables += context.located_variables.values()
+    variables += sorted(context.located_variables.values(), key=_place_in_image)
     units: list[Unit] = list(_ordered_types([*types, *context.new_types]))
     for kind in _KIND_ORDER:
         units += _ordered_blocks([block for block in blocks if block.kind is kind])
@@ -53,6 +54,12 @@ def lower_units(
     elif programs or variables:
         units.append(_configuration(plant, schedule, variables, programs))
     return tuple(units)
+
+
+def _place_in_image(declaration: Declaration) -> tuple[str, int, int]:
+    address = declaration.at
+    assert isinstance(address, DirectAddress), "only these are located"
+    return address.area, address.byte, address.bit
 
 
 def _configuration(

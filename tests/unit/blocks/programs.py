@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from fbgen.catalog import Catalog, load_catalog
-from fbgen.emit.generator import GeneratedSet, generate
+from fbgen.emit.generated import GeneratedSet
+from fbgen.emit.generator import generate
 from fbgen.plant import read_plant
 from fbgen.source import Source
 from harness import LoadedProgram, load_program
@@ -25,16 +26,16 @@ def shipped_catalog() -> Catalog:
 
 
 @cache
-def generated(plant_text: str, dialect: str | None = None) -> GeneratedSet:
+def generated(plant_text: str) -> GeneratedSet:
     """What is generated for a plant file of this text."""
     plant = read_plant(Source("plant.yaml", plant_text), shipped_catalog())
-    return generate(plant, shipped_catalog(), dialect)
+    return generate(plant, shipped_catalog())
 
 
 @cache
 def loaded(plant_text: str, engine: str) -> LoadedProgram:
     """The generated text on an engine. Tests share it: each makes instances of its own."""
-    files = generated(plant_text, "tia").files
+    files = generated(plant_text).files
     return load_program([Source(file.name, file.text) for file in files], engine=engine)
 
 

@@ -1,5 +1,6 @@
 """`fbgen generate`."""
 
+import re
 import shutil
 from pathlib import Path
 
@@ -50,7 +51,7 @@ def test_another_dialect_can_be_asked_for(fbgen: Fbgen, plant: Path) -> None:
     assert fbgen("check", str(out)).status == 0
 
 
-@pytest.mark.parametrize("dialect", ["step7", "twincat", "cobol"])
+@pytest.mark.parametrize("dialect", ["codesys", "cobol"])
 @pytest.mark.parametrize("access", ["per_identifier", "process_image"])
 def test_a_dialect_that_blocks_are_not_generated_in_is_wrong_usage(
     fbgen: Fbgen, plant: Path, dialect: str, access: str
@@ -60,7 +61,7 @@ def test_a_dialect_that_blocks_are_not_generated_in_is_wrong_usage(
     out = plant.parent / "out"
     run = fbgen("generate", str(plant), "-o", str(out), "--dialect", dialect)
     assert (run.status, run.out, out.exists()) == (2, "", False)
-    assert f"blocks are generated in tia or iec, not in '{dialect}'" in run.err
+    assert f"'{dialect}' is none of tia, step7, iec, twincat, plcopen" in run.err
 
 
 def test_a_mistake_in_a_template_of_the_users_own_names_that_file(
@@ -108,3 +109,46 @@ def test_a_missing_plant_file_is_a_diagnostic(fbgen: Fbgen, tmp_path: Path) -> N
     run = fbgen("generate", str(tmp_path / "plant.yaml"), "-o", str(tmp_path / "out"))
     assert (run.status, run.out) == (1, "")
     assert run.err.startswith("error[FB1008]: ")
+
+
+def test_step7_gets_one_source_and_the_symbol_table_in_front_of_it(
+    fbgen: Fbgen, plant: Path
+) -> None:
+    out = plant.parent / "out"
+    run = fbgen("generate", str(plant), "-o", str(out), "--dialect", "step7")
+    assert run.status == 0, run.err
+    assert [Path(line).name for line in run.out.splitlines()] == [
+        "manual_example.sdf",
+        "manual_example.scl",
+    ]
+    assert fbgen("check", str(out), "--dialect", "step7").status == 0
+    table = (out / "manual_example.sdf").read_bytes()
+    assert re.search(rb'"TOS_Main                ","FC    (2\d\d)   ","FC    \1 ","', table)
+
+
+def test_block_numbers_of_the_command_line_take_the_place_of_the_plants(
+    fbgen: Fbgen, plant: Path
+) -> None:
+    arguments = ("generate", str(plant), "-o", str(plant.parent / "out"), "--dialect", "step7")
+    assert fbgen(*arguments, "--block-numbers", "500-599").status == 0
+    table = (plant.parent / "out" / "manual_example.sdf").read_text("ascii")
+    assert '"FC    500   ","FC    500 "' in table
+    run = fbgen(*arguments, "--block-numbers", "500-502")
+    assert run.status == 1
+    assert "FB5011" in run.err
+
+
+@pytest.mark.parametrize("given", ["500", "510-500", "0-20", "1-8000", "a-b"])
+def test_what_is_no_range_of_block_numbers_is_wrong_usage(
+    fbgen: Fbgen, plant: Path, given: str
+) -> None:
+    arguments = ("generate", str(plant), "-o", str(plant.parent / "out"), "--dialect", "step7")
+    run = fbgen(*arguments, "--block-numbers", given)
+    assert run.status == 2
+    assert "is no range of numbers" in run.err
+
+
+def test_block_numbers_are_for_step7_only(fbgen: Fbgen, plant: Path) -> None:
+    run = fbgen("generate", str(plant), "-o", "out", "--block-numbers", "200-300")
+    assert run.status == 2
+    assert "dialect tia numbers no blocks" in run.err

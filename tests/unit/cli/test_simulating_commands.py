@@ -97,3 +97,24 @@ def test_a_scenario_that_is_not_there_is_a_diagnostic(fbgen: Fbgen, tmp_path: Pa
     run = fbgen("test", str(tmp_path / "missing.scenario.yaml"))
     assert (run.status, run.out) == (1, "")
     assert run.err.startswith("error[FB8007]: ")
+
+
+def test_scenarios_run_on_the_text_of_another_dialect(fbgen: Fbgen, scenarios: Path) -> None:
+    run = fbgen("test", str(scenarios), "--dialect", "step7")
+    assert run.status == 0, run.err
+    assert "The virtual clock runs [step7]" in run.out
+
+
+def test_what_a_plant_cannot_do_in_another_dialect_is_a_failure(
+    fbgen: Fbgen, scenarios: Path
+) -> None:
+    run = fbgen("test", str(scenarios), "--dialect", "iec")
+    assert run.status == 1
+    assert "FB2005" in run.err
+    assert "--dialect iec" in run.err
+
+
+def test_an_unknown_dialect_of_a_plant_is_wrong_usage(fbgen: Fbgen, scenarios: Path) -> None:
+    run = fbgen("test", str(scenarios), "--dialect", "basic")
+    assert run.status == 2
+    assert "'basic' is none of tia, step7, iec, twincat, plcopen" in run.err

@@ -8,9 +8,9 @@ import pytest
 import fbgen
 from fbgen.blocks.plan import plan_blocks
 from fbgen.catalog import load_catalog
-from fbgen.diagnostics import DiagnosticError, Severity
+from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.emit.generator import generate
-from fbgen.plant import Plant, read_plant
+from fbgen.plant import Plant, in_dialect, read_plant
 from fbgen.resources import shipped
 from fbgen.source import Source
 
@@ -24,14 +24,69 @@ def plant(text: str, *extra: Path) -> Plant:
     return read_plant(Source("plant.yaml", text), load_catalog(extra))
 
 
-def test_an_access_way_that_iec_has_not_is_fb5006_at_its_place() -> None:
+STEP7 = EXAMPLE.replace("dialect: tia", "dialect: step7").replace("s7-1500", "s7-300")
+
+
+def refused(text: str) -> Diagnostic:
+    """The only thing that is wrong in a plant of this text."""
     with pytest.raises(DiagnosticError) as failure:
-        generate(plant(EXAMPLE), load_catalog(), "iec")
+        generate(plant(text), load_catalog())
     (found,) = failure.value.diagnostics
-    assert found.code == "FB5006"
+    return found
+
+
+@pytest.mark.parametrize("dialect", ["iec", "twincat", "plcopen"])
+def test_an_access_way_that_a_dialect_has_not_is_fb2005_at_its_place(dialect: str) -> None:
+    with pytest.raises(DiagnosticError) as failure:
+        in_dialect(plant(EXAMPLE), dialect, load_catalog())
+    (found,) = failure.value.diagnostics
+    assert found.code == "FB2005"
     assert found.span is not None
     assert found.span.text == "per_identifier"
     assert "process_image" in found.help
+
+
+def test_a_gateway_whose_blocks_get_too_long_names_is_fb5010_at_its_name() -> None:
+    found = refused(STEP7.replace("name: gw1", "name: conveyor"))
+    assert found.code == "FB5010"
+    assert found.message == (
+        "the name 'TOS_ConsistentIo_conveyor' has 25 characters, and STEP 7 V5 SCL takes 24"
+    )
+    assert found.help == "give the gateway a name of at most 7 characters"
+    assert found.span is not None
+    assert found.span.text == "conveyor"
+    assert generate(plant(STEP7.replace("name: gw1", "name: convey1")), load_catalog())
+
+
+def test_a_drive_that_step7_takes_for_an_address_is_fb5010_at_its_name() -> None:
+    text = STEP7.replace("name: drive11", "name: M11")
+    found = refused(text)
+    assert found.code == "FB5010"
+    assert found.message == "'M11' is an address or a block to STEP 7 V5 SCL"
+    assert found.span is not None
+    assert found.span.text == "M11"
+    assert generate(in_dialect(plant(text), "tia", load_catalog()), load_catalog())
+
+
+def test_a_range_with_too_few_block_numbers_is_fb5011() -> None:
+    found = refused(STEP7 + "block_numbers: {first: 10, last: 12}\n")
+    assert found.code == "FB5011"
+    needed = re.fullmatch(
+        r"the plant needs (\d+) UDTs, and 3 numbers are free for them", found.message
+    )
+    assert needed
+    assert found.help == f"let block_numbers end at {10 + int(needed[1]) - 1} or later"
+    assert found.span is not None
+    assert found.span.text == "12"
+
+
+def test_a_range_of_block_numbers_that_ends_before_it_begins_is_fb2020() -> None:
+    with pytest.raises(DiagnosticError) as failure:
+        plant(STEP7 + "block_numbers: {first: 12, last: 10}\n")
+    (found,) = failure.value.diagnostics
+    assert found.code == "FB2020"
+    assert found.span is not None
+    assert found.span.text == "10"
 
 
 def test_a_sequence_that_writes_into_the_eeprom_is_the_warning_fb5005(tmp_path: Path) -> None:
@@ -69,7 +124,7 @@ def test_a_sequence_that_differs_between_two_series_is_fb5001(tmp_path: Path) ->
         "      - {name: other, inv_no: 12, series: vf-x, max_frequency_hz: 50.0}\n"
     )
     with pytest.raises(DiagnosticError) as failure:
-        plan_blocks(read_plant(Source("plant.yaml", own), catalog), catalog, "tia")
+        plan_blocks(read_plant(Source("plant.yaml", own), catalog), catalog)
     (found,) = failure.value.diagnostics
     assert found.code == "FB5001"
     assert found.span is not None

@@ -28,10 +28,25 @@ TIA: dict[str, tuple[PlcFamily, list[tuple[int, int]]]] = {
     "FB5049_type_of_another_cpu.scl": ("s7-300", [(5, 15)]),
     "FB5053_optimized_access.scl": ("s7-400", [(2, 1)]),
 }
+STEP7 = {
+    "FB5054_long_symbol.scl": [(4, 4)],
+    "FB5055_header.scl": [(2, 1), (8, 1), (9, 1), (10, 1)],
+    "FB5056_sections.scl": [(1, 16), (5, 1), (8, 1)],
+    "FB5057_order.scl": [(3, 4)],
+    "FB5058_calls.scl": [(17, 4), (18, 21)],
+    "FB5059_number.scl": [(6, 14)],
+    "FB5060_tia_only.scl": [(2, 1), (4, 11)],
+}
 IEC = {
     "FB5050_line_comment.st": [(5, 1)],
     "FB5051_double_underscore.st": [(3, 5)],
     "FB5052_address_in_code.st": [(5, 6)],
+}
+
+
+TWINCAT = {
+    "FB5061_two_objects.TcPOU": [(4, 42)],
+    "FB5062_located_in_block.st": [(3, 5)],
 }
 
 
@@ -51,6 +66,40 @@ def test_a_text_that_breaks_a_rule_of_tia_portal(name: str) -> None:
     diagnostics = found(name, "tia", plc)
     assert sorted(places(diagnostics)) == [(name[:6], *place) for place in wanted]
     assert all(item.help for item in diagnostics)
+
+
+@pytest.mark.parametrize("name", STEP7)
+def test_a_text_that_breaks_a_rule_of_step7(name: str) -> None:
+    diagnostics = found(name, "step7", "s7-300")
+    assert sorted(places(diagnostics)) == [(name[:6], *place) for place in STEP7[name]]
+    assert all(item.help for item in diagnostics)
+
+
+@pytest.mark.parametrize("name", TWINCAT)
+def test_a_text_that_breaks_a_rule_of_twincat(name: str) -> None:
+    diagnostics = found(name, "twincat", "twincat")
+    assert places(diagnostics) == [(name[:6], *place) for place in TWINCAT[name]]
+    assert all(item.help for item in diagnostics)
+
+
+@pytest.mark.parametrize("name", ["Two__lines", "last_"])
+@pytest.mark.parametrize("dialect", ["twincat", "plcopen"])
+def test_names_of_iec_are_asked_of_its_relatives_too(name: str, dialect: str) -> None:
+    text = (
+        f"FUNCTION_BLOCK Pump\nVAR\n    {name} : INT;\nEND_VAR\n{name} := 1;\nEND_FUNCTION_BLOCK\n"
+    )
+    assert "FB5051" in {item.code for item in lint("Pump.st", text, dialect, "twincat")}
+
+
+def test_an_address_in_code_is_refused_by_twincat() -> None:
+    text = "FUNCTION_BLOCK Pump\nVAR\n    a : BYTE;\nEND_VAR\na := %IB4;\nEND_FUNCTION_BLOCK\n"
+    codes = {item.code for item in lint("Pump.st", text, "twincat", "twincat")}
+    assert codes == {"FB5052"}
+
+
+def test_a_main_of_the_user_is_left_alone_by_twincat() -> None:
+    text = "PROGRAM MAIN\n;\nEND_PROGRAM\n"
+    assert {item.code for item in lint("MAIN.st", text, "twincat", "twincat")} == {"FB5044"}
 
 
 @pytest.mark.parametrize("name", IEC)
@@ -133,6 +182,94 @@ def test_types_of_the_families(type_name: str, plc: PlcFamily, allowed: bool) ->
     text = CLEAN.replace("value : Real", f"other : {type_name};\n      value : Real")
     codes = [item.code for item in lint("clean.scl", text, "tia", plc)]
     assert codes == ([] if allowed else ["FB5049"])
+
+
+CLASSIC = """// above the block
+TYPE "Pair"
+   STRUCT
+      a : INT;
+   END_STRUCT;
+END_TYPE
+FUNCTION_BLOCK "Clean"
+TITLE = 'Clean'
+AUTHOR : fbgen
+FAMILY : TOS
+VERSION : '0.1'
+   CONST
+      MASK := W#16#00FF;
+   END_CONST
+   VAR_INPUT
+      run : BOOL;
+   END_VAR
+   VAR_OUTPUT
+      done : BOOL;
+   END_VAR
+   VAR
+      pair : "Pair";
+      word : WORD;
+      timer : SFB4;
+   END_VAR
+
+BEGIN
+   timer(IN := run, PT := T#1S);
+   done := timer.Q;
+   word := word AND MASK;
+   pair.a := 16;
+END_FUNCTION_BLOCK
+DATA_BLOCK "Clean_DB"
+"Clean"
+BEGIN
+END_DATA_BLOCK
+FUNCTION "Cycle" : VOID
+BEGIN
+   "Clean"."Clean_DB"(run := TRUE);
+END_FUNCTION
+"""
+
+
+def test_a_clean_classic_text_is_not_complained_about() -> None:
+    for plc in ("s7-300", "s7-400"):
+        assert lint("clean.scl", CLASSIC, "step7", plc) == []
+
+
+CLASSIC_CHANGES: dict[str, Callable[[str], str]] = {
+    "FB5040 umlaut": lambda text: text.replace("// above", "// \u00fcber"),
+    "FB5044 main": lambda text: text.replace('FUNCTION "Cycle"', 'FUNCTION "Main"'),
+    "FB5054 25 characters": lambda text: text.replace('"Pair"', f'"{"p" * 25}"'),
+    "FB5055 title": lambda text: text.replace("TITLE = 'Clean'", "TITLE = Clean"),
+    "FB5055 author": lambda text: text.replace("AUTHOR : fbgen", "AUTHOR : fbgenfbgen"),
+    "FB5056 begin": lambda text: text.replace("\nBEGIN\n   timer", "\n   timer"),
+    "FB5057 caller first": lambda text: "".join(
+        (text[text.index('FUNCTION "Cycle"') :], text[: text.index('FUNCTION "Cycle"')])
+    ),
+    "FB5058 alone": lambda text: text.replace('"Clean"."Clean_DB"', '"Clean_DB"'),
+    "FB5058 output": lambda text: text.replace("PT := T#1S", "PT := T#1S, Q => done"),
+    "FB5059 number": lambda text: text.replace("AND MASK", "AND 16#00FF"),
+    "FB5060 edge": lambda text: text.replace("SFB4", "R_TRIG").replace(", PT := T#1S", ""),
+}
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("   done := timer.Q;", "   REGION x\n   done := timer.Q;\n   END_REGION"),
+        ("pair.a := 16", "pair.a += 16"),
+        ("done := timer.Q", "done := word.%X3"),
+        ("word AND MASK", "%IW4:P"),
+        ("word : WORD", "word : LWORD"),
+        ("   CONST\n", "   VAR CONSTANT\n"),
+    ],
+)
+def test_what_classic_scl_has_not_is_refused(old: str, new: str) -> None:
+    assert old in CLASSIC
+    diagnostics = lint("clean.scl", CLASSIC.replace(old, new, 1), "step7", "s7-300")
+    assert "FB3009" in {item.code for item in diagnostics}
+
+
+@pytest.mark.parametrize("change", CLASSIC_CHANGES)
+def test_one_change_of_the_clean_classic_text_breaks_one_rule(change: str) -> None:
+    diagnostics = lint("clean.scl", CLASSIC_CHANGES[change](CLASSIC), "step7", "s7-300")
+    assert {item.code for item in diagnostics} == {change[:6]}
 
 
 @pytest.mark.parametrize("plc", ["s7-1200", "s7-1500", "s7-300", "s7-400"])

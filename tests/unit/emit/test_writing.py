@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from fbgen.diagnostics import DiagnosticError
-from fbgen.emit.generator import GeneratedFile, GeneratedSet
+from fbgen.emit.generated import GeneratedFile, GeneratedSet
 from fbgen.emit.writing import FILE_LIST, write_set
 
 

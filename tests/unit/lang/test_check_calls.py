@@ -242,3 +242,50 @@ END_FUNCTION
     assert isinstance(own.value, FunctionCall)
     assert isinstance(built_in, Assignment)
     assert not isinstance(built_in.value, FunctionCall)
+
+
+GLOBAL_INSTANCES = """
+FUNCTION_BLOCK "Motor"
+VAR_INPUT
+  speed : INT;
+END_VAR
+BEGIN
+  ;
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK "Valve"
+VAR_INPUT
+  speed : INT;
+END_VAR
+BEGIN
+  ;
+END_FUNCTION_BLOCK
+DATA_BLOCK "Motor_DB"
+"Motor"
+BEGIN
+END_DATA_BLOCK
+FUNCTION "main" : VOID
+BEGIN
+  {call}
+END_FUNCTION
+"""
+
+
+def test_a_global_instance_of_step7_is_called_behind_its_block() -> None:
+    text = GLOBAL_INSTANCES.replace("{call}", '"Motor"."Motor_DB"(speed := 1);')
+    statement = first_statement(text, dialect="step7")
+    assert isinstance(statement, InstanceCall)
+    assert isinstance(statement.block, Block)
+    assert statement.block.name == "Motor"
+
+
+@pytest.mark.parametrize(
+    ("call", "code"),
+    [
+        ('"Valve"."Motor_DB"(speed := 1);', "FB4047"),
+        ('"Motor"."Other_DB"(speed := 1);', "FB4001"),
+        ('"Motor"."Motor_DB"(power := 1);', "FB4006"),
+    ],
+)
+def test_wrong_calls_of_global_instances_in_step7(call: str, code: str) -> None:
+    found = errors_of(GLOBAL_INSTANCES.replace("{call}", call), "step7")
+    assert [item.code for item in found] == [code]

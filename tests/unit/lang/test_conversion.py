@@ -138,6 +138,110 @@ def test_statements_of_tia_are_said_in_step7(scl: str, classic: str) -> None:
     assert statements(scl, "step7") == classic
 
 
+@pytest.mark.parametrize(
+    ("scl", "classic"),
+    [
+        ("#w := 16#7001;", "w := W#16#7001;"),
+        ("#w := 5;", "w := W#5;"),
+        ("#w := 16#01 OR 16#02;", "w := W#16#01 OR W#16#02;"),
+        ("#go := (#w AND 16#4000) <> 16#0;", "go := (w AND W#16#4000) <> W#16#0;"),
+        ("#go := 16#47 = #part;", "go := B#16#47 = part;"),
+        ("#go := SHR(IN := #w, N := 8) = 1;", "go := SHR(IN := w, N := 8) = W#1;"),
+        ("#go := BYTE_TO_WORD(#part) > 63;", "go := BYTE_TO_WORD(part) > W#63;"),
+        ("%QB4:P := 16#FF;", "PQB4 := B#16#FF;"),
+        ("#a := 16#0F;", "a := 16#0F;"),
+        (
+            "CASE #w OF\n  16#10..16#1F, 16#FFFE, 7: #a := 1;\nEND_CASE;",
+            "CASE WORD_TO_INT(w) OF\n   16#10..16#1F, -2, 7:\n      a := 1;\nEND_CASE;",
+        ),
+        (
+            "#a := DPRD_DAT(LADDR := 16#100, RECORD => #w);",
+            "a := SFC14(LADDR := W#16#100, RECORD := w);",
+        ),
+    ],
+)
+def test_numbers_have_the_type_of_bit_strings_in_step7(scl: str, classic: str) -> None:
+    assert statements(scl, "step7") == classic
+
+
+_MOTOR = """
+FUNCTION_BLOCK "Motor"
+VERSION : 0.1
+   VAR_INPUT
+      order : Word;
+   END_VAR
+   VAR_OUTPUT
+      state : Word;
+      done : Bool;
+   END_VAR
+BEGIN
+   #state := #order;
+   #done := TRUE;
+END_FUNCTION_BLOCK
+
+DATA_BLOCK "Motor_DB"
+VERSION : 0.1
+"Motor"
+BEGIN
+   order := 16#10;
+END_DATA_BLOCK
+
+FUNCTION "Twice" : Word
+VERSION : 0.1
+   VAR_INPUT
+      value : Byte;
+   END_VAR
+   VAR_OUTPUT
+      over : Bool;
+   END_VAR
+BEGIN
+   #over := #value > 16#80;
+   #Twice := SHL(IN := BYTE_TO_WORD(#value), N := 1);
+END_FUNCTION
+
+FUNCTION_BLOCK "Plant"
+VERSION : 0.1
+   VAR
+      motor : "Motor";
+      w : Word;
+      ready : Bool;
+   END_VAR
+BEGIN
+   // the first
+   #motor(order := 16#1, state => #w, done => #ready);   // local
+   "Motor_DB"(order := 16#2, done => #ready);
+   #w := "Twice"(value := 16#3, over => #ready);
+END_FUNCTION_BLOCK
+"""
+_PLANT_IN_STEP7 = """\
+   // the first
+   motor(order := W#16#1);   // local
+   w := motor.state;
+   ready := motor.done;
+   "Motor"."Motor_DB"(order := W#16#2);
+   ready := "Motor_DB".done;
+   w := "Twice"(value := B#16#3, over := ready);
+END_FUNCTION_BLOCK
+"""
+
+
+def test_instances_are_called_as_step7_calls_them() -> None:
+    classic = converted(_MOTOR, "tia", "step7")
+    assert classic.endswith(_PLANT_IN_STEP7)
+    assert "   order := W#16#10;\nEND_DATA_BLOCK" in classic
+
+
+def test_calls_of_step7_become_those_of_tia() -> None:
+    back = converted(converted(_MOTOR, "tia", "step7"), "step7", "tia")
+    assert '   "Motor_DB"(order := W#16#2);\n' in back
+    assert '   #w := "Twice"(value := B#16#3, over => #ready);\n' in back
+
+
+def test_a_data_type_of_step7_has_no_header() -> None:
+    text = 'TYPE "Pair"\nTITLE = Two\nVERSION : 0.1\nSTRUCT\na : Int;\nEND_STRUCT;\nEND_TYPE\n'
+    assert converted(text, "tia", "step7").splitlines()[:2] == ["// Two", 'TYPE "Pair"']
+
+
 def test_constants_have_the_type_of_their_value_in_step7() -> None:
     text = f'FUNCTION_BLOCK "Unit"\n{DECLARATIONS}BEGIN\n;\nEND_FUNCTION_BLOCK\n'
     printed = converted(text, "tia", "step7")
@@ -155,7 +259,7 @@ def test_the_header_is_what_step7_takes() -> None:
         f"AUTHOR : somebody_long\nVERSION : 0.1\n{DECLARATIONS}BEGIN\n;\nEND_FUNCTION_BLOCK\n"
     )
     assert converted(text, "tia", "step7").splitlines()[1:4] == [
-        "TITLE = Unit of the plant",
+        "TITLE = 'Unit of the plant'",
         "AUTHOR : somebody",
         "VERSION : '0.1'",
     ]

@@ -6,7 +6,14 @@ import pytest
 
 from fbgen.catalog import load_catalog
 from fbgen.diagnostics import DiagnosticError
-from fbgen.plant import FAMILIES, Plant, load_plant, read_plant, write_commented_plant
+from fbgen.plant import (
+    FAMILIES,
+    Plant,
+    in_dialect,
+    load_plant,
+    read_plant,
+    write_commented_plant,
+)
 from fbgen.resources import shipped
 from fbgen.source import Source
 
@@ -103,17 +110,42 @@ def test_a_drive_may_not_be_called_as_a_gateway() -> None:
 
 @pytest.mark.parametrize(
     ("plc", "dialect"), [("s7-1200", "tia"), ("s7-1500", "tia"), ("s7-300", "tia"),
-                         ("s7-400", "tia"), ("iec", "iec")],
+                         ("s7-400", "tia"), ("s7-300", "step7"), ("s7-400", "step7"),
+                         ("iec", "iec"), ("iec", "plcopen"), ("twincat", "twincat"),
+                         ("twincat", "plcopen")],
 )  # fmt: skip
-def test_every_family_reads_its_dialect(plc: str, dialect: str) -> None:
-    changed = plant(("plc: s7-1500", f"plc: {plc}"), ("dialect: tia", f"dialect: {dialect}"))
+def test_every_family_reads_its_dialects(plc: str, dialect: str) -> None:
+    changed = plant(("plc: s7-1500", f"plc: {plc}"), ("dialect: tia", f"dialect: {dialect}"), IMAGE)
     assert changed.family is FAMILIES[changed.plc]
+    assert dialect in changed.family.dialects
+
+
+@pytest.mark.parametrize(
+    ("dialect", "plc", "language"),
+    [
+        ("tia", "s7-1500", "tia"),
+        ("step7", "s7-300", "step7"),
+        ("iec", "iec", "iec"),
+        ("twincat", "twincat", "twincat"),
+        ("plcopen", "iec", "iec"),
+    ],
+)
+def test_a_plant_in_another_dialect_gets_a_plc_that_reads_it(
+    dialect: str, plc: str, language: str
+) -> None:
+    changed = in_dialect(plant(IMAGE), dialect, CATALOG)
+    assert (changed.dialect, changed.plc, changed.language) == (dialect, plc, language)
+
+
+def test_a_plc_that_reads_the_other_dialect_stays() -> None:
+    changed = in_dialect(plant(("plc: s7-1500", "plc: s7-400")), "step7", CATALOG)
+    assert changed.plc == "s7-400"
 
 
 def test_the_other_dialect_is_refused() -> None:
-    found = findings(("plc: s7-1500", "plc: iec"))
+    found = findings(("plc: s7-1500", "plc: iec"), IMAGE)
     assert found == [
-        ("FB2014", "write dialect: iec, or plc: s7-1200 or s7-1500 or s7-300 or s7-400")
+        ("FB2014", "write dialect: iec or plcopen, or plc: s7-1200 or s7-1500 or s7-300 or s7-400")
     ]
 
 

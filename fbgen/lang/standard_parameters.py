@@ -1,7 +1,8 @@
-"""Calls whose arguments S7 wants with the names of their parameters.
+"""Calls of standard functions with and without the names of their parameters.
 
-Source: TIA Portal help, "Calling functions" and the lists of instructions: a function with more
-than one parameter is called with names.
+S7 wants them: TIA Portal help, "Calling functions" and the lists of instructions: a function with
+more than one parameter is called with names. To TwinCAT and CODESYS SHL, MAX, SEL and the like are
+operators, whose operands have no names: Beckhoff Information System, "Bit-shift operators".
 """
 
 from fbgen.lang.ast import Argument, ArgumentKind, Call, Name
@@ -41,3 +42,18 @@ def standard_with_names(call: Call) -> Call:
     callee = call.callee
     names = STANDARD.get(callee.name.upper()) if isinstance(callee, Name) else None
     return call if names is None else with_names(call, names)
+
+
+def standard_without_names(call: Call) -> Call:
+    """A call of one of the functions with its arguments by position; any other call comes back."""
+    callee = call.callee
+    names = STANDARD.get(callee.name.upper()) if isinstance(callee, Name) else None
+    given = {one.name.upper(): one for one in call.arguments}
+    wanted = names[: len(call.arguments)] if names else ()
+    if not wanted or set(given) != set(wanted):
+        return call
+    arguments = tuple(
+        Argument(one.span, ArgumentKind.POSITIONAL, "", one.value, one.leading, one.trailing)
+        for one in (given[name] for name in wanted)
+    )
+    return Call(call.span, call.callee, arguments)

@@ -1,0 +1,39 @@
+"""What the generator gives: files with their text and where each line is from."""
+
+from dataclasses import dataclass
+
+from fbgen.diagnostics import Diagnostic
+from fbgen.source import Origin
+
+
+@dataclass(frozen=True, slots=True)
+class GeneratedFile:
+    """One file: its name, its text (ASCII, LF), and one origin or None for each of its lines.
+
+    `line_end` is what stands on disk for LF. `is_program` is False for what is no PLC text.
+    """
+
+    name: str
+    text: str
+    origins: tuple[Origin | None, ...]
+    line_end: str = "\n"
+    is_program: bool = True
+
+    @property
+    def data(self) -> bytes:
+        """The bytes on disk."""
+        return self.text.replace("\n", self.line_end).encode("ascii")
+
+
+@dataclass(frozen=True, slots=True)
+class GeneratedSet:
+    """All files of a plant in the order in which they are imported.
+
+    `inputs_hash` stands for fbgen's version, the plant file, the catalogue entries and templates;
+    each file with PLC text carries it. `warnings` are findings that did not stop the work.
+    """
+
+    dialect: str
+    files: tuple[GeneratedFile, ...]
+    inputs_hash: str
+    warnings: tuple[Diagnostic, ...] = ()

@@ -1,0 +1,31 @@
+"""A plant with something changed, checked as the file itself is."""
+
+from fbgen.catalog import Catalog
+from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.plant.families import USUAL_PLC
+from fbgen.plant.plant import Plant
+
+
+def problems_of(plant: Plant, catalog: Catalog) -> list[Diagnostic]:
+    """What is wrong in a plant that was changed after it was read."""
+    return [
+        *plant.problems(),
+        *plant.problems_against(catalog),
+        *(item for gateway in plant.gateways for item in gateway.problems_against(catalog)),
+    ]
+
+
+def in_dialect(plant: Plant, dialect: str, catalog: Catalog) -> Plant:
+    """The plant in another dialect of `LANGUAGES`.
+
+    Where its PLC does not read it, the usual one takes its place. Raises DiagnosticError with what
+    the plant asks for and that PLC does not have.
+    """
+    if dialect == plant.dialect:
+        return plant
+    reads_it = dialect in plant.family.dialects
+    plc = plant.plc if reads_it else USUAL_PLC[dialect]
+    changed = plant.model_copy(update={"dialect": dialect, "plc": plc})
+    if found := problems_of(changed, catalog):
+        raise DiagnosticError(found)
+    return changed

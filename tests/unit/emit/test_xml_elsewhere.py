@@ -1,0 +1,104 @@
+"""The XML that is generated, read by programs that we did not write.
+
+blark (GPL, a test dependency) parses TwinCAT's objects, container and code. The package plcopen is
+made from the schema TC6 2.01 by xsdata: unknown elements, attributes and values are errors, and
+what it writes again stands in the order of the schema. Of the packages for PLCopen XML on PyPI it
+is the only one that knows the whole schema: plcopener takes code out, pyplcopen is about motion.
+"""
+
+from pathlib import Path
+from xml.etree.ElementTree import Element
+
+import pytest
+from blark.parse import parse
+from defusedxml.ElementTree import fromstring
+from plcopen import Project
+from xsdata.exceptions import ParserError
+from xsdata.formats.dataclass.parsers import XmlParser
+from xsdata.formats.dataclass.parsers.config import ParserConfig
+from xsdata.formats.dataclass.serializers import XmlSerializer
+
+from fbgen.catalog import load_catalog
+from fbgen.emit.generated import GeneratedFile
+from fbgen.emit.generator import generate
+from fbgen.plant import in_dialect, load_plant
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+PLANTS = ["manual_example", pytest.param("five_drives", marks=pytest.mark.slow)]
+CATALOG = load_catalog()
+
+
+def generated(example: str, dialect: str) -> tuple[GeneratedFile, ...]:
+    """The files of an example that is reached through the process image."""
+    plant = load_plant(EXAMPLES / example / "plant.yaml", CATALOG)
+    gateways = tuple(item.model_copy(update={"access": "process_image"}) for item in plant.gateways)
+    changed = plant.model_copy(update={"gateways": gateways})
+    return generate(in_dialect(changed, dialect, CATALOG), CATALOG).files
+
+
+@pytest.mark.parametrize("example", PLANTS)
+def test_blark_reads_every_object_of_twincat(example: str, tmp_path: Path) -> None:
+    read: set[str] = set()
+    for file in generated(example, "twincat"):
+        path = tmp_path / file.name
+        path.write_bytes(file.data)
+        for result in parse(path):
+            assert result.exception is None, (file.name, result.exception)
+            read.add(str(result.identifier).partition("/")[0])
+    assert {"TOS_Main", "TOS_Telegram", "TOS_Gateway_gw1", "typeTosLine", "TOS_Globals"} <= read
+
+
+def test_blark_refuses_a_broken_object(tmp_path: Path) -> None:
+    block = next(one for one in generated("manual_example", "twincat") if "Handshake" in one.name)
+    path = tmp_path / block.name
+    path.write_bytes(block.data.replace(b"END_IF;", b"END_FI;", 1))
+    assert any(result.exception is not None for result in parse(path))
+
+
+def project_of(text: str) -> Project:
+    """The project as the library has it; ParserError for what the schema does not know."""
+    strict = ParserConfig(
+        fail_on_unknown_properties=True,
+        fail_on_unknown_attributes=True,
+        fail_on_converter_warnings=True,
+    )
+    return XmlParser(config=strict).from_string(text, Project)
+
+
+def shape(element: Element) -> tuple[str, list[object]]:
+    """The tags in their order; the sections of an interface may stand in any."""
+    inside: list[object] = [shape(child) for child in element]
+    if element.tag.endswith("}interface"):
+        inside.sort(key=str)
+    return element.tag, inside
+
+
+@pytest.mark.parametrize("example", PLANTS)
+def test_a_library_of_the_schema_reads_the_project_of_plcopen(example: str) -> None:
+    (file,) = generated(example, "plcopen")
+    project = project_of(file.text)
+    assert project.content_header.name == example
+    names = {pou.name for pou in project.types.pous.pou}
+    assert {"TOS_Main", "TOS_Telegram", "TOS_Gateway_gw1"} <= names
+    again = XmlSerializer().render(project)
+    assert shape(fromstring(again)) == shape(fromstring(file.text))
+
+
+def test_the_library_refuses_what_the_schema_does_not_know() -> None:
+    (file,) = generated("manual_example", "plcopen")
+    with pytest.raises(ParserError):
+        project_of(
+            file.text.replace("<inputVars>", "<inputs>").replace("</inputVars>", "</inputs>")
+        )
+
+
+def test_elements_out_of_the_order_of_the_schema_are_seen() -> None:
+    (file,) = generated("manual_example", "plcopen")
+    head, content, rest = file.text.partition("<contentHeader")
+    content_end = rest.index("</contentHeader>") + len("</contentHeader>\n")
+    moved = head + rest[content_end:].replace(
+        "</project>", f"<contentHeader{rest[:content_end]}</project>"
+    )
+    again = XmlSerializer().render(project_of(moved))
+    assert content
+    assert shape(fromstring(again)) != shape(fromstring(moved))

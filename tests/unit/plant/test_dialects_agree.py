@@ -1,0 +1,67 @@
+"""The text of every dialect, read back and run, moves the same bytes at the same instants.
+
+Each scenario runs on two plants that differ in nothing but the dialect. What is compared is every
+transfer between master and gateway: when, which outputs, which inputs.
+"""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from fbgen.catalog import load_catalog
+from harness.fieldbus import Transfer
+from harness.scenario import ScenarioCase, load_scenario, prepare
+from harness.scenario.model import Variation
+
+ROOT = Path(__file__).parents[3]
+SCENARIOS = (
+    "examples/manual_example/manual_example.scenario.yaml",
+    "tests/scenarios/five_drives_polled.scenario.yaml",
+    "tests/scenarios/start_and_stop.scenario.yaml",
+    "tests/scenarios/trip_and_reset.scenario.yaml",
+    "tests/scenarios/drive_lost_and_back.scenario.yaml",
+    "tests/scenarios/gateway_power_cycle.scenario.yaml",
+)
+WHOLE = {"layout": "whole10", "access": "dpxx_dat"}
+IMAGE = {"access": "process_image"}
+
+TWINS: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "step7": ({"plc": "s7-300"}, {"plc": "s7-300", "dialect": "step7"}),
+    "step7 SFC14/15": (
+        {"plc": "s7-400", **WHOLE},
+        {"plc": "s7-400", "dialect": "step7", **WHOLE},
+    ),
+    "step7 image": ({"plc": "s7-300", **IMAGE}, {"plc": "s7-300", "dialect": "step7", **IMAGE}),
+    "twincat": (IMAGE, {"plc": "twincat", "dialect": "twincat", **IMAGE}),
+    "plcopen": (IMAGE, {"plc": "iec", "dialect": "plcopen", **IMAGE}),
+    "iec": (IMAGE, {"plc": "iec", "dialect": "iec", **IMAGE}),
+}
+CATALOG = load_catalog()
+
+
+def transfers(path: Path, changes: dict[str, Any]) -> list[tuple[int, str, bytes, bytes]]:
+    """Every transfer of a scenario on the plant with these changes."""
+    found: list[tuple[int, str, bytes, bytes]] = []
+
+    def note(one: Transfer) -> None:
+        name = one.station.settings.name
+        found.append((one.time_ns, name, bytes(one.outputs), bytes(one.inputs)))
+
+    run = prepare(ScenarioCase(path, load_scenario(path), Variation(**changes)), CATALOG)
+    run.installation.master.taps.append(note)
+    run.run()
+    return found
+
+
+@pytest.mark.parametrize("twins", TWINS)
+@pytest.mark.parametrize("scenario", SCENARIOS)
+def test_a_dialect_does_what_tia_does(scenario: str, twins: str) -> None:
+    first, second = (transfers(ROOT / scenario, changes) for changes in TWINS[twins])
+    assert len(first) > 10
+    assert second == first
+
+
+def test_another_program_is_told_from_it() -> None:
+    path = ROOT / SCENARIOS[0]
+    assert transfers(path, IMAGE) != transfers(path, {})
