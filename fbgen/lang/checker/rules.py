@@ -32,22 +32,8 @@ class Rules:
     integer of its width becomes, and back. `sign_may_change`: an integer becomes one of the other
     sign that is not narrower, and LREAL becomes REAL, with a warning. `bool_is_bits`: BOOL becomes
     a bit string by itself. `mixed_arguments`: arguments without names may stand in front of those
-    with names.
-    the IEC check a value becomes one of a narrower type too. `bit_string_arithmetic`: a bit
-    string counts as the unsigned integer of its width. `inputs_writable`: a block may change its
-    own inputs. `statics_visible`: the static variables of an instance can be read from outside.
-    `inputs_complete`: a call of a FUNCTION gives every input. `quoted_blocks`: an unquoted name in
-    a call means the controller's own function first. `externals_required`: a block names
-    the global variables it uses in VAR_EXTERNAL. `any_integer_to_real`: whole numbers of 32 bits
-    become REAL by themselves. `outputs_by_assignment`: outputs of a FUNCTION may be given by `:=`.
-    `shifts_integers`: SHL, SHR, ROL and ROR take integers too. `lowest_bit_is_bool`: X_TO_BOOL of
-    an integer looks at its lowest bit only, else at the whole number. `labels_declared`: jump
-    labels stand in a LABEL section. `enumerations_are_numbers`: an enumeration becomes its base by
-    itself, and a number an enumeration with a warning. `bits_are_numbers`: a bit string becomes
-    whatever the unsigned integer of its width becomes, and back. `sign_may_change`: an integer
-    becomes one of the other sign that is not narrower, and LREAL becomes REAL, with a warning.
-    `bool_is_bits`: BOOL becomes a bit string by itself. `instances_behind_blocks`: a data block
-    that is an instance is called behind the name of its block, FB10.DB20(...).
+    with names. `instances_behind_blocks`: a data block that is an instance is called behind the
+    name of its block, FB10.DB20(...).
     """
 
     dialect: str
