@@ -66,7 +66,11 @@ def _until_pattern(parts: Sequence[str]) -> Iterable[str]:
 
 
 def programs_of(paths: Sequence[Path], dialect: str | None) -> list[ProgramFiles]:
-    """The files by dialect: by their suffixes, or all of the one that is given."""
+    """The files by dialect: by their suffixes, or all of the one that is given.
+
+    SCL of STEP 7 V5 has the suffix of TIA Portal's: where a text can only be the one, it is; what
+    can be either goes with the others.
+    """
     if dialect is not None:
         return [ProgramFiles(dialect, tuple(paths))]
     from fbgen.lang.containers import SUFFIXES
@@ -79,7 +83,25 @@ def programs_of(paths: Sequence[Path], dialect: str | None) -> list[ProgramFiles
         if told is None:
             raise typer.BadParameter(f"the name of {path} does not tell its dialect: add --dialect")
         by_dialect.setdefault(told, []).append(path)
-    return [ProgramFiles(name, tuple(files)) for name, files in by_dialect.items()]
+    classic, newer = _by_age(by_dialect.get("tia", ()))
+    if classic:
+        by_dialect["step7"] = classic
+        by_dialect["tia"] = newer
+    return [ProgramFiles(name, tuple(files)) for name, files in by_dialect.items() if files]
+
+
+def _by_age(paths: Sequence[Path]) -> tuple[list[Path], list[Path]]:
+    """Which of the SCL files are those of STEP 7 V5, and which those of TIA Portal."""
+    from fbgen.lang.containers.age import Age, age_of
+
+    ages = [age_of(path.read_bytes()) if path.is_file() else Age.EITHER for path in paths]
+    either = Age.EITHER if Age.TIA not in ages else Age.CLASSIC
+    if Age.CLASSIC not in ages:
+        return [], list(paths)
+    parts: tuple[list[Path], list[Path]] = ([], [])
+    for path, age in zip(paths, ages, strict=True):
+        parts[age not in (Age.CLASSIC, either)].append(path)
+    return parts
 
 
 def dialect_of(paths: Sequence[Path]) -> str:

@@ -24,6 +24,7 @@ class Findings:
         self._more: dict[tuple[str, str], list[Span]] = {}
         self.has_errors = False
         self._gaps: set[str] = set()
+        self._unknown: dict[str, tuple[str, str]] = {}
 
     def error(
         self,
@@ -39,13 +40,18 @@ class Findings:
             (code, span, message), Diagnostic(code, message, span, help_text, notes)
         )
 
-    def unknown(self, code: str, message: str, span: Span, help_text: Callable[[], str]) -> None:
+    def unknown(
+        self, code: str, message: str, span: Span, help_text: Callable[[], str], name: str = ""
+    ) -> None:
         """An unknown name of the whole program: one error, however often it is mentioned.
 
-        `help_text` looks for names that are near, so it is asked for the first mention only.
+        `help_text` looks for names that are near, so it is asked for the first mention only. A
+        global `name` can be mentioned in several ways, as what is called and as what has members.
         """
         self.has_errors = True
         self.unclear.append(span)
+        if name:
+            code, message = self._unknown.setdefault(name.casefold(), (code, message))
         if self._mentioned_first(code, message, span):
             self.error(code, message, span, help_text())
 

@@ -236,6 +236,8 @@ class Initials:
     ) -> Initial | None:
         if not path:
             return self.check(ctx, value, kind, base)
+        if kind == ERRONEOUS:
+            return base
         step = path[0]
         if isinstance(step, ast.Index):
             return self._set_element(ctx, path, kind, base, value)

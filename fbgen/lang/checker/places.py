@@ -149,7 +149,11 @@ def _unknown_name(ctx: Context, node: ast.Name) -> None:
         )
         return
     message = f"no variable or constant is called '{node.name}'"
-    if node.quoted or has_addresses(ctx):
+    if node.quoted and not node.local:
+        ctx.findings.unknown(
+            "FB4001", message, node.span, lambda: _near_names(ctx, node), node.name
+        )
+    elif has_addresses(ctx) or (ctx.rules.dialect in ("tia", "step7") and not node.local):
         ctx.findings.unknown("FB4001", message, node.span, lambda: _near_names(ctx, node))
     else:
         ctx.findings.error("FB4001", message, node.span, _near_names(ctx, node))

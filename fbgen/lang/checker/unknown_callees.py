@@ -39,6 +39,7 @@ def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
             f"there is no function or block '{name}'",
             node.callee.span,
             lambda: WRITTEN_OTHERWISE.get(name.upper()) or advise(name, _callable_names(ctx)),
+            name if isinstance(node.callee, ast.Name) and node.callee.quoted else "",
         )
     check_arguments_alone(ctx, node)
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.lang.ast import File
 from fbgen.lang.containers import plcopen, twincat
+from fbgen.lang.containers.age import Age, age_of
 from fbgen.lang.containers.places import rewritten
 from fbgen.lang.containers.xml_tree import read_xml
 from fbgen.lang.encoding import Encoding, encoding_of, read_bytes
@@ -75,6 +76,8 @@ def document_of(path: Path, data: bytes, dialect: str | None = None) -> Document
     """As `read_document`, for a file with these bytes."""
     suffix = path.suffix.lower()
     chosen = dialect or SUFFIXES.get(suffix, "tia")
+    if dialect is None and chosen == "tia" and age_of(data) is Age.CLASSIC:
+        chosen = "step7"
     encoding, text = encoding_of(data, str(path))
     source = Source(str(path), text)
     return _document(path, source, chosen, encoding, suffix in XML_SUFFIXES)

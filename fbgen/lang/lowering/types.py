@@ -88,12 +88,14 @@ class TypeLowering:
             upper = TYPES.get(upper, upper)
             if upper in self.context.target.elementary or upper in STANDARD_BLOCKS:
                 return NamedType(spec.span, upper)
-        self.context.findings.report(
-            "FB3052",
-            f"the type {spec.name} has no counterpart in dialect {self.context.findings.dialect}",
-            spec.span,
-            "use an elementary type of IEC 61131-3, or convert the file that declares it as well",
-        )
+        if spec.quoted:
+            message = f"the type {spec.name} is declared in none of the files"
+            help_text = "convert the file that declares it as well"
+        else:
+            dialect = self.context.findings.dialect
+            message = f"the type {spec.name} has no counterpart in dialect {dialect}"
+            help_text = "use an elementary type of IEC 61131-3"
+        self.context.findings.report("FB3052", message, spec.span, help_text)
         return spec
 
     def _string(self, spec: StringSpec) -> TypeSpec:

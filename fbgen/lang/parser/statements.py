@@ -33,6 +33,8 @@ class StatementParser(BranchParser):
             variable = self.operand()
             self.expect(":=", "':='", "write FOR i := 0 TO 7 DO")
             start = self.expression()
+            if self.texts[self.at].upper() == "DOWNTO":
+                raise self.failed("TO or an operator", "count down by FOR i := 7 TO 0 BY -1 DO")
             self.expect("TO", "TO or an operator", "write FOR i := 0 TO 7 DO")
             last = self.expression()
             step = self.expression() if self.accept("BY") else None

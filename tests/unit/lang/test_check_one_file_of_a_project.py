@@ -64,3 +64,25 @@ def test_an_output_is_written_through_its_overlay() -> None:
         "BEGIN\nbits[3] := TRUE;\nEND_FUNCTION_BLOCK\n"
     )
     assert findings_of(text, "step7") == []
+
+
+def test_a_data_block_that_is_called_and_asked_is_one_missing_name() -> None:
+    text = """FUNCTION "Calls" : Void
+BEGIN
+"Valve_DB"("open" := "Valve_DB"."Hmi"."Open", level => "tag");
+END_FUNCTION
+"""
+    missing = [(one.code, one.message.rpartition(" ")[2]) for one in findings_of(text, "tia")]
+    assert missing == [("FB4004", "'Valve_DB'"), ("FB4001", "'tag'")]
+
+
+def test_start_values_of_a_missing_type_are_left_alone() -> None:
+    text = """DATA_BLOCK "Setup"
+VAR
+   belts : Array[0.."BELTS"] of "typeBelt";
+END_VAR
+BEGIN
+   belts[0].speed := 3;
+END_DATA_BLOCK
+"""
+    assert [one.code for one in findings_of(text, "tia")] == ["FB4001", "FB4003"]

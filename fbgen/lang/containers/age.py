@@ -1,0 +1,36 @@
+"""Which of Siemens' SCL a text is: TIA Portal's, or that of STEP 7 V5.
+
+Both have the suffix `.scl`. Most texts are read alike; some are written in one of them only.
+"""
+
+import re
+from enum import Enum
+
+_NO_TEXT = re.compile(rb"//[^\r\n]*|\(\*.*?\*\)|'[^'\r\n]*'", re.DOTALL)
+_TIA = re.compile(
+    rb"\bS7_Optimized_Access\b|\bVAR\s+CONSTANT\b|^[ \t]*REGION\b|^[ \t]*VERSION\s*:\s*\d",
+    re.IGNORECASE | re.MULTILINE,
+)
+_CLASSIC = re.compile(
+    rb"\bEND_CONST\b|\bEND_LABEL\b"
+    rb"|(?<![%\w.\"#])(?:P[EAIQ][BWD]\d+|[EAIQM]\d+\.[0-7])(?![\w.])",
+    re.IGNORECASE,
+)
+
+
+class Age(Enum):
+    """What a text tells about itself."""
+
+    CLASSIC = "step7"
+    TIA = "tia"
+    EITHER = ""
+
+
+def age_of(data: bytes) -> Age:
+    """What the bytes of a file tell, in whatever encoding."""
+    text = data.replace(b"\0", b"")
+    if _TIA.search(text):
+        return Age.TIA
+    if _CLASSIC.search(text) and _CLASSIC.search(_NO_TEXT.sub(b" ", text)):
+        return Age.CLASSIC
+    return Age.EITHER
