@@ -48,6 +48,35 @@ def test_sarif_has_what_the_standard_asks_for(run: Run) -> None:
         assert result["message"]["text"]
 
 
+@pytest.mark.parametrize(
+    ("output", "shown"),
+    [
+        ("sarif", {"FB4004": "error", "FB4101": "warning"}),
+        ("json", {"FB4004": "error", "FB4101": "warning"}),
+        ("gitlab", {"FB4004": "major", "FB4101": "minor"}),
+        ("github", {"FB4004": "error", "FB4101": "warning"}),
+    ],
+)
+def test_errors_and_warnings_are_told_apart(
+    fbgen: Fbgen, tmp_path: Path, output: str, shown: dict[str, str]
+) -> None:
+    text = (
+        'FUNCTION_BLOCK "Fan"\nVAR_OUTPUT y : INT; END_VAR\nVAR x : INT; END_VAR\nBEGIN\n'
+        '    #y := "Missing"(1);\nEND_FUNCTION_BLOCK\n'
+    )
+    (tmp_path / "fan.scl").write_text(text, encoding="utf-8")
+    out = fbgen("check", str(tmp_path), "--format", output).out
+    if output == "sarif":
+        found = {one["ruleId"]: one["level"] for one in json.loads(out)["runs"][0]["results"]}
+    elif output == "json":
+        found = {one["code"]: one["severity"] for one in json.loads(out)["diagnostics"]}
+    elif output == "gitlab":
+        found = {one["check_name"]: one["severity"] for one in json.loads(out)}
+    else:
+        found = {line.partition("title=")[2][:6]: line[2:].split()[0] for line in out.splitlines()}
+    assert found == shown
+
+
 def test_sarif_shows_the_page_of_each_rule(run: Run) -> None:
     for rule in json.loads(run.out)["runs"][0]["tool"]["driver"]["rules"]:
         assert rule["shortDescription"]["text"]
