@@ -71,6 +71,7 @@ _PATTERN = (
     r"|'(?:[^'$\r\n]|\$(?:>\s*+\$<|[^\r\n]))*+'?+"
     # absolute addresses and slices; pragmas
     r"|%(?:[A-Za-z]++(?:\*|[0-9]*+(?:\.\w++)*+(?::[Pp]\b)?))?+"
+    r"|\{{\{{(?:[^}}]++|\}}(?!\}}))*+(?:\}}\}})?+"  # code in C of OpenPLC and Beremiz
     r"|\{{(?:[^}}']++|'[^'\r\n]*+'|')*+\}}?+"
     # anything else
     r"|\S)"

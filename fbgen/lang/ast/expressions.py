@@ -46,12 +46,16 @@ class Literal:
 
 @node
 class Name:
-    """A name: `x`, `#x` (`local`), `"x"` (`quoted`), `#"x"` (both)."""
+    """A name: `x`, `#x` (`local`), `"x"` (`quoted`), `#"x"` (both).
+
+    `outer`: `.x` of CODESYS, the global variable even where a local one has the same name.
+    """
 
     span: Span
     name: str
     quoted: bool = False
     local: bool = False
+    outer: bool = False
 
 
 @node

@@ -13,6 +13,8 @@ def find_symbol(ctx: Context, node: ast.Name) -> Symbol | None:
     key = node.name.casefold()
     if node.local:
         return ctx.local(key)
+    if node.outer:
+        return ctx.of_program(key)
     if node.quoted:
         return ctx.of_program(key) or ctx.local(key)
     return (

@@ -236,7 +236,7 @@ class _IecToTia(Rewriter):
 
     def _name(self, node: Name) -> Expression:
         key = node.name.casefold()
-        is_own = self._scope is not None and self._scope.is_declared(node)
+        is_own = self._scope is not None and self._scope.is_declared(node) and not node.outer
         if is_own and key not in self._external:
             located = self._located(key)
             if located is not None:

@@ -10,6 +10,7 @@ class Feature(Enum):
     __hash__ = object.__hash__  # members are single objects; Enum's own hash runs in Python
 
     LOCAL_MARKS = "'#' in front of local names"
+    OUTER_NAMES = "'.' in front of global names"
     QUOTED_NAMES = "names in double quotes"
     LINE_COMMENTS = "'//' comments that are written (all dialects read them)"
     REGIONS = "REGION"

@@ -24,6 +24,7 @@ IEC = Dialect(
             Feature.CHAINED_ASSIGNMENTS,
             Feature.JUMPS,
             Feature.ENUMERATIONS,
+            Feature.OUTER_NAMES,
             Feature.SUBRANGES,
             Feature.UNIONS,
             Feature.BARE_ENDS,

@@ -67,6 +67,7 @@ STEP7 = Dialect(
         Feature.UNIONS: "lay an AT view over the variable",
         Feature.OBJECTS: "write a FUNCTION_BLOCK or a FUNCTION for each",
         Feature.CLASSES: "write a FUNCTION_BLOCK",
+        Feature.OUTER_NAMES: "write the global name without the point",
         Feature.NAMESPACES: "put the name of the namespace into the names themselves",
         Feature.PROGRAMS: "write an ORGANIZATION_BLOCK or a FUNCTION",
         Feature.CONFIGURATIONS: "tasks are set in the hardware configuration of the project",

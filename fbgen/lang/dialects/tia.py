@@ -46,6 +46,7 @@ TIA = Dialect(
         Feature.UNIONS: "lay an AT view over the variable",
         Feature.OBJECTS: "write a FUNCTION_BLOCK or a FUNCTION for each",
         Feature.CLASSES: "write a FUNCTION_BLOCK",
+        Feature.OUTER_NAMES: "write the global name without the point",
         Feature.NAMESPACES: "put the name of the namespace into the names themselves",
         Feature.PROGRAMS: "write an ORGANIZATION_BLOCK or a FUNCTION",
         Feature.CONFIGURATIONS: "tasks are set in the device configuration of the project",

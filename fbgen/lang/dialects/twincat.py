@@ -19,6 +19,7 @@ TWINCAT = Dialect(
             Feature.SET_ASSIGNMENTS,
             Feature.JUMPS,
             Feature.ENUMERATIONS,
+            Feature.OUTER_NAMES,
             Feature.BASE_BEHIND,
             Feature.SUBRANGES,
             Feature.UNIONS,

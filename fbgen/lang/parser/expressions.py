@@ -72,6 +72,7 @@ class ExpressionParser(AddressParser):
         self._local_marks = dialect.has(Feature.LOCAL_MARKS)
         self._power_first = dialect.has(Feature.POWER_FIRST)
         self._bare_arrays = dialect.has(Feature.BARE_ARRAYS)
+        self._has_outer_names = dialect.has(Feature.OUTER_NAMES)
         self._has_empty_arguments = dialect.has(Feature.EMPTY_ARGUMENTS)
 
     def expression(self) -> Expression:
@@ -131,6 +132,10 @@ class ExpressionParser(AddressParser):
             at = self.at
         elif kind in SOFT_KEYWORDS and self.word(at):
             name = Name(place, text)
+        elif kind == "." and kinds[at + 1] == "name" and self._has_outer_names:
+            at += 1
+            place = _make(Span, (self.source, self.starts[at - 1], self.ends[at]))
+            name = Name(place, self.texts[at], outer=True)
         else:
             raise self.failed("an expression", "a value, a variable, a call or '(' can stand here")
         self.at = at = at + 1

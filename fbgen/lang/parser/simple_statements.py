@@ -141,7 +141,7 @@ class SimpleStatementParser(StatementListParser):
 
 enter(
     {
-        **dict.fromkeys(("name", "#", '"', '#"', "address"), SimpleStatementParser.simple),
+        **dict.fromkeys(("name", "#", '"', '#"', "address", "."), SimpleStatementParser.simple),
         "EXIT": SimpleStatementParser._jump,
         "CONTINUE": SimpleStatementParser._jump,
         "RETURN": SimpleStatementParser._jump,

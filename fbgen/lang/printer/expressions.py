@@ -70,7 +70,7 @@ class ExpressionPrinter:
     def name(self, name: Name) -> str:
         """A name with its marks."""
         text = f'"{name.name}"' if name.quoted else name.name
-        return f"#{text}" if name.local else text
+        return f"#{text}" if name.local else f".{text}" if name.outer else text
 
     def argument(self, argument: Argument) -> str:
         """One argument, without its comments."""
