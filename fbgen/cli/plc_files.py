@@ -73,16 +73,18 @@ def programs_of(paths: Sequence[Path], dialect: str | None) -> list[ProgramFiles
     """
     if dialect is not None:
         return [ProgramFiles(dialect, tuple(paths))]
-    from fbgen.lang.containers import SUFFIXES
-
     by_dialect: dict[str, list[Path]] = {}
     for path in paths:
-        told = SUFFIXES.get(path.suffix.lower())
+        told = _told(path)
         if told is None and not path.exists():
             raise typer.BadParameter(f"there is no file or folder {path}")
         if told is None:
             raise typer.BadParameter(f"the name of {path} does not tell its dialect: add --dialect")
         by_dialect.setdefault(told, []).append(path)
+    if {"iec", "twincat"} <= set(by_dialect):
+        # One project: the .st beside a .TcPOU is of the same tool.
+        joined = {*by_dialect.pop("iec"), *by_dialect["twincat"]}
+        by_dialect["twincat"] = [path for path in paths if path in joined]
     classic, newer = _by_age(by_dialect.get("tia", ()))
     if classic:
         by_dialect["step7"] = classic
@@ -102,6 +104,15 @@ def _by_age(paths: Sequence[Path]) -> tuple[list[Path], list[Path]]:
     for path, age in zip(paths, ages, strict=True):
         parts[age not in (Age.CLASSIC, either)].append(path)
     return parts
+
+
+def _told(path: Path) -> str | None:
+    """The dialect of a file by its name and what is in it; None if nothing tells."""
+    from fbgen.lang.containers import SUFFIXES, told_dialect
+
+    if SUFFIXES.get(path.suffix.lower()) == "iec" and path.is_file():
+        return told_dialect(path, path.read_bytes().decode("latin-1"))
+    return SUFFIXES.get(path.suffix.lower())
 
 
 def dialect_of(paths: Sequence[Path]) -> str:

@@ -9,14 +9,9 @@
 Places in trees and findings are those in the file on disk.
 """
 
-from fbgen.lang.containers.document import (
-    SUFFIXES,
-    XML_SUFFIXES,
-    Document,
-    read_document,
-    read_text,
-)
+from fbgen.lang.containers.document import Document, read_document, read_text
 from fbgen.lang.containers.new_files import CONTAINERS, NewFile, new_files
+from fbgen.lang.containers.told_dialect import SUFFIXES, XML_SUFFIXES, told_dialect
 
 __all__ = [
     "CONTAINERS",
@@ -27,4 +22,5 @@ __all__ = [
     "new_files",
     "read_document",
     "read_text",
+    "told_dialect",
 ]

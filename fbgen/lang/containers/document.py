@@ -14,28 +14,12 @@ from fbgen.lang.ast import File
 from fbgen.lang.containers import plcopen, twincat
 from fbgen.lang.containers.age import Age, age_of
 from fbgen.lang.containers.places import rewritten
+from fbgen.lang.containers.told_dialect import XML_SUFFIXES, told_dialect
 from fbgen.lang.containers.xml_tree import read_xml
 from fbgen.lang.encoding import Encoding, encoding_of, read_bytes
 from fbgen.lang.parser import parse_recovering
 from fbgen.lang.printer import print_file
 from fbgen.source import Source, Span
-
-TEXT_SUFFIXES = {
-    ".scl": "tia",
-    ".udt": "tia",
-    ".db": "tia",
-    ".st": "iec",
-    ".iecst": "iec",
-}
-XML_SUFFIXES = {
-    ".tcpou": "twincat",
-    ".tcdut": "twincat",
-    ".tcgvl": "twincat",
-    ".tcio": "twincat",
-    ".xml": "iec",
-}
-SUFFIXES = TEXT_SUFFIXES | XML_SUFFIXES
-"""The dialect that a file name stands for where none is given; suffixes in small letters."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -74,13 +58,12 @@ def read_document(path: Path, dialect: str | None = None) -> Document:
 
 def document_of(path: Path, data: bytes, dialect: str | None = None) -> Document:
     """As `read_document`, for a file with these bytes."""
-    suffix = path.suffix.lower()
-    chosen = dialect or SUFFIXES.get(suffix, "tia")
-    if dialect is None and chosen == "tia" and age_of(data) is Age.CLASSIC:
-        chosen = "step7"
     encoding, text = encoding_of(data, str(path))
     source = Source(str(path), text)
-    return _document(path, source, chosen, encoding, suffix in XML_SUFFIXES)
+    chosen = dialect or told_dialect(path, text) or "tia"
+    if dialect is None and chosen == "tia" and age_of(data) is Age.CLASSIC:
+        chosen = "step7"
+    return _document(path, source, chosen, encoding, path.suffix.lower() in XML_SUFFIXES)
 
 
 def read_text(source: Source, dialect: str, is_xml: bool = False) -> Document:
