@@ -34,7 +34,7 @@ from fbgen.lang.checker.memory_instructions import (
     check_memory_instruction,
     points,
 )
-from fbgen.lang.checker.name_lookup import names_block
+from fbgen.lang.checker.name_lookup import names_block, without_library
 from fbgen.lang.checker.objects import Method
 from fbgen.lang.checker.places import is_place
 from fbgen.lang.checker.routine_calls import (
@@ -84,6 +84,7 @@ CallResult: TypeAlias = FunctionCall | SystemCall
 
 def check_call(ctx: Context, node: ast.Call, expected: Type | None) -> Expression:
     """A call whose value is used."""
+    node = replace(node, callee=without_library(ctx, node.callee))
     member = called_member(ctx, node)
     if member is not None:
         return _value_of_member(ctx, node, *member)

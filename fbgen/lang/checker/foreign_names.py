@@ -92,6 +92,11 @@ def library_of(name: str) -> str | None:
     return next((key for key, one in _PATTERNS.items() if one.fullmatch(name)), None)
 
 
+def is_library(name: str) -> bool:
+    """True for what can stand in front of a name to say which library it is of."""
+    return _LIBRARY.fullmatch(name) is not None
+
+
 def library_help(name: str, known: Iterable[str]) -> str:
     """How to mend an unknown name: a library, a slip of the pen, or a file that is missing."""
     library = library_of(name)

@@ -4,6 +4,7 @@ from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Variable, VariableKind
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.foreign_names import is_library
 from fbgen.lang.checker.symbols import Symbol
 from fbgen.lang.types import ELEMENTARY, BlockType
 
@@ -39,6 +40,17 @@ def names_list(ctx: Context, node: ast.Expression) -> bool:
     if not isinstance(node, ast.Name) or node.local or node.quoted:
         return False
     return ctx.library.lists.is_list(node.name) and find_symbol(ctx, node) is None
+
+
+def without_library(ctx: Context, node: ast.Expression) -> ast.Expression:
+    """`Tc2_Standard.x` as `x`: a name needs no library in front here."""
+    if not isinstance(node, ast.Member) or not isinstance(node.base, ast.Name):
+        return node
+    if ctx.rules.dialect not in ("iec", "twincat") or not is_library(node.base.name):
+        return node
+    if ctx.library.lists.is_list(node.base.name) or find_symbol(ctx, node.base) is not None:
+        return node
+    return ast.Name(node.span, node.name)
 
 
 def names_block(ctx: Context, node: ast.Name) -> bool:

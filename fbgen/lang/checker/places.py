@@ -38,6 +38,7 @@ from fbgen.lang.checker.name_lookup import (
     listed,
     may_be_inherited,
     names_list,
+    without_library,
 )
 from fbgen.lang.checker.not_run import cannot_run
 from fbgen.lang.checker.pointers import has_addresses, is_pointer
@@ -172,6 +173,9 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
     """A part of a structure, a variable of an instance, or a property of one."""
     if ctx.this is not None and (own := own_variable(ctx, node) or read_special(ctx, node)):
         return own
+    plain = without_library(ctx, node)
+    if isinstance(plain, ast.Name):
+        return check_name(ctx, plain)
     named = enumeration_named(ctx, node.base)
     if named is not None and not _is_variable(ctx, node.base):
         return enumerator_value(ctx, node.span, named, node.name)
@@ -181,6 +185,8 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
     kind = base.type
     if kind == ERRONEOUS:
         return erroneous(node.span)
+    if has_addresses(ctx) and not is_place(base) and not isinstance(kind, Elementary):
+        return cannot_run(ctx, node.span, "a part of what a call gives")
     if isinstance(kind, StructType):
         field = kind.field(node.name)
         if field is not None and is_place(base):

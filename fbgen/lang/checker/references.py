@@ -72,6 +72,8 @@ def check_dereference(ctx: Context, node: ast.Dereference, _expected: Type | Non
     if base.type == ERRONEOUS:
         return base
     followed = isinstance(base.type, ReferenceType) and not base.type.is_interface
+    if followed and not isinstance(base, Place) and has_addresses(ctx):
+        return cannot_run(ctx, node.span, "a part of what a call gives")
     if not followed or not isinstance(base, Place):
         ctx.findings.error(
             "FB4092",

@@ -4,6 +4,7 @@ Sources: IEC 61131-3 third edition, table 72; TIA Portal help, "Program control 
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 from fbgen.diagnostics import Note
@@ -29,7 +30,7 @@ from fbgen.lang.checker.jumps import check_goto, check_label
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.members import Receiver, called_member
 from fbgen.lang.checker.memory_access import check_poke, memory_access_named
-from fbgen.lang.checker.name_lookup import names_block
+from fbgen.lang.checker.name_lookup import names_block, without_library
 from fbgen.lang.checker.objects import Method
 from fbgen.lang.checker.routine_calls import is_routine, routine
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
@@ -91,6 +92,7 @@ def _call(ctx: Context, node: ast.CallStatement) -> Sequence[Statement]:
 
 
 def _plain_call(ctx: Context, node: ast.CallStatement, call: ast.Call) -> Sequence[Statement]:
+    call = replace(call, callee=without_library(ctx, call.callee))
     member = called_member(ctx, call)
     if member is not None:
         return _member_statement(ctx, node.span, call, *member)

@@ -13,7 +13,8 @@ from fbgen.lang.checker.constants import whole_number
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.elsewhere import type_help
 from fbgen.lang.checker.enumerations import enumeration, subrange, typed_enumerator
-from fbgen.lang.checker.foreign_names import library_help
+from fbgen.lang.checker.foreign_names import is_library, library_help
+from fbgen.lang.checker.identifier_types import HARDWARE_TYPES
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.references import reference_type
 from fbgen.lang.checker.system_types import system_type
@@ -22,15 +23,11 @@ from fbgen.lang.types import (
     ALIASES,
     ANY_VALUE,
     DTL,
-    DWORD,
     ELEMENTARY,
-    INT,
     NUMBER_TYPES,
     POINTER_VALUE,
-    UINT,
     VARIANT_VALUE,
     VOID,
-    WORD,
     ArrayInitial,
     ArrayType,
     Elementary,
@@ -53,27 +50,6 @@ CELL_LIMIT = 1 << 22
 _LONGEST_STRING = 16382
 _TYPE_NESTING = 60
 
-HARDWARE_TYPES: dict[str, Elementary] = {
-    **dict.fromkeys(
-        (
-            *("HW_ANY", "HW_DEVICE", "HW_DPMASTER", "HW_DPSLAVE", "HW_IO", "HW_IOSYSTEM"),
-            *("HW_SUBMODULE", "HW_MODULE", "HW_INTERFACE", "HW_IEPORT", "HW_HSC", "HW_PWM"),
-            *("HW_PTO", "PORT", "RTM", "PIP", "DB_WWW", "DB_DYN"),
-        ),
-        UINT,
-    ),
-    **dict.fromkeys(
-        (
-            *("OB_ANY", "OB_DELAY", "OB_TOD", "OB_CYCLIC", "OB_ATT", "OB_PCYCLE", "OB_HWINT"),
-            *("OB_DIAG", "OB_TIMEERROR", "OB_STARTUP"),
-        ),
-        INT,
-    ),
-    **dict.fromkeys(("CONN_ANY", "CONN_PRG", "CONN_OUC"), WORD),
-    **dict.fromkeys(("AOM_IDENT", "EVENT_ANY", "EVENT_ATT", "EVENT_HWINT", "CONN_R_ID"), DWORD),
-}
-"""TIA's names for identifiers of hardware, events, OBs, connections and some data blocks: the types
-that they are (TIA Portal help, "Hardware data types")."""
 
 _OBJECT = re.compile(r"TO_\w+", re.IGNORECASE)
 """Technology objects: axes, cams, encoders (TIA Portal help, "Motion control")."""
@@ -253,6 +229,9 @@ class TypeResolver:
         if block is not None:
             return Resolved(block)
         on_s7 = self._library.rules.dialect in ("tia", "step7")
+        library, point, rest = name.partition(".")
+        if point and not on_s7 and is_library(library):
+            return self.named(ctx, rest, span)
         if not quoted and name.upper() in NUMBER_TYPES and on_s7:
             return Resolved(NUMBER_TYPES[name.upper()])
         findings = self._library.findings

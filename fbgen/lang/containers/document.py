@@ -105,8 +105,8 @@ def _xml_document(path: Path, source: Source, dialect: str, encoding: Encoding) 
             ]
         )
     file, findings = parse_recovering(code.source, dialect)
-    if code.list_name:
-        file = twincat.with_list_name(file, code.list_name)
+    if code.list_names:
+        file = twincat.with_list_names(file, code.list_names)
     found = sorted((*findings, *code.findings), key=_place)
     slots = code.slots
 

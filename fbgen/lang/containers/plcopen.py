@@ -41,7 +41,7 @@ def read_project(root: Element, dialect: str) -> CodeInXml | None:
     if instances is not None:
         for configuration in _children(instances, "configurations", "configuration"):
             reader.configuration(configuration)
-    return CodeInXml(reader.text.source(), reader.slots, reader.findings)
+    return CodeInXml(reader.text.source(), reader.slots, reader.findings, reader.list_names)
 
 
 def _children(parent: Element, group: str, tag: str) -> Iterator[Element]:
@@ -68,6 +68,7 @@ class _Reader:
         self.text = Assembly(root.source)
         self.slots: list[Slot] = []
         self.findings: list[Diagnostic] = []
+        self.list_names: list[str] = []
         self._dialect = dialect
         self._declarations = DeclarationReader(self.text)
         self._blocks = 0
@@ -82,6 +83,7 @@ class _Reader:
         self.text.add(";\nEND_TYPE\n")
 
     def global_variables(self, item: Element) -> None:
+        self.list_names.append(item.get("name"))
         self._declarations.section("VAR_GLOBAL", item)
 
     # --- blocks -------------------------------------------------------------------------------

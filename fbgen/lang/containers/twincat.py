@@ -5,6 +5,7 @@ their own. They are put together as one text, in the order declaration, members,
 one tree comes of it. Source: files that TwinCAT XAE writes, in published projects.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from fbgen.diagnostics import Diagnostic, Severity
@@ -31,7 +32,8 @@ class CodeInXml:
     source: EmbeddedSource
     slots: list[Slot]
     findings: list[Diagnostic] = field(default_factory=list)
-    list_name: str = ""
+    list_names: list[str] = field(default_factory=list)
+    """The names of the lists of global variables, in their order; "" for one without."""
 
 
 def read_object(root: Element, dialect: str) -> CodeInXml | None:
@@ -44,8 +46,10 @@ def read_object(root: Element, dialect: str) -> CodeInXml | None:
         reader.block(item)
     else:
         reader.declarations(item)
-    list_name = item.get("Name") if item.tag == "GVL" else ""
-    return CodeInXml(reader.assembly.source(), reader.slots, reader.findings, list_name)
+    code = CodeInXml(reader.assembly.source(), reader.slots, reader.findings)
+    if item.tag == "GVL":
+        code.list_names = [item.get("Name")]
+    return code
 
 
 class _Reader:
@@ -173,10 +177,16 @@ def _owner(file: File) -> Block | Interface:
     return unit
 
 
-def with_list_name(file: File, name: str) -> File:
-    """The same tree, where lists of global variables have their name."""
+def with_list_names(file: File, names: Sequence[str]) -> File:
+    """The same tree, where lists of global variables have their names; one name is for all."""
+    lists = [unit for unit in file.units if isinstance(unit, Globals)]
+    if len(names) == 1:
+        names = [*names] * len(lists)
+    if len(names) != len(lists):
+        return file  # some of them could not be read
+    named = dict(zip(lists, names, strict=True))
     units = tuple(
-        Globals(unit.span, unit.section, name) if isinstance(unit, Globals) else unit
+        Globals(unit.span, unit.section, named[unit]) if isinstance(unit, Globals) else unit
         for unit in file.units
     )
     return File(file.source, file.dialect, units, file.closing)
