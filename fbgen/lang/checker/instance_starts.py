@@ -25,6 +25,7 @@ from fbgen.lang.checked import (
     IndexRef,
     Place,
     Statement,
+    Stop,
     Variable,
     VariableKind,
     VariableRef,
@@ -250,8 +251,11 @@ class _Start:
             this, retains = inside.variables[:2]
             found.append(self._call(span, inside, this, place, ((retains, self._retains(span)),)))
         for number, method in enumerate(chain := self._starts.chain(block)):
+            self._ctx.not_run = []
             inputs = self._inputs(variable, given, method, number == len(chain) - 1)
-            if inputs is not None:
+            if self._ctx.not_run:
+                found.append(Stop(span, self._ctx.not_run[0]))
+            elif inputs is not None:
                 found.append(self._call(span, method, method.variables[0], place, inputs))
         return found
 

@@ -39,6 +39,8 @@ def as_pointer(ctx: Context, expression: Expression, target: Type) -> Expression
     source = expression.type
     if not has_addresses(ctx):
         return None
+    if isinstance(target, ReferenceType) and target.is_implicit and isinstance(expression, Place):
+        return _as_reference(ctx, expression, target)
     if is_pointer(target):
         assert isinstance(target, ReferenceType)
         if isinstance(source, BlockType) and isinstance(expression, Place) and _is_this(expression):
@@ -51,6 +53,19 @@ def as_pointer(ctx: Context, expression: Expression, target: Type) -> Expression
             return cannot_run(ctx, expression.span, "a number as a pointer")
     elif is_pointer(source) and isinstance(target, Elementary) and _counts(target):
         return cannot_run(ctx, expression.span, _NUMBER)
+    return None
+
+
+def _as_reference(ctx: Context, place: Place, target: ReferenceType) -> Expression | None:
+    """A variable that is handed over as REFERENCE TO; a derived block stands for its base."""
+    if place.type == target.target:
+        return ReferenceTo(place.span, place, target)
+    if isinstance(place.type, BlockType) and isinstance(target.target, BlockType):
+        objects = ctx.library.objects
+        block = ctx.library.user_block(place.type.name)
+        base = ctx.library.user_block(target.target.name)
+        if block is not None and base is not None and objects.is_kind_of(block, base):
+            return cannot_run(ctx, place.span, "a reference to a block as one to its base")
     return None
 
 

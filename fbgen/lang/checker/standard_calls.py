@@ -31,7 +31,7 @@ from fbgen.lang.checker.function_signatures import (
 )
 from fbgen.lang.checker.literals import ERRONEOUS, erroneous
 from fbgen.lang.checker.operators import apply_unary, combine
-from fbgen.lang.checker.pointers import SIZES, check_size
+from fbgen.lang.checker.pointers import SIZES, check_size, has_addresses
 from fbgen.lang.checker.references import IS_VALID, MAKERS, check_is_valid, check_maker
 from fbgen.lang.checker.standard_functions import (
     ALIASES,
@@ -44,6 +44,7 @@ from fbgen.lang.checker.standard_functions import (
     ROUNDED_TO_REAL,
     ROUNDED_UP_OR_DOWN,
     STANDARD_FUNCTIONS,
+    TEXT_PARAMETERS,
     UNSIGNED_BCD,
 )
 from fbgen.lang.types import (
@@ -124,6 +125,8 @@ def check_standard_call(
         node = _with_names(node, names)
     function = _function_named(key)
     if function is not None:
+        if has_addresses(ctx):
+            node = _with_names(node, TEXT_PARAMETERS.get(function.name, {}))
         return _call_function(ctx, node, function, expected)
     if key in CHAINED_COMPARISONS and len(node.arguments) > 2:
         return _call_function(ctx, node, CHAINED_COMPARISONS[key], None)

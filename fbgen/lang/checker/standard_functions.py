@@ -133,6 +133,24 @@ MUX_WITH_ELSE = "MUX_ELSE"
 """MUX with INELSE: the last argument is what is taken for any other selector."""
 
 
+_ONE_TEXT = {"STR": "IN"}
+_TWO_TEXTS = {"STR1": "IN1", "STR2": "IN2"}
+_SIDE = {**_ONE_TEXT, "SIZE": "L"}
+_PIECE = {**_ONE_TEXT, "LEN": "L", "POS": "P"}
+TEXT_PARAMETERS: dict[str, dict[str, str]] = {
+    "LEN": _ONE_TEXT,
+    "LEFT": _SIDE,
+    "RIGHT": _SIDE,
+    "MID": _PIECE,
+    "DELETE": _PIECE,
+    "CONCAT": _TWO_TEXTS,
+    "FIND": _TWO_TEXTS,
+    "REPLACE": _TWO_TEXTS,
+    "INSERT": {**_TWO_TEXTS, "POS": "P"},
+}
+"""What CODESYS and TwinCAT call the parameters of the text functions."""
+
+
 def canonical_names() -> frozenset[str]:
     """Every name that a `StandardCall` can carry."""
     rounded = (function.name for function in ROUNDED_TO_REAL.values())

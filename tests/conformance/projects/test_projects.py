@@ -73,3 +73,11 @@ def test_what_twincat_projects_do_with_their_types(engine_name: str) -> None:
         "found": True,
         "counter.Q": True,
     }, "the parts of a base come first; integers combine bit by bit; a FUNCTION begins anew"
+
+
+def test_variables_are_handed_over_as_references(engine_name: str) -> None:
+    program = load_program([_FOLDER / "references.st"], dialect="twincat", engine=engine_name)
+    program.run("Main")
+    names = ("x", "user.sum", "asked", "text", "found")
+    got = [program.engine.global_value(f"Main.{name}") for name in names]
+    assert got == [4, 8, 4, "bc", 2 + 2], "without REF=, and to FB_init; CODESYS's names of texts"

@@ -94,3 +94,34 @@ def test_an_action_does_not_repeat_what_is_said_of_its_block() -> None:
     assert [one.message for one in findings_of(text, "twincat")] == [
         "variable 'spare' of F is never used"
     ]
+
+
+def test_a_point_in_front_means_the_global_variable() -> None:
+    text = "VAR_GLOBAL speed : BOOL; END_VAR\n" + in_program(
+        "speed : INT;", ".speed := TRUE;\nIF .speed THEN speed := 1; END_IF"
+    )
+    assert errors_of(text, "twincat") == []
+    assert errors_of(text, "iec") == []
+
+
+@pytest.mark.parametrize(
+    ("declarations", "statements"),
+    [
+        ("t : Tc2_Standard.TON;", "t(IN := TRUE);"),
+        ("s : Tc2_System.T_MaxString; n : INT;", "n := Standard.LEN(s);"),
+        ("t : Standard.R_TRIG;", "t(CLK := TRUE);"),
+    ],
+)
+def test_a_library_may_stand_in_front_of_a_name(declarations: str, statements: str) -> None:
+    assert errors_of(in_program(declarations, statements), "twincat") == []
+
+
+def test_a_part_of_what_a_call_gives_is_a_hint() -> None:
+    chain = (
+        "INTERFACE Log\nMETHOD Put : Log\nEND_METHOD\nEND_INTERFACE\n"
+        "FUNCTION_BLOCK Logger IMPLEMENTS Log\nMETHOD Put : Log\nPut := THIS^;\nEND_METHOD\n"
+        "END_FUNCTION_BLOCK\n"
+    )
+    text = chain + in_program("l : Logger;", "l.Put().Put();")
+    assert errors_of(text, "twincat") == []
+    assert {one.code for one in hints_of(text, "twincat")} == {"FB4142"}
