@@ -5,7 +5,9 @@ manual E6581315, pp. 7-20; VF-S15 RS485 manual E6581913, pp. 5-14. The spelling 
 `toshiba_binary` and `toshiba_ascii`; `toshiba_stream` finds frames in what comes over a line.
 """
 
+from dataclasses import dataclass
 from enum import Enum, IntEnum
+from functools import lru_cache
 from typing import NamedTuple
 
 BINARY_START = 0x2F
@@ -66,7 +68,8 @@ Address = int | Group | None
 """INV-NO, `BROADCAST`, a group, or None where the frame leaves it out (one drive on the line)."""
 
 
-class Request(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Request:
     """A telegram to a drive. `checked` says that it carries a checksum, as binary always does."""
 
     address: Address
@@ -77,7 +80,8 @@ class Request(NamedTuple):
     checked: bool = True
 
 
-class BadRequest(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class BadRequest:
     """A whole frame that the addressed drive refuses with an error code."""
 
     address: Address
@@ -113,12 +117,14 @@ def checksum(data: bytes | bytearray) -> int:
     return sum(data) & 0xFF
 
 
+@lru_cache(maxsize=4096)
 def seal(payload: bytes) -> bytes:
     """A binary frame around INV-NO, CMD, ComNo and DATA, whatever they are: 2FH, payload, SUM."""
     total = BINARY_START + sum(payload)
     return b"/%b%c" % (payload, total & 0xFF)
 
 
+@lru_cache(maxsize=4096)
 def is_sealed(frame: bytes) -> bool:
     """True if a frame begins with 2FH and ends with its right checksum."""
     return (

@@ -77,6 +77,7 @@ def parse_request(frame: bytes) -> Request | BadRequest | None:
     return Request(address, command, com_no, value, Form.ASCII, checked)
 
 
+@lru_cache(maxsize=1024)
 def parse_reply(frame: bytes) -> Reply | ErrorReply | None:
     """What a reply says; None if its form or its checksum is wrong."""
     parts = _take_apart(frame)

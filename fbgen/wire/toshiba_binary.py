@@ -55,14 +55,18 @@ def encode_request(request: Request) -> bytes:
     return seal(number + _TELEGRAM(request.command, request.com_no, request.data))
 
 
-@lru_cache(maxsize=4096)
 def encode_reply(reply: Reply | ErrorReply) -> bytes:
     """The frame of a reply or refusal, with lower-case CMD if the drive is tripped."""
-    number = _number(reply.address)
     case = TRIPPED_BIT if reply.tripped else 0
     if isinstance(reply, ErrorReply):
-        return seal(number + _ERROR(_ERROR_CMD | case, reply.error))
-    return seal(number + _TELEGRAM(reply.command | case, reply.com_no, reply.data))
+        return seal(_number(reply.address) + _ERROR(_ERROR_CMD | case, reply.error))
+    return reply_frame(reply.address, reply.command | case, reply.com_no, reply.data)
+
+
+@lru_cache(maxsize=4096)
+def reply_frame(address: Address, cmd: int, com_no: int, data: int) -> bytes:
+    """The frame of a reply by its parts. Drives say the same over and over, so frames are kept."""
+    return seal(_number(address) + _TELEGRAM(cmd, com_no, data))
 
 
 def frame_length(begin: bytes | bytearray, tails: Mapping[int, int]) -> int | None:

@@ -6,12 +6,12 @@ while the inverter still owes a reply or sends one is not heard; a telegram that
 that nobody carries out, does not restart the time-out.
 """
 
-from functools import partial
 from typing import Protocol
 
 from fbgen.wire import toshiba_ascii, toshiba_binary
 from fbgen.wire.toshiba import (
     BROADCAST,
+    TRIPPED_BIT,
     Address,
     BadRequest,
     Command,
@@ -78,6 +78,7 @@ class Communication:
         "_deadline_ns",
         "_deaf_until_ns",
         "_device",
+        "_frame",
         "_kernel",
         "_registers",
         "_reply",
@@ -101,6 +102,7 @@ class Communication:
         self._device = device
         self._settings = settings
         self._reply: Event | None = None
+        self._frame = b""
         self._timer: Event | None = None
         self._deadline_ns: int | None = None
         self._deaf_until_ns = kernel.now_ns
@@ -198,33 +200,30 @@ class Communication:
         elif value is None:
             self._refuse(request, ErrorCode.COM_NO)
         else:
-            form, checked = request.form, request.checked
-            self._send_later(
-                Reply(request.address, command, number, value, device.tripped, form, checked)
-            )
+            self._send_later(_answer(request, value, device.tripped))
 
     def _refuse(self, message: Request | BadRequest, error: ErrorCode) -> None:
         tripped = self._device.tripped
-        self._send_later(ErrorReply(message.address, error, tripped, message.form, message.checked))
+        form, checked = message.form, message.checked
+        reply = ErrorReply(message.address, error, tripped, form, checked)
+        protocol = toshiba_binary if form is _BINARY else toshiba_ascii
+        self._send_later(protocol.encode_reply(reply))
 
-    def _send_later(self, reply: Reply | ErrorReply) -> None:
-        if reply.form is _BINARY:
-            frame = toshiba_binary.encode_reply(reply)
-        else:
-            frame = toshiba_ascii.encode_reply(reply)
+    def _send_later(self, frame: bytes) -> None:
         times = self._settings.reply_time
         span_ns = times.maximum_ns - times.minimum_ns
-        delay_ns = times.minimum_ns + int(self._kernel.random.random() * (span_ns + 1))
+        kernel = self._kernel
+        delay_ns = times.minimum_ns + int(kernel.random.random() * (span_ns + 1))
         if self._registers.word("send_waiting_time"):
             delay_ns += round(self._registers.value("send_waiting_time") * NS_PER_S)
-        kernel = self._kernel
         begin_ns = kernel.now_ns + delay_ns
-        self._reply = kernel.at(begin_ns, partial(self._send, frame))
+        self._frame = frame
+        self._reply = kernel.at(begin_ns, self._send)
         self._deaf_until_ns = begin_ns + self.port.format.duration_ns(len(frame))
 
-    def _send(self, frame: bytes) -> None:
+    def _send(self) -> None:
         self._reply = None
-        self.port.transmit(frame)
+        self.port.transmit(self._frame)
 
     def _restart_timeout(self) -> None:
         seconds = self._registers.word("communication_timeout")
@@ -252,6 +251,16 @@ class Communication:
             Parity[parity.values[self._registers.word("parity")].upper()],
             _SENT_STOP_BITS,
         )
+
+
+def _answer(request: Request, value: int, tripped: bool) -> bytes:
+    """The frame that says a value read or written."""
+    address, command, com_no = request.address, request.command, request.com_no
+    if request.form is _BINARY:
+        cmd = command | TRIPPED_BIT if tripped else command
+        return toshiba_binary.reply_frame(address, cmd, com_no, value)
+    reply = Reply(address, command, com_no, value, tripped, request.form, request.checked)
+    return toshiba_ascii.encode_reply(reply)
 
 
 def _rate_of(text: str) -> int:

@@ -5,7 +5,7 @@ The engines know nothing else of the controller. `harness.plc` implements it wit
 """
 
 from collections.abc import Mapping
-from struct import calcsize, unpack_from
+from functools import lru_cache
 from typing import Protocol
 
 from fbgen.diagnostics import error
@@ -38,6 +38,13 @@ class Area(Protocol):
     def write(self, data: bytes) -> None:
         """Set the variable from its first `len(data)` bytes; the rest stays."""
         ...
+
+
+@lru_cache
+def places_of(text: str) -> tuple[tuple[int, int], ...]:
+    """Byte and count of each place in a text such as `256:1 257:1 260:2`."""
+    parts = (place.split(":") for place in text.split())
+    return tuple((int(byte), int(count)) for byte, count in parts)
 
 
 class Environment(Protocol):
@@ -77,16 +84,24 @@ class Environment(Protocol):
         """`count` bytes (1, 2, 4) straight from the hardware, big endian, as an unsigned number."""
         ...
 
-    def read_adjacent(self, byte: int, layout: str) -> tuple[int, ...] | None:
-        """What several calls of `read_peripheral` give for values that lie one behind the other.
+    def read_several(self, places: str) -> tuple[int, ...] | None:
+        """What calls of `read_peripheral` give, one for each place and in the same order.
 
-        None, and nothing has happened yet, unless these calls have no effect but to take their
-        time. `layout` has the sizes of the values as the module `struct` spells them.
+        None, and nothing has happened yet, if anything could happen between them. `places` has
+        byte and count of each, as in `256:1 257:1 260:2`.
         """
         ...
 
     def write_peripheral(self, byte: int, count: int, value: int) -> None:
         """`count` bytes (1, 2, 4) straight to the hardware, big endian."""
+        ...
+
+    def write_several(self, places: str, values: tuple[int, ...]) -> bool:
+        """What calls of `write_peripheral` do, one for each value and in the same order.
+
+        False, and nothing has happened yet, if anything could happen between them. `places` has
+        byte and count of each, as for `read_several`.
+        """
         ...
 
     def instruction(self, name: str, arguments: Mapping[str, Scalar | Area], span: Span) -> Scalar:
@@ -123,15 +138,19 @@ class StandaloneEnvironment:
         """Without hardware the inputs are what somebody put into the image."""
         return int.from_bytes(self.inputs[byte : byte + count], "big")
 
-    def read_adjacent(self, byte: int, layout: str) -> tuple[int, ...] | None:
-        """Without hardware nothing happens between two reads; beyond the image each reads alone."""
-        if byte + calcsize(layout) > len(self.inputs):
-            return None
-        return unpack_from(layout, self.inputs, byte)
+    def read_several(self, places: str) -> tuple[int, ...] | None:
+        """Without hardware nothing happens between two reads."""
+        return tuple(self.read_peripheral(byte, count) for byte, count in places_of(places))
 
     def write_peripheral(self, byte: int, count: int, value: int) -> None:
         """Without hardware the outputs end in the image."""
         self.outputs[byte : byte + count] = value.to_bytes(count, "big")
+
+    def write_several(self, places: str, values: tuple[int, ...]) -> bool:
+        """Without hardware nothing happens between two writes."""
+        for (byte, count), value in zip(places_of(places), values, strict=True):
+            self.write_peripheral(byte, count, value)
+        return True
 
     def instruction(self, name: str, arguments: Mapping[str, Scalar | Area], span: Span) -> Scalar:
         """There is no hardware that could carry out an instruction."""

@@ -36,36 +36,36 @@ class CycleTimes:
 class CycleGrid:
     """The instants of a master's cycles."""
 
-    __slots__ = ("_salt", "times")
+    __slots__ = ("_jitter_ns", "_period_ns", "_phase_ns", "_salt")
 
     def __init__(self, times: CycleTimes, random: Random) -> None:
-        self.times = times
+        self._period_ns = times.period_ns
+        self._phase_ns = times.phase_ns
+        self._jitter_ns = times.jitter_ns
         self._salt = random.getrandbits(64) if times.jitter_ns else 0
 
     def after(self, time_ns: int) -> int:
         """The first instant later than `time_ns`."""
-        times = self.times
-        number = (time_ns - times.phase_ns) // times.period_ns
-        if times.jitter_ns:
+        phase_ns, period_ns = self._phase_ns, self._period_ns
+        number = (time_ns - phase_ns) // period_ns
+        if self._jitter_ns:
             instant_ns = self._instant(number)
             if instant_ns > time_ns:
                 return instant_ns
             return self._instant(number + 1)
-        return times.phase_ns + (number + 1) * times.period_ns
+        return phase_ns + (number + 1) * period_ns
 
     def up_to(self, time_ns: int) -> int:
         """The last instant that is not later than `time_ns`."""
-        times = self.times
-        number = (time_ns - times.phase_ns) // times.period_ns
+        number = (time_ns - self._phase_ns) // self._period_ns
         instant_ns = self._instant(number)
         return instant_ns if instant_ns <= time_ns else self._instant(number - 1)
 
     def _instant(self, number: int) -> int:
-        times = self.times
-        start_ns = times.phase_ns + number * times.period_ns
-        if not times.jitter_ns:
+        start_ns = self._phase_ns + number * self._period_ns
+        if not self._jitter_ns:
             return start_ns
         mixed = (number * 0x9E3779B97F4A7C15 + self._salt) & _MASK
         mixed = ((mixed ^ mixed >> 30) * 0xBF58476D1CE4E5B9) & _MASK
         mixed = ((mixed ^ mixed >> 27) * 0x94D049BB133111EB) & _MASK
-        return start_ns + (mixed ^ mixed >> 31) % (times.jitter_ns + 1)
+        return start_ns + (mixed ^ mixed >> 31) % (self._jitter_ns + 1)

@@ -173,6 +173,10 @@ class DpMaster:
         """The instant of the latest cycle of the grid."""
         return self._grid.up_to(self._kernel.now_ns)
 
+    def next_cycle_ns(self, time_ns: int) -> int:
+        """The first instant of the grid that is later than `time_ns`."""
+        return self._grid.after(time_ns)
+
     def report(self, station: Station) -> None:
         """The station has failed, was refused, or exchanges data again."""
         for observer in self.observers:

@@ -26,6 +26,10 @@ class SlaveState(Enum):
     DATA_EXCHANGE = "data exchange"
 
 
+_DATA_EXCHANGE = SlaveState.DATA_EXCHANGE
+"""By a name of its own: Python looks a member of an Enum up slowly, and polls are many."""
+
+
 class ControlCommand(IntFlag):
     """Bits of the first byte of Global_Control. Unsync and Unfreeze win over Sync and Freeze."""
 
@@ -186,7 +190,7 @@ class DpSlave:
 
     def data_exchange(self, outputs: bytes) -> bytes | None:
         """Take outputs and give the inputs; None (service not activated) in another state."""
-        if self.state is not SlaveState.DATA_EXCHANGE:
+        if self.state is not _DATA_EXCHANGE:
             return None
         if self._watchdog is not None:
             self._stop_watchdog()

@@ -39,6 +39,10 @@ class StationState(Enum):
     FAILED = "no answer"
 
 
+_EXCHANGE, _FAILED = StationState.EXCHANGE, StationState.FAILED
+"""By names of their own: Python looks a member of an Enum up slowly, and polls are many."""
+
+
 @dataclass(frozen=True, slots=True)
 class StationSettings:
     """What the PLC's hardware configuration says about a slave. Addresses count bytes."""
@@ -155,7 +159,7 @@ class Station:
     @property
     def exchanging(self) -> bool:
         """True while data go to and fro."""
-        return self.state is StationState.EXCHANGE
+        return self.state is _EXCHANGE
 
     @property
     def inputs_pending(self) -> bool:
@@ -205,9 +209,9 @@ class Station:
         self.unsent = False
         state = self.state
         if not self.reached:
-            if state is not StationState.FAILED:
-                self._drop(StationState.FAILED)
-        elif state is StationState.EXCHANGE:
+            if state is not _FAILED:
+                self._drop(_FAILED)
+        elif state is _EXCHANGE:
             self._exchange()
         else:
             self._get_going(state)

@@ -97,25 +97,23 @@ class Pair:
 
     def _deliver(self, transmission: Transmission) -> None:
         self._on_line.remove(transmission)
+        transmission.event = None
         heard = transmission.heard = self.interference.heard(transmission)
         for tap in self._taps:
             tap(transmission)
         if self.broken:
             return
-        sender, wire, collided = (
-            transmission.sender,
-            transmission.format.wire,
-            transmission.collided,
-        )
+        sender, wire = transmission.sender, transmission.format.wire
+        as_sent = not transmission.overlapping and len(heard.data) > 0
         for port in self.listeners:
             if port is sender or port.receive_open:
                 continue
-            reception = heard
-            if collided:
-                reception = _heard_while_sending(port, heard)
-            own = port.format
-            if own.wire != wire:
-                reception = reception.with_format(own)
+            if as_sent and port.format.wire == wire:
+                port.node.receive(heard)
+                continue
+            reception = _heard_while_sending(port, heard)
+            if port.format.wire != wire:
+                reception = reception.with_format(port.format)
             if reception.data:
                 port.node.receive(reception)
 

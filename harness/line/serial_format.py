@@ -15,6 +15,8 @@ from harness.kernel import NS_PER_S
 DATA_BITS = 8
 PARITY_ERROR = 1
 FRAMING_ERROR = 2
+_SHORT = 32
+"""Characters up to which durations are kept; frames of the drives have fewer."""
 
 
 class Parity(Enum):
@@ -34,14 +36,23 @@ class SerialFormat:
     stop_bits: int
     char_bits: int = field(init=False, compare=False)
     wire: str = field(init=False, compare=False, repr=False)
+    _durations_ns: tuple[int, ...] = field(init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         parity_bits = 0 if self.parity is Parity.NONE else 1
         object.__setattr__(self, "char_bits", 1 + DATA_BITS + parity_bits + self.stop_bits)
         object.__setattr__(self, "wire", intern(f"{self.baud} {DATA_BITS}{self.parity.value}"))
 
+        durations = tuple(map(self._duration_ns, range(_SHORT + 1)))
+        object.__setattr__(self, "_durations_ns", durations)
+
     def duration_ns(self, characters: int) -> int:
         """Time that so many characters take one right behind the other, in nanoseconds."""
+        if 0 <= characters <= _SHORT:
+            return self._durations_ns[characters]
+        return self._duration_ns(characters)
+
+    def _duration_ns(self, characters: int) -> int:
         return characters * self.char_bits * NS_PER_S // self.baud
 
     def __str__(self) -> str:

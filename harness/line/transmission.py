@@ -1,6 +1,7 @@
 """What goes over the line: one object for a run of characters, and what a receiver made of it."""
 
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from harness.line.serial_format import SerialFormat, marks_of_mismatch
 
@@ -70,8 +71,11 @@ class Transmission:
         return range(touched[0], touched[-1] + 1) if touched else range(0)
 
 
-class Reception(NamedTuple):
+@dataclass(slots=True)
+class Reception:
     """A transmission as one receiver heard it, from `start_ns` to `end_ns`, which is now.
+
+    All receivers get the same object and change nothing; it is not frozen as that takes time.
 
     `marks` has one byte per byte of `data`: 0, or `PARITY_ERROR` and `FRAMING_ERROR`; None says
     that all are clean. `positions` gives the index that each byte had in the transmission; None
@@ -101,14 +105,15 @@ class Reception(NamedTuple):
         marks = mismatch
         if self.marks is not None:
             marks = bytes(a | b for a, b in zip(self.marks, mismatch, strict=True))
-        return self._replace(marks=marks if any(marks) else None)
+        return replace(self, marks=marks if any(marks) else None)
 
     def without(self, lost: frozenset[int]) -> "Reception":
         """The same for a receiver that missed the bytes with these indexes of the transmission."""
         positions = self.positions or tuple(range(len(self.data)))
         kept = [at for at, position in enumerate(positions) if position not in lost]
         marks = None if self.marks is None else bytes(self.marks[at] for at in kept)
-        return self._replace(
+        return replace(
+            self,
             data=bytes(self.data[at] for at in kept),
             marks=marks if marks and any(marks) else None,
             positions=tuple(positions[at] for at in kept),

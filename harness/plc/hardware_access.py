@@ -5,26 +5,22 @@ up to that instant happens first, so that PROFIBUS cycles fall between two acces
 """
 
 from collections.abc import Callable, Mapping
-from struct import Struct
-from typing import TypeAlias
 
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.types import Scalar
 from fbgen.source import Span
 from harness.engine.environment import Area
 from harness.engine.services import Services
-from harness.fieldbus import DpMaster, Station
+from harness.fieldbus import DpMaster
 from harness.kernel import Kernel
 from harness.plc.consistent_data import ConsistentData
 from harness.plc.link import MasterLink
 from harness.plc.modules import ModuleTable, Mounting
 from harness.plc.settings import CpuSettings
+from harness.plc.several import Several, several_at
 
 Instruction = Callable[[Mapping[str, "Scalar | Area"], Span], Scalar]
 """What carries out a system instruction: arguments by name, where it is called, RET_VAL."""
-
-_AdjacentReads: TypeAlias = tuple[Station, int, Callable[[bytearray, int], tuple[int, ...]], int]
-"""Where adjacent inputs lie, what takes them apart, and how long so many accesses take."""
 
 
 class HardwareAccess:
@@ -44,6 +40,7 @@ class HardwareAccess:
         "_peripheral_ns",
         "_quiet_until_ns",
         "_reads",
+        "_writes",
         "access_errors",
         "consistent_data",
         "inputs",
@@ -63,7 +60,8 @@ class HardwareAccess:
         self._outputs_at = self._modules.outputs
         self._image = self._modules.image
         self._peripheral_ns = settings.peripheral_ns
-        self._reads: dict[tuple[int, str], _AdjacentReads | None] = {}
+        self._reads: dict[str, Several | None] = {}
+        self._writes: dict[str, Several | None] = {}
         self.settings = settings
         self.services = Services()
         self.inputs = bytearray(settings.memory_bytes)
@@ -92,6 +90,7 @@ class HardwareAccess:
         """
         self._modules.mount(mounting, self.settings)
         self._reads.clear()
+        self._writes.clear()
 
     def _begin(self) -> None:
         """A scan, or a start-up, begins now."""
@@ -121,30 +120,21 @@ class HardwareAccess:
             return inputs[offset] << 8 | inputs[offset + 1]
         return int.from_bytes(inputs[offset : offset + count], "big")
 
-    def read_adjacent(self, byte: int, layout: str) -> tuple[int, ...] | None:
+    def read_several(self, places: str) -> tuple[int, ...] | None:
         """Several values by one call, or None if something may happen between the accesses."""
-        key = byte, layout
-        if key not in self._reads:
-            self._reads[key] = self._adjacent_reads(byte, layout)
-        reads = self._reads[key]
+        try:
+            reads = self._reads[places]
+        except KeyError:
+            reads = self._reads[places] = several_at(places, self._inputs_at, self._peripheral_ns)
         if reads is None:
             return None
-        station, offset, unpack, took_ns = reads
-        instant_ns = self._instant_ns + took_ns
+        station = reads.station
+        instant_ns = self._instant_ns + reads.took_ns
         if instant_ns >= self._quiet_until_ns or station.failed or self.link.armed:
             return None
         self._instant_ns = instant_ns
-        return unpack(station.inputs, offset)
-
-    def _adjacent_reads(self, byte: int, layout: str) -> "_AdjacentReads | None":
-        """Where the values lie, None unless one station has all of them."""
-        values = Struct(layout)
-        places = [self._inputs_at.get(byte + index) for index in range(values.size)]
-        first = places[0]
-        if first is None or any(place is None or place[0] is not first[0] for place in places):
-            return None
-        took_ns = self._peripheral_ns * len(layout.lstrip(">"))
-        return (*first, values.unpack_from, took_ns)
+        values = reads.unpack(station.inputs, reads.first)
+        return values if reads.in_order is None else reads.in_order(values)
 
     def write_peripheral(self, byte: int, count: int, value: int) -> None:
         """`count` bytes (1, 2, 4) straight to the master's image, big endian."""
@@ -177,6 +167,42 @@ class HardwareAccess:
             self._quiet_until_ns = self._kernel.quiet_until_ns()
         if self._image and station in self._image:
             self.outputs[byte : byte + count] = value.to_bytes(count, "big")
+
+    def write_several(self, places: str, values: tuple[int, ...]) -> bool:
+        """Several values by one call; False if something could happen between the accesses.
+
+        That could also be the bus cycle that the first of them asks for.
+        """
+        try:
+            writes = self._writes[places]
+        except KeyError:
+            writes = self._writes[places] = self._several_writes(places)
+        if writes is None:
+            return False
+        station, begin_ns = writes.station, self._instant_ns
+        end_ns = begin_ns + writes.took_ns
+        if end_ns >= self._quiet_until_ns or station.failed or self.link.armed:
+            return False
+        if not station.queued and self.link.next_cycle_ns(begin_ns) <= end_ns:
+            return False
+        self._instant_ns = end_ns
+        present = writes.unpack(station.outputs, writes.first)
+        if writes.in_order is not None:
+            present = writes.in_order(present)
+        if values != present:
+            for number, value in enumerate(values):
+                if value != present[number]:
+                    offset, count, after_ns = writes.pieces[number]
+                    if not station.queued:
+                        # the bus cycle that is asked for now is looked for from this instant on
+                        self._kernel.run_until(begin_ns + after_ns)
+                    station.write(offset, value.to_bytes(count, "big"))
+            self._quiet_until_ns = self._kernel.quiet_until_ns()
+        return True
+
+    def _several_writes(self, places: str) -> Several | None:
+        writes = several_at(places, self._outputs_at, self._peripheral_ns)
+        return None if writes is None or writes.station in self._image else writes
 
     def _let_happen(self, instant_ns: int) -> None:
         """Let the world go on up to an instant, and note how long nothing will happen then.

@@ -45,6 +45,10 @@ class MasterLink:
         self._reads[station] = _first_behind(station, behind, _input_pieces(station), "inputs")
         self.armed = True
 
+    def next_cycle_ns(self, time_ns: int) -> int:
+        """The instant of the first bus cycle that is later than `time_ns`."""
+        return self._master.next_cycle_ns(time_ns)
+
     def write(self, station: Station, offset: int, data: bytes) -> None:
         """Outputs from the CPU to the master."""
         if self.armed and station.outputs[offset : offset + len(data)] != data:

@@ -154,6 +154,9 @@ def _bit(place: str, bit: int, code: Code) -> str:
 
 def _write_peripheral(procedure: Procedure, address: Address, code: Code) -> None:
     if address.bits > 1:
+        if procedure.gathered is not None:
+            procedure.gathered.append(code.text)
+            return
         count = _bytes(address)
         procedure.line(f"_environment.write_peripheral({address.byte}, {count}, {code.text})")
         return

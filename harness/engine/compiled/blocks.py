@@ -19,6 +19,7 @@ from harness.engine.compiled.code import Listing
 from harness.engine.compiled.evaluation import enter
 from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.initials import Initializer
+from harness.engine.compiled.jumps import has_jumps
 from harness.engine.compiled.model import Model, Part, Record, has_memory, is_scalar
 from harness.engine.compiled.outside_calls import input_types
 from harness.engine.compiled.placement import Bytes
@@ -30,6 +31,7 @@ from harness.engine.compiled.procedure import (
 )
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.statements import write_long
+from harness.engine.compiled.temporaries import read_unfilled
 
 for module in (places, references, operators, standard_functions, calls, attempts, routines):
     enter(module.EXPRESSIONS)
@@ -81,7 +83,24 @@ def _own(context: BlockContext) -> list[Variable]:
     return [*declared, *context.model.program.temporaries.get(context.block, ())]
 
 
-def _head(procedure: Procedure, parameters: Sequence[Variable]) -> None:
+def _filled_first(procedure: Procedure, body: Sequence[Statement]) -> set[Variable]:
+    """The temporary variables that need no value at the start: the statements give them one."""
+    context = procedure.context
+    if context.framed or has_jumps(body):
+        return set()
+    read = read_unfilled(body)
+    return {
+        variable
+        for variable in context.block.variables
+        if variable.kind is VariableKind.TEMP
+        and is_scalar(variable.type)
+        and variable.address is None
+        and variable not in read
+        and not procedure.has_cell(variable)
+    }
+
+
+def _head(procedure: Procedure, parameters: Sequence[Variable], body: Sequence[Statement]) -> None:
     """Write what comes before the statements of the block: its variables."""
     context = procedure.context
     initializer = context.initializer
@@ -107,8 +126,11 @@ def _head(procedure: Procedure, parameters: Sequence[Variable]) -> None:
             procedure.line(f"{target} = _ValueCell({name})")
         elif context.framed:
             procedure.line(f"{target} = {name}")
+    filled_first = _filled_first(procedure, body)
     for variable in _own(context):
         target = procedure.storage(variable)
+        if variable in filled_first and variable not in placement.bits:
+            continue
         if variable in placement.bits:
             make = context.table("at", context.bytes.maker(variable.type))
             procedure.line(f"{target} = {make}({_MEMORY}, {placement.bits[variable]})")
@@ -130,7 +152,7 @@ def _function(context: BlockContext, body: Sequence[Statement]) -> Listing:
     procedure = Procedure(context, name, 0, split=False)
     procedure.line(f"def {name}({names}):")
     procedure.listing.indent = 4
-    _head(procedure, parameters)
+    _head(procedure, parameters, body)
     returned = ", ".join(procedure.text_of(variable) for variable in shape.returned)
     procedure.return_line = f"return {returned}" if returned else "return"
     write_long(procedure, body)
@@ -177,7 +199,7 @@ def _class(context: BlockContext, body: Sequence[Statement]) -> Listing:
     procedure.line("def _uncounted(self):" if counted else "def _run(self):")
     listing.indent = 8
     before = len(listing.lines)
-    _head(procedure, ())
+    _head(procedure, (), body)
     write_long(procedure, body)
     if len(listing.lines) == before:
         procedure.line("pass")

@@ -1,4 +1,4 @@
-"""Reading adjacent inputs straight from the hardware, by one call instead of one for each.
+"""Reading several inputs straight from the hardware, by one call instead of one for each.
 
 Every access to the hardware has an instant of its own, and what happens up to it happens first. As
 long as nothing does, several reads give the same as one; only the controller knows, and says so by
@@ -6,7 +6,7 @@ giving no values. Then the statements run as they are written. Between the reads
 neither reaches the hardware nor stops.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
 from fbgen.lang.checked import (
@@ -21,50 +21,57 @@ from fbgen.lang.types import StructType
 from harness.engine.compiled.caching import only_calculates
 from harness.engine.compiled.model import is_scalar, may_be_unconnected
 from harness.engine.compiled.procedure import Procedure
-from harness.engine.compiled.walk import every_node
+from harness.engine.compiled.walk import Node, every_node
 
-_LAYOUT = {8: "B", 16: "H", 32: "I", 64: "Q"}
+WIDTHS = (8, 16, 32, 64)
+"""Bits of what one access moves whole."""
 
 
-class AdjacentReads(NamedTuple):
-    """Statements with reads of inputs that lie one behind the other, from byte `byte` on.
-
-    `layout` has their sizes as the module `struct` spells them.
-    """
+class SeveralReads(NamedTuple):
+    """Statements with reads of inputs; `places` has byte and count of each."""
 
     statements: Sequence[Statement]
     reads: list[AddressRef]
-    byte: int
-    layout: str
+    places: str
 
 
-def adjacent_reads(body: Sequence[Statement], start: int, block: Block) -> AdjacentReads | None:
+def several_reads(body: Sequence[Statement], start: int, block: Block) -> SeveralReads | None:
     """The reads that begin with the statement at `start`, or None if there are not several."""
-    first = _read(body[start])
-    if first is None:
+    if _read(body[start]) is None:
         return None
     reads: list[AddressRef] = []
-    end, behind = start, first.address.byte
+    taken: set[int] = set()
+    end = start
     for at in range(start, len(body)):
         statement = body[at]
         if not isinstance(statement, Assignment) or not _stays_inside(statement, block):
             break
         read = _read(statement)
         if read is not None:
-            if read.address.byte != behind:
+            if not taken.isdisjoint(bytes_of(read)):
                 break
+            taken.update(bytes_of(read))
             reads.append(read)
-            behind += read.address.bits // 8
             end = at + 1
     if len(reads) < 2:
         return None
-    layout = ">" + "".join(_LAYOUT[read.address.bits] for read in reads)
-    return AdjacentReads(body[start:end], reads, first.address.byte, layout)
+    return SeveralReads(body[start:end], reads, places_text(reads))
 
 
-def write_adjacent_reads(
+def bytes_of(access: AddressRef) -> range:
+    """The bytes of the area that an access reaches."""
+    byte = access.address.byte
+    return range(byte, byte + access.address.bits // 8)
+
+
+def places_text(accesses: Iterable[AddressRef]) -> str:
+    """Byte and count of each access, as the environment takes them."""
+    return " ".join(f"{one.address.byte}:{one.address.bits // 8}" for one in accesses)
+
+
+def write_several_reads(
     procedure: Procedure,
-    found: AdjacentReads,
+    found: SeveralReads,
     write: Callable[[Procedure, Sequence[Statement]], None],
 ) -> None:
     """The statements, once with all values read before and once as they are."""
@@ -73,8 +80,7 @@ def write_adjacent_reads(
     procedure.forget_sites()
     values = procedure.temporary()
     names = [procedure.temporary() for _ in found.reads]
-    call = f"_environment.read_adjacent({found.byte}, {found.layout!r})"
-    procedure.line(f"if {values} := {call}:")
+    procedure.line(f"if {values} := _environment.read_several({found.places!r}):")
     listing.indent += 4
     procedure.line(f"{', '.join(names)} = {values}")
     procedure.at_hand = {id(read): name for read, name in zip(found.reads, names, strict=True)}
@@ -93,15 +99,20 @@ def _read(statement: Statement) -> AddressRef | None:
         return None
     address = statement.value.address
     is_input = address.peripheral and address.area == "I"
-    return statement.value if is_input and address.bits in _LAYOUT else None
+    return statement.value if is_input and address.bits in WIDTHS else None
 
 
 def _stays_inside(statement: Assignment, block: Block) -> bool:
     """True if an assignment, apart from the read, reaches no hardware and cannot stop."""
     parts = [statement.target] if _read(statement) is not None else [statement]
-    return is_scalar(statement.target.type) and all(
+    return is_scalar(statement.target.type) and calculates_in_memory(every_node(parts), block)
+
+
+def calculates_in_memory(nodes: Iterable[Node], block: Block) -> bool:
+    """True if these nodes reach variables of the program only, cannot stop and call nothing."""
+    return all(
         _is_memory(node, block) if isinstance(node, VariableRef) else only_calculates(node)
-        for node in every_node(parts)
+        for node in nodes
     )
 
 

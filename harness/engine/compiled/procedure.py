@@ -121,9 +121,10 @@ class Procedure:
 
     `aliases` has the locals that hold the value of a variable, too, and `known` what is known of
     values: of loop variables, and behind conditions. `at_hand` has the locals with what was read
-    from the hardware already, by the identity of the node. `split` marks a function that was split
-    off; any other one returns by `return_line`. `unwritten` is there while attributes need not be
-    written: it has those that a local has a newer value of, with the local.
+    from the hardware already, by the identity of the node. `gathered` is there while values for
+    the hardware are collected instead of written. `split` marks a function that was split off; any
+    other one returns by `return_line`. `unwritten` is there while attributes need not be written:
+    it has those that a local has a newer value of, with the local.
     """
 
     __slots__ = (
@@ -135,6 +136,7 @@ class Procedure:
             "arguments",
             "at_hand",
             "context",
+            "gathered",
             "known",
             "listing",
         ),
@@ -154,6 +156,7 @@ class Procedure:
         self.aliases: dict[Variable, str] = {}
         self.known: Intervals = {}
         self.at_hand: dict[int, str] = {}
+        self.gathered: list[str] | None = None
         self._sites: list[Site] = []
         self._reads: list[tuple[checked.Place, str]] = []
         self._temporaries = 0

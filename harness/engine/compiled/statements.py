@@ -30,7 +30,8 @@ from harness.engine.compiled.calls import (
     instruction_statement,
 )
 from harness.engine.compiled.evaluation import value
-from harness.engine.compiled.hardware_reads import adjacent_reads, write_adjacent_reads
+from harness.engine.compiled.hardware_reads import several_reads, write_several_reads
+from harness.engine.compiled.hardware_writes import several_writes, write_several_writes
 from harness.engine.compiled.instances import instance_call
 from harness.engine.compiled.intervals import written_inside
 from harness.engine.compiled.jumps import Dispatcher, has_jumps
@@ -105,13 +106,15 @@ def write_statements(procedure: Procedure, body: Sequence[Statement]) -> None:
     """Statements at the present level."""
     at = 0
     while at < len(body):
-        reads = adjacent_reads(body, at, procedure.context.block)
-        if reads is None:
+        if (reads := several_reads(body, at, procedure.context.block)) is not None:
+            write_several_reads(procedure, reads, _write_each)
+            at += len(reads.statements)
+        elif (writes := several_writes(procedure, body, at)) is not None:
+            write_several_writes(procedure, writes, _write_each)
+            at += len(writes.statements)
+        else:
             _write_each(procedure, body[at : at + 1])
             at += 1
-        else:
-            write_adjacent_reads(procedure, reads, _write_each)
-            at += len(reads.statements)
 
 
 def _write_each(procedure: Procedure, body: Sequence[Statement]) -> None:

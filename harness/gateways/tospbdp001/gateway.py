@@ -68,6 +68,7 @@ class Tospbdp001:
         "_sending",
         "_telegram_due_ns",
         "_trigger",
+        "_work_in_life",
         "fault",
         "name",
         "overwritten",
@@ -104,6 +105,7 @@ class Tospbdp001:
         self.powered_on_ns = 0
         self._answer_to_heartbeat = toshiba_ascii.parse_request(settings.heartbeat)
         self._life = 0
+        self._work_in_life = partial(self._work, 0)
         self._heartbeat_event: Event | None = None
         self._look_event: Event | None = None
         self._offline_event: Event | None = None
@@ -154,6 +156,7 @@ class Tospbdp001:
         """24 V goes: silence on both sides at once, everything is forgotten."""
         self.powered = False
         self._life += 1
+        self._work_in_life = partial(self._work, self._life)
         self.port.abort()
         self.slave.power_off()
         self._stop_sending()
@@ -249,7 +252,7 @@ class Tospbdp001:
         self._work_at(self._telegram_due_ns)
 
     def _work_at(self, time_ns: int) -> None:
-        self._kernel.at(time_ns, partial(self._work, self._life))
+        self._kernel.at(time_ns, self._work_in_life)
 
     def _work(self, life: int) -> None:
         if life != self._life:

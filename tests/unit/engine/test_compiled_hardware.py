@@ -222,19 +222,61 @@ END_FUNCTION_BLOCK
 
 
 @pytest.mark.parametrize(
-    ("statements", "layout"),
+    ("statements", "places"),
     [
-        ("#a := %IB1:P; #b := %IW2:P;", "(1, '>BH')"),
-        ("#a := %IB1:P; #b := SHL(IN := #b, N := 1); #a := %IB2:P; #b := W#16#1;", "(1, '>BB')"),
-        ("#a := %IB1:P; #b := %IW3:P;", ""),
+        ("#a := %IB1:P; #b := %IW2:P;", "1:1 2:2"),
+        ("#a := %IB1:P; #b := SHL(IN := #b, N := 1); #a := %IB2:P; #b := W#16#1;", "1:1 2:1"),
+        ("#b := %IW3:P; #a := %IB1:P;", "3:2 1:1"),
+        ("#a := %IB1:P; #b := %IW2:P; #a := %IB3:P;", "1:1 2:2"),
+        ("#b := %IW1:P; #a := %IB2:P;", ""),
         ("#a := %IB1:P; #single := %IB2:P;", ""),
         ("#a := %IB1:P; %QB1:P := #a; #a := %IB2:P;", ""),
         ("#a := %IB1:P; #bits[BYTE_TO_INT(#a)] := %IB2:P;", ""),
         ("#a := %IB1:P; #b := %IW2;", ""),
     ],
 )
-def test_only_what_nothing_can_come_between_is_read_at_once(statements, layout):
-    program = read_program([Source("main.scl", READING.format(statements))])
-    text = CompiledEngine(program, StandaloneEnvironment()).python_source("Reader")
-    _, found, behind = text.partition("_environment.read_adjacent")
-    assert (behind.partition("):")[0] + ")" if found else "") == layout
+def test_only_what_nothing_can_come_between_is_read_at_once(statements, places):
+    text = source_of("Reader", READING.format(statements))
+    assert asked_for(text, "read_several") == places
+
+
+WRITING = """
+FUNCTION_BLOCK "Writer"
+VAR_IN_OUT single : BYTE; END_VAR
+VAR a : BYTE; b : WORD; bits : ARRAY[0..1] OF BYTE; END_VAR
+VAR_TEMP t : BYTE; u : BYTE; END_VAR
+BEGIN
+{}
+END_FUNCTION_BLOCK
+"""
+
+
+@pytest.mark.parametrize(
+    ("statements", "places"),
+    [
+        ("%QB5:P := #a; %QW1:P := #b;", "5:1 1:2"),
+        ("%QB1:P := #a; #t := WORD_TO_BYTE(#b); %QB2:P := #t; #a := 0;", "1:1 2:1"),
+        ("%QB1:P := #a; %QB2:P := #a; %QB1:P := 0;", "1:1 2:1"),
+        ("%QB1:P := #a; %QB1:P := #a;", ""),
+        ("%QB1:P := #a; #a := #a + 1; %QB2:P := #a;", ""),
+        ("%QB1:P := #t; #t := #a; %QB2:P := #t;", ""),
+        ("%QB1:P := #a; #t := #a; %QB1:P := #t; #t := #u; %QB2:P := #t;", ""),
+        ("%QB1:P := #single; %QB2:P := #a;", ""),
+        ("%QB1:P := #bits[BYTE_TO_INT(#a)]; %QB2:P := #a;", ""),
+        ("%QB1:P := #a; %QB2:P := %IB1:P;", ""),
+    ],
+)
+def test_only_what_may_be_worked_out_before_is_written_at_once(statements, places):
+    text = source_of("Writer", WRITING.format(statements))
+    assert asked_for(text, "write_several") == places
+
+
+def source_of(block, text):
+    program = read_program([Source("main.scl", text)])
+    return CompiledEngine(program, StandaloneEnvironment()).python_source(block)
+
+
+def asked_for(text, method):
+    """The places of the one call of a method of the environment, "" if there is none."""
+    _, found, behind = text.partition(f"_environment.{method}('")
+    return behind.partition("'")[0] if found else ""

@@ -8,7 +8,7 @@ from harness.kernel import NS_PER_MS, NS_PER_US
 from harness.plc import Cpu
 
 INPUTS = bytes.fromhex("01 02 03 04 05 06 07 08")
-LAYOUT = ">BBHI"
+PLACES = "256:1 257:1 258:2 260:4"
 
 FRAME = """
 TYPE "typeFrame" STRUCT status : WORD; number : BYTE; cmd : BYTE; data : DWORD; END_STRUCT; END_TYPE
@@ -27,7 +27,7 @@ END_ORGANIZATION_BLOCK
 
 
 class Counting:
-    """Counts how often the controller is asked for adjacent inputs and gives them."""
+    """Counts how often the controller is asked for several inputs and gives them."""
 
     def __init__(self, cpu: Cpu) -> None:
         self.cpu = cpu
@@ -36,8 +36,8 @@ class Counting:
     def __getattr__(self, name: str) -> object:
         return getattr(self.cpu, name)
 
-    def read_adjacent(self, byte: int, layout: str) -> tuple[int, ...] | None:
-        values = self.cpu.read_adjacent(byte, layout)
+    def read_several(self, places: str) -> tuple[int, ...] | None:
+        values = self.cpu.read_several(places)
         self.given.append(values is not None)
         return values
 
@@ -52,9 +52,17 @@ def started(make_rig, **settings):
 def test_the_values_are_those_of_single_reads(make_rig):
     rig = started(make_rig)
     seen: list[object] = []
-    rig.body(lambda: seen.append(rig.cpu.read_adjacent(256, LAYOUT)))
+    rig.body(lambda: seen.append(rig.cpu.read_several(PLACES)))
     rig.run_ms(10)
     assert seen == [(0x01, 0x02, 0x0304, 0x05060708)]
+
+
+def test_they_come_in_the_order_of_the_reads_and_may_leave_bytes_out(make_rig):
+    rig = started(make_rig)
+    seen: list[object] = []
+    rig.body(lambda: seen.append(rig.cpu.read_several("262:2 256:1 259:1")))
+    rig.run_ms(10)
+    assert seen == [(0x0708, 0x01, 0x04)]
 
 
 def test_they_take_the_time_of_single_reads(make_rig):
@@ -62,7 +70,7 @@ def test_they_take_the_time_of_single_reads(make_rig):
     seen: list[object] = []
 
     def body() -> None:
-        assert rig.cpu.read_adjacent(256, ">BBB") is not None
+        assert rig.cpu.read_several("256:1 257:1 258:1") is not None
         seen.append(rig.cpu.read_peripheral(256, 1))  # 1.2 ms after the start of the scan
         rig.cpu.read_peripheral(256, 1)
         rig.cpu.read_peripheral(256, 1)
@@ -78,16 +86,16 @@ def test_nothing_is_given_while_a_bus_cycle_falls_between_the_reads(make_rig):
     rig = started(make_rig, peripheral_ns=800 * NS_PER_US)
     seen: list[object] = []
     rig.kernel.at(31 * NS_PER_MS, lambda: rig.slave.set_inputs(b"\x09" + bytes(7)))
-    rig.body(lambda: seen.append(rig.cpu.read_adjacent(256, LAYOUT)))
+    rig.body(lambda: seen.append(rig.cpu.read_several(PLACES)))
     rig.run_ms(10)
     assert seen == [None]
 
 
-@pytest.mark.parametrize(("byte", "layout"), [(255, ">BB"), (262, ">HH"), (300, ">BB")])
-def test_nothing_is_given_where_no_station_has_all_of_it(make_rig, byte, layout):
+@pytest.mark.parametrize("places", ["255:1 256:1", "262:2 264:2", "300:1 301:1", "256:2 257:1"])
+def test_nothing_is_given_where_no_station_has_each_of_them_once(make_rig, places):
     rig = started(make_rig)
     seen: list[object] = []
-    rig.body(lambda: seen.append(rig.cpu.read_adjacent(byte, layout)))
+    rig.body(lambda: seen.append(rig.cpu.read_several(places)))
     rig.run_ms(10)
     assert seen == [None]
     assert rig.cpu.access_errors == 0
@@ -96,7 +104,7 @@ def test_nothing_is_given_where_no_station_has_all_of_it(make_rig, byte, layout)
 def test_nothing_is_given_by_a_failed_station_or_while_a_transfer_is_to_be_torn(make_rig):
     rig = started(make_rig)
     seen: list[object] = []
-    rig.body(lambda: seen.append(rig.cpu.read_adjacent(256, LAYOUT)))
+    rig.body(lambda: seen.append(rig.cpu.read_several(PLACES)))
     rig.cpu.link.tear_next_read(rig.station, 1)
     rig.run_ms(10)
     rig.cpu.link.set_tear_probability(0)
