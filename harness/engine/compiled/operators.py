@@ -137,14 +137,23 @@ def _boolean(operator: str, left: Code, right: Code) -> Code:
 
 def _bitwise(operator: str, left: Code, right: Code, kind: Type) -> Code:
     sign, level = _BITWISE[operator]
-    code = _joined(left, sign, right, level)
     low, high = limits(kind)
+    if operator == "AND" and _lets_all_through(right, left):
+        return left
+    code = _joined(left, sign, right, level)
     if low >= 0:
         if operator == "AND":
             high = min(left.high, right.high)
         else:
             high = (1 << max(left.high, right.high).bit_length()) - 1
     return code._replace(low=low, high=high)
+
+
+def _lets_all_through(mask: Code, code: Code) -> bool:
+    """True for a constant that has every bit which a value can have."""
+    if mask.low != mask.high or mask.low < 0 or code.low < 0:
+        return False
+    return ~mask.low & (1 << code.high.bit_length()) - 1 == 0
 
 
 # --- whole numbers ------------------------------------------------------------------------------

@@ -36,7 +36,8 @@ def _is_plain(part: Part, value: str) -> str:
         return f"{value} is True or {value} is False"
     if is_counted(part.type) and not isinstance(part.type, Subrange):
         low, high = limits(part.type)
-        return f"_type({value}) is int and {low} <= {value} <= {high}"
+        # Two comparisons, as Python keeps the value aside for one with both ends.
+        return f"_type({value}) is int and {value} <= {high} and {value} >= {low}"
     return ""
 
 
@@ -54,30 +55,34 @@ def _write_start(listing: Listing, facts: Facts, block: Block) -> None:
 
 
 def write_keyword_call(record: Record, facts: Facts, block: Block) -> Listing:
-    """A function `_make(data, convert)` that makes one with the inputs of `data` as keywords.
+    """A function `_make(_data, _convert)` that makes one with the inputs of `_data` as keywords.
 
     What is no single value, is named in another way than it was declared, or is no input at all,
     arrives in `_others`: `_set_others` sees to it.
     """
     inputs = [part for part in _inputs(record) if part.slot == part.name]
-    keywords = "".join(f"{part.slot}=_keep, " for part in inputs)
+    names = "".join(f"{part.slot}=_keep, " for part in inputs)
     only = "*, " if inputs else ""
     listing = Listing()
     listing.add("def _make(_data, _convert):")
     listing.indent = 4
     listing.add("_run = _data._run")
-    listing.add(f"def _call({only}{keywords}**_others):")
+    listing.add(f"def _call({only}{names}**_others):")
     listing.indent = 8
     listing.add("try:")
     listing.indent = 12
     _write_start(listing, facts, block)
     for part in inputs:
-        keyword = "if"
-        if plain := _is_plain(part, part.slot):
-            listing.add(f"if {plain}: _data.{part.slot} = {part.slot}")
+        slot, keyword = part.slot, "if"
+        if part.type == BOOL:
+            # Most of them are as they were, and then there is nothing to check or to store.
+            listing.add(f"if {slot} is _data.{slot}: pass")
             keyword = "elif"
-        listing.add(f"{keyword} {part.slot} is not _keep:")
-        listing.add(f"    _data.{part.slot} = {_accepted(record, part, part.slot)}")
+        if plain := _is_plain(part, slot):
+            listing.add(f"{keyword} {plain}: _data.{slot} = {slot}")
+            keyword = "elif"
+        listing.add(f"{keyword} {slot} is not _keep:")
+        listing.add(f"    _data.{slot} = {_accepted(record, part, slot)}")
     listing.add("if _others: _set_others(_data, _convert(_others))")
     listing.add("_run()")
     listing.indent = 8
