@@ -8,6 +8,7 @@ for part of one.
 """
 
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from fbgen.lang.checked import (
     Assignment,
@@ -35,6 +36,7 @@ from fbgen.lang.types import BOOL, VOID, ArrayType, StructType, Subrange
 from fbgen.source import Source, Span
 from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.model import is_scalar, may_be_unconnected
+from harness.engine.compiled.paths import Path, fields_to, worth_naming
 from harness.engine.compiled.ranges import is_counted
 from harness.engine.compiled.walk import Node, children, every_node, root_of
 
@@ -56,17 +58,28 @@ _NOBODY = Variable(Span(Source("", ""), 0, 0), "", VariableKind.TEMP, VOID)
 
 
 class _Uses:
-    """How often one variable is used; `arms` are the branches that the uses stand in."""
+    """How often a variable or a structure inside of one is used.
 
-    __slots__ = ("arms", "weight")
+    `arms` are the branches that the uses stand in, `node` is one of the uses of a structure.
+    """
 
-    def __init__(self) -> None:
+    __slots__ = ("arms", "node", "weight")
+
+    def __init__(self, node: FieldRef | None = None) -> None:
         self.weight = 0.0
         self.arms: set[object] = set()
+        self.node = node
+
+    @property
+    def in_one_branch(self) -> bool:
+        """True if all of it stands in one branch, which may see to it itself."""
+        return len(self.arms) <= 1 and None not in self.arms
 
 
-def _uses(body: Iterable[Statement]) -> dict[Variable, _Uses]:
+def _uses(body: Iterable[Statement]) -> tuple[dict[Variable, _Uses], dict[Path, _Uses]]:
+    """The uses of the variables of the block, and of the structures in any structure."""
     found: dict[Variable, _Uses] = {}
+    structures: dict[Path, _Uses] = {}
     stack: list[tuple[Node, float, object]] = [(statement, 1.0, None) for statement in body]
     while stack:
         node, weight, arm = stack.pop()
@@ -76,6 +89,12 @@ def _uses(body: Iterable[Statement]) -> dict[Variable, _Uses]:
                     uses = found.setdefault(node.variable, _Uses())
                     uses.weight += weight
                     uses.arms.add(arm)
+            case FieldRef() if (way := fields_to(node)) is not None:
+                for path, field in way.paths():
+                    uses = structures.setdefault(path, _Uses(field))
+                    uses.weight += weight
+                    uses.arms.add(arm)
+                stack.append((way.root, weight, arm))
             case For():
                 # The loop variable has a local of its own.
                 uses = found.setdefault(root_of(node.variable) or _NOBODY, _Uses())
@@ -99,7 +118,7 @@ def _uses(body: Iterable[Statement]) -> dict[Variable, _Uses]:
                 stack.extend((one, inner, arm or node) for one in node.otherwise)
             case _:
                 stack.extend((child, weight, arm) for child in children(node))
-    return found
+    return found, structures
 
 
 def _written_first(body: Sequence[Statement]) -> set[Variable]:
@@ -120,31 +139,55 @@ def _written_first(body: Sequence[Statement]) -> set[Variable]:
     return first
 
 
-def worth_keeping(
-    body: Sequence[Statement], block: Block, facts: Facts
-) -> list[tuple[Variable, bool]]:
-    """The variables of the own block that these statements should keep in locals.
+class Kept(NamedTuple):
+    """What statements should keep in locals.
 
-    With each one whether its local must be filled before. What is used in one branch only is left
-    to that branch.
+    `variables` says for each variable whether its local must be filled before; `structures` has
+    one use of each structure inside of another one, outer ones first.
     """
-    found = _uses(body)
+
+    variables: list[tuple[Variable, bool]]
+    structures: list[tuple[Path, FieldRef]]
+
+
+def worth_keeping(body: Sequence[Statement], block: Block, facts: Facts) -> Kept:
+    """What these statements should keep in locals; what one branch uses alone is left to that."""
+    found, structures = _uses(body)
     written_first = _written_first(body)
     wanted = [
         variable
         for variable, uses in found.items()
         if uses.weight >= (_WORTH_IF_WRITTEN if variable in written_first else _WORTH)
-        and (len(uses.arms) > 1 or None in uses.arms)
+        and not uses.in_one_branch
         and variable.address is None
         and not may_be_unconnected(variable, block)
     ]
     singles = {variable for variable in wanted if is_scalar(variable.type)}
     kept = facts.private(singles, block, body) if singles else set()
-    return [
-        (variable, variable not in written_first)
-        for variable in wanted
-        if variable in kept or variable not in singles
-    ]
+    named = worth_naming(
+        {
+            path: uses.weight
+            for path, uses in structures.items()
+            if not uses.in_one_branch and _is_always_there(path[0], block)
+        }
+    )
+    return Kept(
+        [
+            (variable, variable not in written_first)
+            for variable in wanted
+            if variable in kept or variable not in singles
+        ],
+        [(path, node) for path in named if (node := structures[path].node) is not None],
+    )
+
+
+def _is_always_there(variable: Variable, block: Block) -> bool:
+    """True for a structure that a block has from its first statement on."""
+    return (
+        variable.kind in _KEPT_KINDS
+        and variable.address is None
+        and not may_be_unconnected(variable, block)
+    )
 
 
 # --- quiet loops ----------------------------------------------------------------------------------

@@ -37,6 +37,7 @@ from harness.engine.compiled.conversions import cut
 from harness.engine.compiled.evaluation import Write, named, stored, value
 from harness.engine.compiled.memory_access import spot
 from harness.engine.compiled.model import is_scalar, may_be_unconnected
+from harness.engine.compiled.paths import path_of
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits, wrapped
 
@@ -57,6 +58,10 @@ def _variable(procedure: Procedure, node: VariableRef) -> Code:
 
 
 def _field(procedure: Procedure, node: FieldRef) -> Code:
+    if procedure.paths and isinstance(node.type, StructType):
+        path = path_of(node)
+        if path is not None and path in procedure.paths:
+            return Code(procedure.paths[path], simple=True)
     base = place(procedure, node.base)
     assert isinstance(node.base.type, StructType | BlockType)
     record = procedure.context.model.record_of(node.base.type)

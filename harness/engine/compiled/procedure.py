@@ -22,6 +22,7 @@ from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.intervals import Intervals
 from harness.engine.compiled.model import GLOBALS, Model, has_memory, is_scalar
 from harness.engine.compiled.names import Names
+from harness.engine.compiled.paths import Path
 from harness.engine.compiled.placement import Bytes
 
 DEEPEST_EXPRESSION = 60
@@ -58,7 +59,7 @@ class BlockContext:
 
     __slots__ = (
         *("block", "bytes", "facts", "framed", "initializer", "model", "names", "parts"),
-        *("probe", "python_name", "storage", "tables", "_count"),
+        *("probe", "python_name", "storage", "tables", "_count", "_path_names"),
     )
 
     def __init__(
@@ -83,7 +84,14 @@ class BlockContext:
         self.parts: list[Listing] = []
         self.tables: dict[str, object] = {}
         self.storage: dict[Variable, str] = {}
+        self._path_names: dict[Path, str] = {}
         self._count = 0
+
+    def path_name(self, path: Path, declared: str) -> str:
+        """The local for a structure inside of another one, called like its field if it can be."""
+        if path not in self._path_names:
+            self._path_names[path] = self.names.give(declared)
+        return self._path_names[path]
 
     @property
     def arguments(self) -> str:
@@ -119,8 +127,9 @@ class Loop:
 class Procedure:
     """One Python function while it is written.
 
-    `aliases` has the locals that hold the value of a variable, too, and `known` what is known of
-    values: of loop variables, and behind conditions. `at_hand` has the locals with what was read
+    `aliases` has the locals that hold the value of a variable, too, `paths` those that hold a
+    structure inside of another one, and `known` what is known of values: of loop variables, and
+    behind conditions. `at_hand` has the locals with what was read
     from the hardware already, by the identity of the node. `gathered` is there while values for
     the hardware are collected instead of written. `split` marks a function that was split off; any
     other one returns by `return_line`. `unwritten` is there while attributes need not be written:
@@ -139,6 +148,7 @@ class Procedure:
             "gathered",
             "known",
             "listing",
+            "paths",
         ),
         *("loops", "name", "nesting", "return_line", "split", "unwritten"),
     )
@@ -154,6 +164,7 @@ class Procedure:
         self.listing = Listing()
         self.loops: list[Loop] = []
         self.aliases: dict[Variable, str] = {}
+        self.paths: dict[Path, str] = {}
         self.known: Intervals = {}
         self.at_hand: dict[int, str] = {}
         self.gathered: list[str] | None = None
@@ -280,7 +291,7 @@ class Procedure:
         """An expression that is nested too deep, as the call of a function with it."""
         used = [
             name
-            for name in dict.fromkeys(self.aliases.values())
+            for name in dict.fromkeys((*self.aliases.values(), *self.paths.values()))
             if re.search(rf"(?<!\.)\b{name}\b", code.text)
         ]
         part = self.start_part("value", used)

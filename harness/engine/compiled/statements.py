@@ -37,7 +37,7 @@ from harness.engine.compiled.intervals import written_inside
 from harness.engine.compiled.jumps import Dispatcher, has_jumps
 from harness.engine.compiled.loops import write_for, write_repeat, write_while
 from harness.engine.compiled.model import has_memory
-from harness.engine.compiled.places import assign
+from harness.engine.compiled.places import assign, place
 from harness.engine.compiled.procedure import DEEPEST_INDENT, DEEPEST_LOOPS, Procedure
 from harness.engine.compiled.routines import routine_statement
 from harness.engine.compiled.selection import write_case, write_if
@@ -68,28 +68,35 @@ def write_body(
     before = len(listing.lines)
     if owner is not None:
         _probe(procedure, owner)
-    aliases = procedure.aliases
+    aliases, paths = procedure.aliases, procedure.paths
     if owner is not None:
         _keep_in_locals(procedure, body)
     write_statements(procedure, body)
-    procedure.aliases = aliases
+    procedure.aliases, procedure.paths = aliases, paths
     if len(listing.lines) == before:
         procedure.line("pass")
     listing.indent -= 4
 
 
 def _keep_in_locals(procedure: Procedure, body: Sequence[Statement]) -> None:
-    """Read often used attributes into locals; `procedure.aliases` becomes a new mapping."""
+    """Read often used attributes into locals; the mappings of `procedure` become new ones."""
     context = procedure.context
+    if not has_memory(context.block) or procedure.listing.indent > DEEPEST_LOCALS:
+        return
+    kept = worth_keeping(body, context.block, context.facts)
     aliases = dict(procedure.aliases)
-    if has_memory(context.block) and procedure.listing.indent <= DEEPEST_LOCALS:
-        for variable, is_read_first in worth_keeping(body, context.block, context.facts):
-            if variable not in aliases:
-                name = context.names.of(variable.name)
-                if is_read_first:
-                    procedure.line(f"{name} = {procedure.text_of(variable)}")
-                aliases[variable] = name
+    for variable, is_read_first in kept.variables:
+        if variable not in aliases:
+            name = context.names.of(variable.name)
+            if is_read_first:
+                procedure.line(f"{name} = {procedure.text_of(variable)}")
+            aliases[variable] = name
     procedure.aliases = aliases
+    for path, node in kept.structures:
+        if path not in procedure.paths:
+            name = context.path_name(path, node.name)
+            procedure.line(f"{name} = {place(procedure, node).text}")
+            procedure.paths = {**procedure.paths, path: name}
 
 
 def _is_nested(body: Sequence[Statement]) -> bool:
