@@ -390,7 +390,8 @@ class Writer:
 
     def _case(self, depth: int, indent: str) -> str:
         inner = indent + "        "
-        text = f"{indent}CASE {self.expression('INT', 2)} OF\n"
+        # A subrange alone takes only labels of its own range.
+        text = f"{indent}CASE {self.expression('INT', 2)} + 0 OF\n"
         start = self.number(-3, 3)
         for _ in range(self.number(1, 3)):
             end = start + self.number(0, 3)
