@@ -9,6 +9,7 @@ from fbgen.lang.types import (
     DATE,
     DATE_AND_TIME,
     DINT,
+    DWORD,
     INT,
     LDT,
     LREAL,
@@ -124,12 +125,18 @@ ROUTINES: dict[str, RoutineCase] = {
     "CLOCK": RoutineCase(
         {"set": BOOL, "stamp": LDT, "dt": DATE_AND_TIME},
         "now, local : LDT; clk : DATE_AND_TIME; ret : INT; tick : TIME; mem, run : LREAL;"
-        " w : WORD;",
+        " w : WORD; error : ErrorStruct;",
         "IF #set THEN #ret := WR_SYS_T(IN := #stamp); #ret := SET_CLK(PDT := #dt);\n"
         "ELSE #ret := WR_LOC_T(LOCTIME := #stamp, DST := FALSE); END_IF;\n"
         "#ret := RD_SYS_T(OUT => #now); #ret := RD_LOC_T(#local); #ret := READ_CLK(CDT => #clk);\n"
         "#tick := TIME_TCK(); #run := RUNTIME(#mem); RE_TRIGR(); #w := GetErrorID();\n"
+        "GetError(#error);\n"
         "IF #now > LDT#2200-01-01-00:00:00 THEN STP(); END_IF;",
+    ),
+    "DIGITS": RoutineCase(
+        {"w": WORD, "d": DWORD},
+        "shown, complement : DWORD;",
+        "SEG(IN := #w, OUT => #shown);\n#complement := BCDCPL(#d);",
     ),
     **{
         name: RoutineCase(
