@@ -17,7 +17,8 @@ from harness.installation import PlantSetup, build_plant, generated_sources
 from harness.kernel import NS_PER_MS, NS_PER_US
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "manual_example" / "plant.yaml"
-SENT = ("0B50FA00C400", "0B50FA011388", "0B47FE030000", "0B50FA00C200")
+# The read of FC90 that goes out first (docs/decisions/0016), then the commands of the manual.
+SENT = ("0B47FC900000", "0B50FA00C400", "0B50FA011388", "0B47FE030000", "0B50FA00C200")
 SCAN_NS = 10 * NS_PER_MS
 
 
