@@ -271,7 +271,8 @@ class Library:
         block = standard_block(name)
         if block is not None:
             return block
-        block = hardware_block(name, True) if self.rules.dialect in _S7 else None
+        dialect = self.rules.dialect
+        block = hardware_block(name, dialect) if dialect in _S7 else None
         if block is None and self.is_stubbed(name):
             block = stubbed_block(self._stubbed[name.casefold()])
         if block is not None:

@@ -30,6 +30,7 @@ from fbgen.lang.checker.enumerations import (
 )
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.foreign_names import library_help
+from fbgen.lang.checker.kept_in_outs import kept_by_instance
 from fbgen.lang.checker.literals import ERRONEOUS, NULL, erroneous
 from fbgen.lang.checker.members import of_owner, own_variable, read_property, read_special
 from fbgen.lang.checker.name_lookup import (
@@ -163,6 +164,8 @@ def _unknown_name(ctx: Context, node: ast.Name) -> None:
 def _near_names(ctx: Context, node: ast.Name) -> str:
     if node.quoted and not node.local:
         return value_help(node.name, ctx.library.globals.names())
+    if ctx.rules.dialect == "step7" and not node.local:
+        return value_help(node.name, ctx.scope.names() + ctx.library.globals.names())
     known = ctx.scope.names()
     if not node.local:
         known += ctx.library.globals.names()
@@ -270,6 +273,14 @@ def _instance_variable(ctx: Context, node: ast.Member, kind: BlockType) -> Varia
         if variable.kind is VariableKind.STATIC and (
             ctx.rules.statics_visible or is_program(ctx, kind)
         ):
+            return variable
+        if kept_by_instance(ctx, ctx.library.user_block(kind.name), variable):
+            ctx.findings.gap(
+                f"in-out '{variable.name}' of {kind.name} has no model outside of the block, so"
+                " this program cannot run",
+                node.span,
+                "to run it, give a variable in each call and use that",
+            )
             return variable
         if variable.kind is not VariableKind.RESULT:
             ctx.findings.error(

@@ -115,6 +115,10 @@ def _canonical(name: str) -> str:
     return general if plain or isinstance(kind, StringType) else key
 
 
+CLASSIC_NAMES: dict[str, dict[str, str]] = {"LEN": {"S": "IN"}}
+"""Parameters that STEP 7 V5 calls otherwise."""
+
+
 def check_standard_call(
     ctx: Context, node: ast.Call, name: str, expected: Type | None
 ) -> Expression:
@@ -123,6 +127,8 @@ def check_standard_call(
     if key in RENAMED:
         key, names = RENAMED[key]
         node = _with_names(node, names)
+    if ctx.rules.dialect == "step7":
+        node = _with_names(node, CLASSIC_NAMES.get(key, {}))
     function = _function_named(key)
     if function is not None:
         if has_addresses(ctx):

@@ -19,17 +19,30 @@ from fbgen.lang.walk import walk
 from fbgen.source import Source, Span
 
 _KINDS = {Direction.INPUT: VariableKind.INPUT, Direction.OUTPUT: VariableKind.OUTPUT}
+_CLASSIC_TYPES = (
+    ("ID UINT", "ID DWORD"),
+    ("ID => UINT", "ID => DWORD"),
+    ("INDEX DINT", "INDEX INT"),
+    ("UDINT", "INT"),
+    ("UINT", "INT"),
+    ("USINT", "INT"),
+)
 _NOWHERE = Span(Source("instructions without a model", ""), 0, 0)
 
 
 @cache
-def hardware_block(name: str, on_s7: bool = True) -> StandardBlock | None:
-    """The hardware block with that name, whatever its case and spelling."""
+def hardware_block(name: str, dialect: str = "tia") -> StandardBlock | None:
+    """The hardware block with that name, whatever its case and spelling.
+
+    In `step7` it has that system's types, which has none without a sign.
+    """
     key = name.upper()
     key = BLOCK_ALIASES.get(key, key)
     text = HARDWARE_BLOCKS.get(key)
-    if text is None or (key in WORDS and not on_s7):
+    if text is None or (key in WORDS and dialect not in ("tia", "step7")):
         return None
+    for newer, older in _CLASSIC_TYPES if dialect == "step7" else ():
+        text = text.replace(newer, older)
     routine = read_signature(key, f"({text})", modelled=False)
     variables = (
         Variable(_NOWHERE, parameter.name, _KINDS[parameter.direction], parameter.types[0])

@@ -8,7 +8,7 @@ from enum import Enum
 
 _NO_TEXT = re.compile(rb"//[^\r\n]*|\(\*.*?\*\)|'[^'\r\n]*'", re.DOTALL)
 _TIA = re.compile(
-    rb"\bS7_Optimized_Access\b|\bVAR\s+CONSTANT\b|^[ \t]*REGION\b|^[ \t]*VERSION\s*:\s*\d",
+    rb"\bS7_Optimized_Access\b|\bVAR\s+CONSTANT\b|^[ \t]*REGION\b",
     re.IGNORECASE | re.MULTILINE,
 )
 _CLASSIC = re.compile(

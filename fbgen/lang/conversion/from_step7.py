@@ -32,7 +32,7 @@ from fbgen.lang.ast import (
     VarSection,
 )
 from fbgen.lang.checker.routines import routine_named
-from fbgen.lang.checker.standard_calls import is_standard_function
+from fbgen.lang.checker.standard_calls import CLASSIC_NAMES, is_standard_function
 from fbgen.lang.checker.system_instructions import instruction_named
 from fbgen.lang.conversion.output_arrows import with_arrows
 from fbgen.lang.conversion.rewriting import Rewriter, Rule, replaced, rewritten
@@ -185,7 +185,11 @@ class _FromStep7(Rewriter):
         name = callee.name
         if known is not None and _NUMBERED.fullmatch(name):
             name = known.name
-        return Call(call.span, Name(callee.span, name), call.arguments)
+        names = CLASSIC_NAMES.get(name.upper(), {})
+        arguments = tuple(
+            replaced(one, name=names.get(one.name.upper(), one.name)) for one in call.arguments
+        )
+        return Call(call.span, Name(callee.span, name), arguments)
 
     def _is_behind_block(self, callee: Expression) -> bool:
         """Whether this is `"FB"."DB"`, a global instance behind the block it belongs to."""

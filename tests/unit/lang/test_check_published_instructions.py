@@ -157,3 +157,50 @@ def test_an_unknown_line_of_a_header_is_one_error() -> None:
     assert [(one.code, one.message) for one in found] == [
         ("FB3001", "a block's header has no PURPOSE")
     ]
+
+
+def test_the_length_of_a_text_in_step_7() -> None:
+    text = (
+        "FUNCTION Size : INT\nVAR_INPUT t : STRING; END_VAR\n"
+        "BEGIN\nSize := LEN(S := t);\nEND_FUNCTION\n"
+    )
+    assert errors_of(text, "step7") == []
+
+
+_READER = """FUNCTION_BLOCK "Reader"
+VAR_IN_OUT
+   begin : Bool;
+   list : Array[0..3] of Int;
+END_VAR
+BEGIN
+IF #begin THEN #begin := FALSE; #list[0] := 1; END_IF;
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK "Main"
+VAR
+   reader : "Reader";
+   values : Array[0..3] of Int;
+END_VAR
+BEGIN
+#reader.begin := TRUE;
+#reader(list := #values);
+END_FUNCTION_BLOCK
+"""
+
+
+def test_an_in_out_keeps_its_value_in_the_instance() -> None:
+    assert errors_of(_READER, "tia") == []
+    assert [one.code for one in findings_of(_READER, "tia") if one.code == "FB4141"] == [
+        "FB4141",
+        "FB4141",
+    ]
+    structured = _READER.replace("list := #values", "begin := #values[0] > 0")
+    assert "FB4040" in [one.code for one in errors_of(structured, "tia")]
+
+
+def test_hardware_blocks_have_the_types_of_step_7() -> None:
+    text = (
+        "FUNCTION_BLOCK FB1\nVAR receive : TRCV; length : INT; data : BYTE; END_VAR\nBEGIN\n"
+        "receive(EN_R := TRUE, ID := W#16#1, LEN := length, DATA := data);\n"
+        "length := receive.RCVD_LEN;\nEND_FUNCTION_BLOCK\n"
+    )
+    assert errors_of(text, "step7") == []
