@@ -28,14 +28,13 @@ _TIA_ATTRIBUTES = re.compile(r"S7_Optimized_Access|InstructionName", re.IGNORECA
 
 def names_not_too_long(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5054: a symbol or variable has at most 24 characters."""
-    for item in emitted.nodes:
-        if isinstance(item, ast.Name | ast.DeclaredName) and len(item.name) > _LONGEST_NAME:
-            yield Diagnostic(
-                "FB5054",
-                f"the name '{item.name}' has {len(item.name)} characters",
-                item.span,
-                f"STEP 7 takes {_LONGEST_NAME}; shorten the names in the plant file",
-            )
+    for item in emitted.names_longer_than(_LONGEST_NAME):
+        yield Diagnostic(
+            "FB5054",
+            f"the name '{item.name}' has {len(item.name)} characters",
+            item.span,
+            f"STEP 7 takes {_LONGEST_NAME}; shorten the names in the plant file",
+        )
 
 
 def header_as_step7_reads_it(emitted: EmittedText) -> Iterator[Diagnostic]:

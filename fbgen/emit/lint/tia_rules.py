@@ -59,14 +59,13 @@ def header_in_order(emitted: EmittedText) -> Iterator[Diagnostic]:
 
 def names_not_too_long(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5043: a name has at most 125 characters."""
-    for item in emitted.nodes:
-        if isinstance(item, ast.Name | ast.DeclaredName) and len(item.name) > _LONGEST_NAME:
-            yield Diagnostic(
-                "FB5043",
-                f"the name '{item.name[:20]}...' has {len(item.name)} characters",
-                item.span,
-                f"TIA Portal takes {_LONGEST_NAME}; shorten the names in the plant file",
-            )
+    for item in emitted.names_longer_than(_LONGEST_NAME):
+        yield Diagnostic(
+            "FB5043",
+            f"the name '{item.name[:20]}...' has {len(item.name)} characters",
+            item.span,
+            f"TIA Portal takes {_LONGEST_NAME}; shorten the names in the plant file",
+        )
 
 
 def no_block_of_the_user(emitted: EmittedText) -> Iterator[Diagnostic]:

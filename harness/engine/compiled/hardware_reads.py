@@ -13,6 +13,7 @@ from fbgen.lang.checked import (
     AddressRef,
     Assignment,
     Block,
+    Expression,
     Statement,
     VariableKind,
     VariableRef,
@@ -58,6 +59,15 @@ def several_reads(body: Sequence[Statement], start: int, block: Block) -> Severa
     return SeveralReads(body[start:end], reads, places_text(reads))
 
 
+def hardware_place(expression: Expression, area: str) -> AddressRef | None:
+    """An expression that is a place of the peripheral area, moved whole by one access."""
+    if not isinstance(expression, AddressRef):
+        return None
+    address = expression.address
+    reached = address.peripheral and address.area == area and address.bits in WIDTHS
+    return expression if reached else None
+
+
 def bytes_of(access: AddressRef) -> range:
     """The bytes of the area that an access reaches."""
     byte = access.address.byte
@@ -95,11 +105,7 @@ def write_several_reads(
 
 def _read(statement: Statement) -> AddressRef | None:
     """The input that an assignment reads from the hardware and does nothing else with."""
-    if not isinstance(statement, Assignment) or not isinstance(statement.value, AddressRef):
-        return None
-    address = statement.value.address
-    is_input = address.peripheral and address.area == "I"
-    return statement.value if is_input and address.bits in WIDTHS else None
+    return hardware_place(statement.value, "I") if isinstance(statement, Assignment) else None
 
 
 def _stays_inside(statement: Assignment, block: Block) -> bool:

@@ -18,9 +18,9 @@ from fbgen.lang.checked import (
     VariableRef,
 )
 from harness.engine.compiled.hardware_reads import (
-    WIDTHS,
     bytes_of,
     calculates_in_memory,
+    hardware_place,
     places_text,
 )
 from harness.engine.compiled.model import is_scalar
@@ -96,11 +96,7 @@ def write_several_writes(
 
 def _written(statement: Statement) -> AddressRef | None:
     """The output that an assignment writes straight to the hardware."""
-    if not isinstance(statement, Assignment) or not isinstance(statement.target, AddressRef):
-        return None
-    address = statement.target.address
-    is_output = address.peripheral and address.area == "Q"
-    return statement.target if is_output and address.bits in WIDTHS else None
+    return hardware_place(statement.target, "Q") if isinstance(statement, Assignment) else None
 
 
 def _is_own(procedure: Procedure, variable: Variable) -> bool:

@@ -17,14 +17,13 @@ RUNNING = 0x0400
 class DriveBench(ChannelBench):
     """TOS_Drive for INV-NO 11, polled as ready, enabled."""
 
-    def __init__(self, program: LoadedProgram) -> None:
+    def __init__(self, program: LoadedProgram, **control: bool | float) -> None:
         super().__init__(program)
         inputs = {"invNo": 11, "maxFrequency": 50.0, "timeout": 100, "online": True}
         self.block: Any = self.add("TOS_Drive", **inputs)
-        self.block(online=False)
         self.drive = plain(self.block.drive)
         self.drive["polled"].update(valid=True, invNo=11)
-        self.control(enable=True)
+        self.control(enable=True, **control)
         self.cycles(10)
 
     def control(self, **values: bool | float) -> None:
@@ -66,6 +65,17 @@ def test_enabled_it_takes_control_and_writes_the_set_point(program: LoadedProgra
         True,
         0xC000,
     )
+
+
+def test_enabled_with_run_already_there_it_does_not_run(program: LoadedProgram) -> None:
+    bench = DriveBench(program, run=True, frequency=40.0)
+    assert bench.words() == ["FA00 C000", "FA01 0FA0"]
+    assert (bench.state["inhibited"], bench.state["ready"]) == (True, False)
+    bench.control(run=False)
+    bench.cycles(2)
+    bench.control(run=True)
+    bench.cycles(10)
+    assert bench.words()[-1] == "FA00 C400"
 
 
 def test_the_set_point_goes_before_the_run_command(program: LoadedProgram) -> None:

@@ -139,6 +139,28 @@ def test_a_drive_that_does_not_acknowledge_it_is_counted(program: LoadedProgram)
     assert bench.block.unreached == 0
 
 
+def test_on_a_free_line_it_goes_in_the_same_call(program: LoadedProgram) -> None:
+    bench = LineBench(program)
+    bench.call(emergencyStop=True)
+    assert bench.sent == [BROADCAST]
+
+
+def test_a_gateway_that_comes_back_gets_it_again_while_it_is_on(program: LoadedProgram) -> None:
+    bench = LineBench(program)
+    bench.call(ioError=True)
+    bench.call(emergencyStop=True)
+    bench.until(lambda: not bench.block.stopping)
+    assert (bench.block.stopped, bench.block.unreached, bench.sent) == (False, DRIVES, [])
+    bench.call(ioError=False)
+    bench.until(lambda: bool(bench.block.stopped))
+    assert bench.sent[:2] == ["05 47 FC90 0000", BROADCAST]
+    assert len(bench.sent) == DRIVES + 2
+    bench.call(ioError=True)
+    bench.call(ioError=False)
+    bench.cycles(100)
+    assert bench.sent[DRIVES + 2 :] == ["05 47 FC90 0000"]
+
+
 def test_a_second_edge_begins_again(program: LoadedProgram) -> None:
     bench = LineBench(program)
     bench.call(emergencyStop=True)
