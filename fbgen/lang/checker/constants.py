@@ -133,7 +133,10 @@ def _counted(ctx: Context, node: ast.Literal, value: int) -> Expression:
                 f"write whole milliseconds, or use L{target.name}",
             )
     if not target.minimum <= count <= target.maximum:
-        return _refuse(ctx, node, target.name, f"use a shorter time, or L{target.name}")
+        advice = f"use a shorter time, or L{target.name}"
+        if target == DATE:
+            advice = "a DATE lies between 1990-01-01 and 2169-06-06 here: take the first for none"
+        return _refuse(ctx, node, target.name, advice)
     return Constant(node.span, count, target)
 
 
