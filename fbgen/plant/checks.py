@@ -187,8 +187,12 @@ def plant(item: "Plant") -> Iterator[Diagnostic]:
 
 
 def sequences(item: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
-    """FB2011: a sequence that is not there, stands twice, or fits no drive of the plant."""
+    """FB2011: a sequence that is not there, stands twice, or fits no drive of the plant.
+
+    Whether it fits is not said while a drive has a series that is not there (FB2009).
+    """
     series = {member.series for member in item.drives}
+    known = series <= catalog.drives.keys()
     for index, name in enumerate(item.sequences):
         span = item.item_span_of("sequences", index)
         entry = catalog.sequences.get(name)
@@ -197,7 +201,7 @@ def sequences(item: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
             yield Diagnostic("FB2011", message, span, nearest(name, catalog.sequences))
         elif name in item.sequences[:index]:
             yield Diagnostic("FB2011", f"the sequence '{name}' stands twice", span)
-        elif not series & set(entry.series):
+        elif known and not series & set(entry.series):
             message = f"the sequence '{name}' fits no drive of this plant"
             help_text = f"it is made for {', '.join(entry.series)}"
             yield Diagnostic("FB2011", message, span, help_text)

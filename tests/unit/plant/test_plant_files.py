@@ -239,6 +239,12 @@ def test_a_sequence_that_stands_twice_or_fits_no_drive_is_refused(tmp_path: Path
     assert [item.code for item in failure.value.diagnostics] == ["FB2011"]
 
 
+def test_a_wrong_series_says_nothing_about_the_sequences() -> None:
+    assert set(findings(("series: vf-s11", "series: vf-s12"))) == {
+        ("FB2009", "did you mean 'vf-s11'?")
+    }
+
+
 def test_unknown_options_of_gateways_and_drives_suggest_the_nearest() -> None:
     assert findings(("trigger_poll: false", "triger_poll: false")) == [
         ("FB2003", "did you mean 'trigger_poll'?")
