@@ -33,7 +33,8 @@ class Rules:
     sign that is not narrower, and LREAL becomes REAL, with a warning. `bool_is_bits`: BOOL becomes
     a bit string by itself. `mixed_arguments`: arguments without names may stand in front of those
     with names. `instances_behind_blocks`: a data block that is an instance is called behind the
-    name of its block, FB10.DB20(...).
+    name of its block, FB10.DB20(...). `crossed_limits_pass`: LIMIT leaves IN alone where MN is
+    above MX.
     """
 
     dialect: str
@@ -56,6 +57,7 @@ class Rules:
     bool_is_bits: bool
     mixed_arguments: bool
     instances_behind_blocks: bool
+    crossed_limits_pass: bool
 
 
 _TIA = Rules(
@@ -79,6 +81,7 @@ _TIA = Rules(
     bool_is_bits=False,
     mixed_arguments=False,
     instances_behind_blocks=False,
+    crossed_limits_pass=True,
 )
 _STEP7 = Rules(
     dialect="step7",
@@ -101,6 +104,7 @@ _STEP7 = Rules(
     bool_is_bits=True,
     mixed_arguments=False,
     instances_behind_blocks=True,
+    crossed_limits_pass=False,
 )
 _IEC = Rules(
     dialect="iec",
@@ -123,6 +127,7 @@ _IEC = Rules(
     bool_is_bits=False,
     mixed_arguments=True,
     instances_behind_blocks=False,
+    crossed_limits_pass=False,
 )
 _TWINCAT = Rules(
     dialect="twincat",
@@ -145,6 +150,7 @@ _TWINCAT = Rules(
     bool_is_bits=False,
     mixed_arguments=True,
     instances_behind_blocks=False,
+    crossed_limits_pass=False,
 )
 
 RULES = {rules.dialect: rules for rules in (_TIA, _STEP7, _IEC, _TWINCAT)}

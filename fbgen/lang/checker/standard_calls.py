@@ -38,6 +38,7 @@ from fbgen.lang.checker.standard_functions import (
     CHAINED,
     CHAINED_COMPARISONS,
     DATE_FUNCTIONS,
+    LIMIT_OR_IN,
     MUX_WITH_ELSE,
     OPERATORS_BY_NAME,
     RENAMED,
@@ -251,6 +252,8 @@ def _call_function(
     if any(expression.type == ERRONEOUS for expression in settled):
         return erroneous(node.span)
     name = MUX_WITH_ELSE if function.name == "MUX" and _has_else(node) else function.name
+    if name == "LIMIT" and ctx.rules.crossed_limits_pass:
+        name = LIMIT_OR_IN
     result = common if function.result is COMMON else function.result
     if result is EXPECTED:
         result = expected if expected in function.results else function.results[0]

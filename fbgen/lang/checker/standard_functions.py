@@ -132,6 +132,9 @@ CHAINED = ("ADD", "MUL", "AND", "OR", "XOR")
 MUX_WITH_ELSE = "MUX_ELSE"
 """MUX with INELSE: the last argument is what is taken for any other selector."""
 
+LIMIT_OR_IN = "LIMIT_OR_IN"
+"""LIMIT where limits that cross limit nothing."""
+
 
 _ONE_TEXT = {"STR": "IN"}
 _TWO_TEXTS = {"STR1": "IN1", "STR2": "IN2"}
@@ -157,6 +160,6 @@ def canonical_names() -> frozenset[str]:
     return frozenset(
         (
             *(STANDARD_FUNCTIONS | ROUNDED_UP_OR_DOWN | DATE_FUNCTIONS),
-            *(*TEXT_CONVERSIONS, *RANKED, MUX_WITH_ELSE, *rounded),
+            *(*TEXT_CONVERSIONS, *RANKED, MUX_WITH_ELSE, LIMIT_OR_IN, *rounded),
         )
     )

@@ -14,6 +14,7 @@ from typing import TypeAlias
 
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.ast import File
+from fbgen.lang.conversion.crossed_limits import with_same_limits
 from fbgen.lang.conversion.falling_edges import with_own_falling_edges
 from fbgen.lang.conversion.from_step7 import from_step7
 from fbgen.lang.conversion.iec_to_tia import iec_to_tia
@@ -81,7 +82,9 @@ def convert(files: Sequence[File], target: str, schedule: Schedule | None = None
         refused.refuse(f"a body in {language}", span, "write it in structured text first")
     if refused.all:
         raise DiagnosticError(refused.all)
-    result = with_own_falling_edges(files, target)
+    result = with_same_limits(with_own_falling_edges(files, target), target, refused)
+    if refused.all:
+        raise DiagnosticError(refused.all)
     for first, second in pairwise(dialects):
         findings = Findings(second)
         with room_for_depth():

@@ -9,7 +9,9 @@ from fbgen.lang.types import Elementary, Family, Scalar, Type
 from harness.engine.compiled.cells import Cell
 from harness.engine.compiled.code import Code
 from harness.engine.compiled.evaluation import Write, expression, value
+from harness.engine.compiled.function_code import all_of
 from harness.engine.compiled.library import stops
+from harness.engine.compiled.library.wholes import limit_or_operand
 from harness.engine.compiled.places import cell
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits
@@ -44,7 +46,16 @@ def attempts(cpu: Any) -> dict[str, Callable[..., Any]]:
         flag.value = False
         return (result - low) % (high - low + 1) + low
 
-    return {"_attempt": attempt, "_attempt_whole": attempt_whole}
+    def attempt_limit(flag: Cell, low: Any, operand: Any, high: Any) -> Any:
+        if low > high:
+            flag.value = False
+        return limit_or_operand(low, operand, high)
+
+    return {
+        "_attempt": attempt,
+        "_attempt_whole": attempt_whole,
+        "_attempt_limit": attempt_limit,
+    }
 
 
 def _attempt(procedure: Procedure, node: Attempt) -> Code:
@@ -56,6 +67,10 @@ def _attempt(procedure: Procedure, node: Attempt) -> Code:
         text = f"_attempt_whole({flag.text}, lambda: {code.text}, {low}, {high})"
     else:
         code = value(procedure, operand)
+        if isinstance(operand, StandardCall) and operand.name == "LIMIT_OR_IN":
+            parts = [value(procedure, one) for one in operand.arguments]
+            limited = ", ".join((flag.text, *(one.text for one in parts)))
+            code = all_of(parts, f"_attempt_limit({limited})", more_depth=2)
         text = f"_attempt({flag.text}, lambda: {code.text}, {_nothing(node.type)})"
     return Code(text, low=low, high=high, depth=code.depth + 2, safe=False, pure=False)
 

@@ -193,7 +193,7 @@ def _is_always_there(variable: Variable, block: Block) -> bool:
 # --- quiet loops ----------------------------------------------------------------------------------
 
 _QUIET_FUNCTIONS = frozenset(
-    ("SHL", "SHR", "ROL", "ROR", "SWAP", "MIN", "MAX", "LIMIT", "SEL", "ABS")
+    ("SHL", "SHR", "ROL", "ROR", "SWAP", "MIN", "MAX", "LIMIT", "LIMIT_OR_IN", "SEL", "ABS")
 )
 
 

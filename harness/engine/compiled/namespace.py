@@ -120,6 +120,7 @@ LIBRARY: dict[str, Any] = {
     "_rotate_right": wholes.rotate_right,
     "_rotated_bytes": wholes.rotated_bytes,
     "_limit": wholes.limit,
+    "_limit_or_operand": wholes.limit_or_operand,
     "_select": wholes.select,
     "_chosen": _chosen,
     "_bad_index": wholes.bad_index,

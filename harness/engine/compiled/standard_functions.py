@@ -53,7 +53,9 @@ def _limit(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
         text += f"else {again}"
         result = all_of(codes, text, Level.CONDITIONAL, 3)
         return result.within(low.low, high.high)
-    return called("_limit", node, codes)
+    if node.name == "LIMIT" or (is_counted(node.type) and low.high <= high.low):
+        return called("_limit", node, codes)
+    return called("_limit_or_operand", node, codes)
 
 
 def _selected(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
@@ -221,7 +223,7 @@ def _number_and_text(procedure: Procedure, node: StandardCall, codes: list[Code]
 _WRITERS: dict[str, Writer] = {
     "MIN": _extreme,
     "MAX": _extreme,
-    "LIMIT": _limit,
+    **dict.fromkeys(("LIMIT", "LIMIT_OR_IN"), _limit),
     "SEL": _selected,
     "MUX": _multiplexed,
     "SWAP": _swapped,

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Binary, Convert, StandardCall, Unary
 from fbgen.lang.types import Elementary, Family, Scalar, Type
+from harness.engine.reference.functions import limits_cross
 
 _CALCULATIONS = ("FB6003", "FB6006", "FB6007", "FB6009", "FB6014")
 _COUNTED = (Family.SIGNED, Family.UNSIGNED, Family.DURATION)
@@ -30,7 +31,9 @@ def nothing(kind: Type) -> Scalar:
 def is_right(
     operand: Unary | Binary | Convert | StandardCall, values: Sequence[Scalar], result: Scalar
 ) -> bool:
-    """True if nothing was cut off to fit the result into its type."""
+    """True if nothing was cut off to fit the result into its type, and no limits cross."""
+    if isinstance(operand, StandardCall) and operand.name == "LIMIT_OR_IN" and limits_cross(values):
+        return False
     if isinstance(result, float):
         return math.isfinite(result)
     kinds = [operand.type, *_operand_types(operand)]

@@ -232,6 +232,17 @@ def _limit(values: Sequence[Scalar], signature: Signature) -> Scalar:
     return high if _less(high, result) else result
 
 
+def limits_cross(values: Sequence[Scalar]) -> bool:
+    """True for the operands of a LIMIT whose lower limit lies above the upper one."""
+    low, _, high = values
+    return _less(high, low)
+
+
+def _limit_or_operand(values: Sequence[Scalar], signature: Signature) -> Scalar:
+    """LIMIT of TIA Portal: nothing is limited where the limits cross."""
+    return values[1] if limits_cross(values) else _limit(values, signature)
+
+
 def _less(left: Scalar, right: Scalar) -> bool:
     if isinstance(left, str) and isinstance(right, str):
         return left < right
@@ -280,5 +291,6 @@ NUMERIC_FUNCTIONS: dict[str, Function] = {
     "MAX": _maximum,
     "MIN": _minimum,
     "LIMIT": _limit,
+    "LIMIT_OR_IN": _limit_or_operand,
 }
 """By canonical name."""

@@ -99,6 +99,11 @@ def limit(low: _Value, value: _Value, high: _Value) -> _Value:
     return high if value > high else value  # type: ignore[operator]  # as above
 
 
+def limit_or_operand(low: _Value, value: _Value, high: _Value) -> _Value:
+    """LIMIT of TIA Portal: where the limits cross, nothing is limited."""
+    return value if low > high else limit(low, value, high)  # type: ignore[operator]  # as above
+
+
 def select(selector: int, values: tuple[_Value, ...]) -> _Value:
     """MUX."""
     if 0 <= selector < len(values):
