@@ -101,7 +101,8 @@ class Block:
     """A block with code. `return_type` only for a FUNCTION; NamedType "Void" without result.
 
     `members` are its methods, properties and actions, also those that a file has behind the block.
-    `modifiers` upper case: ABSTRACT, FINAL, PUBLIC, INTERNAL.
+    `modifiers` upper case: ABSTRACT, FINAL, PUBLIC, INTERNAL. `usings` are the namespaces that this
+    block opens for itself.
     """
 
     span: Span
@@ -120,6 +121,7 @@ class Block:
     implements: tuple[NamedType, ...] = ()
     members: tuple[BlockMember, ...] = ()
     labels: tuple[LabelSection, ...] = ()
+    usings: tuple["Using", ...] = ()
 
 
 @node
@@ -133,6 +135,7 @@ class Interface:
     members: tuple[Method | Property, ...]
     leading: TriviaList = ()
     closing: TriviaList = ()
+    usings: tuple["Using", ...] = ()
 
 
 @node

@@ -21,12 +21,14 @@ from fbgen.lang.checker.instance_starts import InstanceStarts
 from fbgen.lang.checker.interfaces import Interfaces
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.memory_use import MemoryUse, is_optimized
-from fbgen.lang.checker.objects import RECEIVER, Objects, kept_sections, qualified
+from fbgen.lang.checker.namespaces import Namespaces, written_whole
+from fbgen.lang.checker.objects import RECEIVER, Objects, kept_sections
 from fbgen.lang.checker.rules import Rules
 from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS, standard_block
 from fbgen.lang.checker.symbols import Scope
 from fbgen.lang.checker.type_names import TypeResolver
 from fbgen.lang.checker.unmodelled import assigned_members, hardware_block, stubbed_block
+from fbgen.lang.checker.variable_access import VariableAccess
 from fbgen.lang.other_languages import is_foreign
 from fbgen.lang.types import VOID, BlockType, Initial, StructType, Type
 from fbgen.source import Span
@@ -55,6 +57,7 @@ class Library:
         self.findings = findings
         self.globals = Scope()
         self.lists = GlobalLists()
+        self.namespaces = Namespaces()
         self.types = TypeResolver(self)
         self.implicit: set[Variable] = set()
         """The ENO outputs that nobody declared: no parameters in the order of a call."""
@@ -64,11 +67,11 @@ class Library:
         self.linked: set[Variable] = set()
         """Variables that something outside of the program may read and write."""
         self.objects = Objects(self)
+        self.access = VariableAccess()
         self.starts = InstanceStarts(self)
         self._interfaces = Interfaces(self)
         self._initials = Initials(self)
         self._units: dict[str, tuple[str, Span]] = {}
-        self._qualified: dict[str, list[str]] = {}
         self._syntax: dict[str, ast.Block] = {}
         self._data_blocks: dict[str, ast.DataBlock] = {}
         self._configurations: list[ast.Configuration] = []
@@ -87,8 +90,9 @@ class Library:
 
     def collect(self, files: Sequence[ast.File]) -> None:
         """Make all units of the files known by name."""
-        self._files = tuple(files)
-        for file in files:
+        written, self.namespaces = written_whole(files, self.findings)
+        self._files = tuple(written)
+        for file in self._files:
             for unit in file.units:
                 self._collect_unit(unit)
 
@@ -104,11 +108,8 @@ class Library:
         elif isinstance(unit, ast.Configuration):
             self._configurations.append(unit)
             self.lists.add_configuration(unit)
-        elif isinstance(unit, ast.Namespace):
-            for inner in unit.units:
-                self._collect_unit(qualified(inner, unit.name))
-        elif isinstance(unit, ast.Using):
-            pass  # what is unique needs no namespace, see key_of
+        elif isinstance(unit, ast.Namespace | ast.Using):
+            pass  # `written_whole` has put what they hold and mean into the other units
         elif isinstance(unit, ast.Interface):
             if self._is_new(unit.name):
                 self.objects.interfaces.declare(unit)
@@ -133,18 +134,7 @@ class Library:
             self.duplicate(name.name, name.span, self._units[key][1])
             return False
         self._units[key] = (name.name, name.span)
-        if "." in key:
-            self._qualified.setdefault(key.rpartition(".")[2], []).append(key)
         return True
-
-    def key_of(self, name: str) -> str:
-        """The casefolded name of a unit, with the namespace that it may be left out of.
-
-        What two namespaces have needs its namespace.
-        """
-        key = name.casefold()
-        full = self._qualified.get(key)
-        return full[0] if full and len(full) == 1 and key not in self._units else key
 
     def duplicate(self, name: str, span: Span, first: Span) -> None:
         """Report a name that is declared twice, with both places."""
@@ -238,7 +228,7 @@ class Library:
 
     def is_declared(self, name: str) -> bool:
         """True for the name of any unit of the text."""
-        return self.key_of(name) in self._units
+        return name.casefold() in self._units
 
     def type_names(self) -> list[str]:
         """The names of all function blocks, as types of instances."""
@@ -248,7 +238,7 @@ class Library:
 
     def block_type(self, name: str) -> BlockType | None:
         """The type of instances of a function block; None if there is no such block."""
-        key = self.key_of(name)
+        key = name.casefold()
         node = self._syntax.get(key)
         if node is not None:
             if node.kind is not BlockKind.FUNCTION_BLOCK:
@@ -318,7 +308,7 @@ class Library:
 
     def user_block(self, name: str) -> Block | None:
         """The block of the text with that name, its interface resolved; None if there is none."""
-        key = self.key_of(name)
+        key = name.casefold()
         if key in self._blocks:
             return self._blocks[key]
         node = self._syntax.get(key)
@@ -371,6 +361,7 @@ class Library:
         block = Block(node.span, node.name.name, kind, every, result, node)
         ctx.block = block
         self._contexts[block] = ctx
+        self.access.enter(block, node.sections, variables)
         if base is not None:
             self.objects.extend(block, base)
         if is_foreign(node.body):
@@ -400,7 +391,7 @@ class Library:
 
     def program_variable(self, name: str) -> Variable | None:
         """The instance that a PROGRAM is for other blocks; None if the name is of none."""
-        key = self.key_of(name)
+        key = name.casefold()
         node = self._syntax.get(key)
         if node is None or node.kind is not BlockKind.PROGRAM:
             return None

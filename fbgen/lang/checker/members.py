@@ -27,6 +27,7 @@ from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.name_lookup import names_list
 from fbgen.lang.checker.objects import Members, Method
 from fbgen.lang.checker.symbols import NamedConstant
+from fbgen.lang.checker.variable_access import Guarded, access_word, check_who
 from fbgen.lang.types import VOID, BlockType
 from fbgen.source import Span
 
@@ -118,23 +119,8 @@ def asked(ctx: Context, node: ast.Expression) -> tuple[Receiver, Members, str] |
 
 def check_access(ctx: Context, span: Span, method: Method) -> None:
     """Report a method that is not there for everybody."""
-    objects = ctx.library.objects
-    owner = method.owner
-    if "PRIVATE" in method.modifiers:
-        allowed, who = ctx.owner is owner, f"{owner.name} itself"
-    elif "PROTECTED" in method.modifiers:
-        allowed = ctx.owner is not None and objects.is_kind_of(ctx.owner, owner)
-        who = f"{owner.name} and the blocks that extend it"
-    else:
-        return
-    if not allowed:
-        modifier = "PRIVATE" if "PRIVATE" in method.modifiers else "PROTECTED"
-        ctx.findings.error(
-            "FB4085",
-            f"'{method.name}' of {owner.name} is {modifier}",
-            span,
-            f"only {who} can use it: call a PUBLIC method, or change the modifier",
-        )
+    word = access_word(method.modifiers)
+    check_who(ctx, span, Guarded(method.name, word, method.owner, method.span))
 
 
 def made_call(
@@ -203,6 +189,7 @@ def of_owner(ctx: Context, node: ast.Name) -> Expression | None:
         return None
     around = ctx.library.context_of(ctx.owner)
     around.used.add(symbol)
+    ctx.library.access.check(ctx, node.span, symbol)
     if isinstance(symbol, NamedConstant):
         return Constant(node.span, symbol.value, symbol.type)
     if symbol.kind is VariableKind.GLOBAL:
@@ -253,6 +240,7 @@ def own_variable(ctx: Context, node: ast.Member) -> Expression | None:
         if variable.name.casefold() == key:
             around = ctx.library.context_of(ctx.owner or receiver.block)
             around.used.add(variable)
+            ctx.library.access.check(ctx, node.span, variable)
             if ctx.block is not None and ctx.block.kind is ast.BlockKind.FUNCTION:
                 return FieldRef(node.span, receiver.place, variable.name, variable.type)
             return VariableRef(node.span, variable, variable.type)

@@ -49,7 +49,7 @@ class ObjectInterfaces:
 
     def find(self, name: str) -> ast.Interface | None:
         """The INTERFACE with that name."""
-        return self._nodes.get(self._library.key_of(name))
+        return self._nodes.get(name.casefold())
 
     def blocks(self) -> list[Block]:
         """What stands for each interface where an owner of methods is asked for."""

@@ -358,15 +358,6 @@ class Objects:
         return block is not None and "ABSTRACT" in block.syntax.modifiers
 
 
-def qualified(unit: ast.Unit, namespace: str) -> ast.Unit:
-    """A unit of a namespace under its whole name."""
-    if isinstance(unit, ast.Namespace):
-        return replace(unit, name=f"{namespace}.{unit.name}")
-    if isinstance(unit, ast.Block | ast.TypeDeclaration | ast.Interface | ast.DataBlock):
-        return replace(unit, name=replace(unit.name, name=f"{namespace}.{unit.name.name}"))
-    return unit
-
-
 def kept_sections(node: ast.Block) -> list[ast.VarSection]:
     """VAR_INST of the methods: variables of the instance, called `method.name`."""
     found = []

@@ -126,6 +126,7 @@ def check_name(ctx: Context, node: ast.Name, expected: Type | None = None) -> Ex
 def _meant(ctx: Context, node: ast.Name | ast.Member, symbol: Symbol) -> Expression:
     """What a symbol is in an expression."""
     ctx.used.add(symbol)
+    ctx.library.access.check(ctx, node.span, symbol)
     if node.name != symbol.name.rpartition(".")[2]:
         ctx.respelled.setdefault(symbol, node.span)
     if isinstance(symbol, NamedConstant):
@@ -271,8 +272,9 @@ def _instance_variable(ctx: Context, node: ast.Member, kind: BlockType) -> Varia
         if variable.kind in (VariableKind.INPUT, VariableKind.OUTPUT):
             return variable
         if variable.kind is VariableKind.STATIC and (
-            ctx.rules.statics_visible or is_program(ctx, kind)
+            ctx.library.access.word(variable) or ctx.rules.statics_visible or is_program(ctx, kind)
         ):
+            ctx.library.access.check(ctx, node.span, variable)
             return variable
         if kept_by_instance(ctx, ctx.library.user_block(kind.name), variable):
             ctx.findings.gap(

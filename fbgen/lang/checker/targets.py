@@ -93,6 +93,8 @@ def _member_may_be_written(ctx: Context, field: FieldRef, instance: BlockType, w
     variable = _member(ctx, field, instance)
     if variable.kind in (VariableKind.INPUT, VariableKind.IN_OUT):
         return True
+    if ctx.library.access.word(variable):
+        return True  # who may use it at all has been looked at with its name
     message = f"{where} writes {variable.kind.value} '{field.name}' of {instance.name} from outside"
     help_text = "let the block write it, and give it what it needs as an input"
     if ctx.rules.statics_visible or is_program(ctx, instance):

@@ -16,6 +16,7 @@ from fbgen.lang.checker.enumerations import enumeration, subrange, typed_enumera
 from fbgen.lang.checker.foreign_names import is_library, library_help
 from fbgen.lang.checker.identifier_types import HARDWARE_TYPES
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.namespaces import namespace_help
 from fbgen.lang.checker.references import reference_type
 from fbgen.lang.checker.system_types import system_type
 from fbgen.lang.layout import holds_blocks, holds_values
@@ -112,7 +113,7 @@ class TypeResolver:
         """True for the name of a type, of the text or not."""
         return (
             elementary_type(name) is not None
-            or self._library.key_of(name) in self._declared
+            or name.casefold() in self._declared
             or codesys_type(self._library.rules.dialect, name) is not None
             or self._library.block_type(name) is not None
         )
@@ -209,19 +210,18 @@ class TypeResolver:
         if elementary is not None:
             return Resolved(elementary)
         key = name.casefold()
-        full = self._library.key_of(name)
-        if full in self._declared:
-            return self._user_type(full, span)
+        if key in self._declared:
+            return self._user_type(key, span)
         if self._library.rules.dialect == "tia" and not quoted:
             if key == "dtl":
                 return Resolved(DTL)
             if (system := system_type(name)) is not None:
-                self._declared[full] = system
-                return self._user_type(full, span)
+                self._declared[key] = system
+                return self._user_type(key, span)
         own = codesys_type(self._library.rules.dialect, name)
         if own is not None and self._library.block_type(name) is None:
-            self._declared[full] = own
-            return self._user_type(full, span)
+            self._declared[key] = own
+            return self._user_type(key, span)
         interface = self._library.objects.interfaces.find(name)
         if interface is not None:
             return Resolved(self._library.objects.interfaces.type_of(interface))
@@ -270,8 +270,9 @@ class TypeResolver:
             "FB4003",
             f"there is no type '{name}'",
             span,
-            lambda: advise(
-                name, [*self.names(), *self._library.type_names(), *ELEMENTARY, "STRING"]
+            lambda: (
+                namespace_help(self._library.namespaces, name)
+                or advise(name, [*self.names(), *self._library.type_names(), *ELEMENTARY, "STRING"])
             ),
         )
 

@@ -6,6 +6,7 @@ from fbgen.lang.checker.elsewhere import block_help
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.foreign_names import library_help
 from fbgen.lang.checker.name_lookup import may_be_inherited
+from fbgen.lang.checker.namespaces import namespace_help
 from fbgen.lang.checker.not_run import cannot_run
 from fbgen.lang.checker.pointers import RAW_MEMORY, check_raw_memory, has_addresses
 from fbgen.lang.checker.refused_instructions import NOT_SUPPORTED, WRITTEN_OTHERWISE
@@ -38,7 +39,11 @@ def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
             "FB4004",
             f"there is no function or block '{name}'",
             node.callee.span,
-            lambda: WRITTEN_OTHERWISE.get(name.upper()) or advise(name, _callable_names(ctx)),
+            lambda: (
+                namespace_help(ctx.library.namespaces, name)
+                or WRITTEN_OTHERWISE.get(name.upper())
+                or advise(name, _callable_names(ctx))
+            ),
             name if isinstance(node.callee, ast.Name) and node.callee.quoted else "",
         )
     check_arguments_alone(ctx, node)

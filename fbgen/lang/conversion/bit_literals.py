@@ -34,9 +34,9 @@ from fbgen.lang.ast import (
     Unit,
 )
 from fbgen.lang.checker.system_instructions import instruction_named
-from fbgen.lang.conversion.rewriting import Rewriter, Rule, replaced
 from fbgen.lang.lowering.build import call, integer
 from fbgen.lang.lowering.plant import BlockScope, PlantText, Scope
+from fbgen.lang.rewriting import Rewriter, Rule, replaced
 from fbgen.lang.types import Elementary
 
 _PREFIXES = {"BYTE": "B", "WORD": "W", "DWORD": "DW"}

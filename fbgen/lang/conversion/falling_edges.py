@@ -9,8 +9,8 @@ from collections.abc import Mapping, Sequence
 from typing import ClassVar
 
 from fbgen.lang.ast import Block, File, NamedType, TypeDeclaration, Unit
-from fbgen.lang.conversion.rewriting import Rewriter, Rule
 from fbgen.lang.parser import parse
+from fbgen.lang.rewriting import Rewriter, Rule
 from fbgen.source import Source
 
 _FALLING = "F_TRIG"

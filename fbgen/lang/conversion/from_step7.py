@@ -35,10 +35,10 @@ from fbgen.lang.checker.routines import routine_named
 from fbgen.lang.checker.standard_calls import CLASSIC_NAMES, is_standard_function
 from fbgen.lang.checker.system_instructions import instruction_named
 from fbgen.lang.conversion.output_arrows import with_arrows
-from fbgen.lang.conversion.rewriting import Rewriter, Rule, replaced, rewritten
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.plant import BlockScope, PlantText
 from fbgen.lang.lowering.spelling import S7_NAMES
+from fbgen.lang.rewriting import Rewriter, Rule, replaced, rewritten
 
 _TIMERS = {
     "SFB0": "CTU_INT",

@@ -47,11 +47,11 @@ from fbgen.lang.ast import (
     VarSection,
 )
 from fbgen.lang.conversion.iec_program import GLOBALS, IecProgram, number
-from fbgen.lang.conversion.rewriting import Rewriter, Rule, replaced
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.plant import BlockScope, PlantText
 from fbgen.lang.lowering.spelling import S7_NAMES
 from fbgen.lang.lowering.truth import same_truth
+from fbgen.lang.rewriting import Rewriter, Rule, replaced
 from fbgen.lang.standard_parameters import standard_with_names, with_names
 
 _SET = {"S=": True, "R=": False}

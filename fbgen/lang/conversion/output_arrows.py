@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from fbgen.lang.ast import Argument, ArgumentKind, Block, Call
 from fbgen.lang.checker.routines import Direction, routine_named
 from fbgen.lang.checker.system_instructions import RETURN_VALUE, instruction_named
-from fbgen.lang.conversion.rewriting import replaced
+from fbgen.lang.rewriting import replaced
 
 
 def with_arrows(call: Call, name: str, blocks: Mapping[str, Block]) -> Call:

@@ -49,7 +49,6 @@ from fbgen.lang.ast import (
 )
 from fbgen.lang.checker.system_instructions import ALIASES
 from fbgen.lang.conversion.bit_literals import BitLiterals, typed_bits
-from fbgen.lang.conversion.rewriting import Inlined, Rewriter, Rule, replaced, rewritten
 from fbgen.lang.dialects import dialect_named
 from fbgen.lang.dialects.step7 import is_absolute
 from fbgen.lang.lowering.chains import links
@@ -58,6 +57,7 @@ from fbgen.lang.lowering.names import is_identifier
 from fbgen.lang.lowering.plant import BlockScope, PlantText
 from fbgen.lang.lowering.slices import can_be_sliced, read_slice, write_slice
 from fbgen.lang.lowering.spelling import TYPES
+from fbgen.lang.rewriting import Inlined, Rewriter, Rule, replaced, rewritten
 from fbgen.lang.standard_parameters import standard_with_names
 from fbgen.lang.walk import walk
 from fbgen.source import Span

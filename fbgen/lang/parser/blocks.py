@@ -129,12 +129,14 @@ class BlockParser(NamespaceParser):
         return_type: TypeSpec | None = None
         header: list[HeaderItem] = []
         self._pragmas_into(header)
+        usings = self.usings()
         extends, implements = self.base_types("EXTENDS"), self.base_types("IMPLEMENTS")
         if kind is BlockKind.FUNCTION and not self._lacks_result():
             self.expect(":", "':' and the type of the result", "without result it is ': Void'")
             return_type = self.type_spec()
         if not self.dialect.has(Feature.HEADERS):
             self.end_head()
+        usings += self.usings()
         comments = self._header(header)
         sections, labels = self._interface()
         body_comments: TriviaList = ()
@@ -165,6 +167,7 @@ class BlockParser(NamespaceParser):
             implements,
             members,
             labels,
+            usings,
         )
 
     def _lacks_result(self) -> bool:

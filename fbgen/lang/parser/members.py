@@ -17,6 +17,7 @@ from fbgen.lang.ast import (
     Property,
     Statement,
     TypeSpec,
+    Using,
     VarSection,
 )
 from fbgen.lang.dialects.dialect import Feature
@@ -33,6 +34,10 @@ class MemberParser(ConfigurationParser, ABC):
     @abstractmethod
     def sections_here(self) -> tuple[VarSection, ...]:
         """All VAR sections at the cursor."""
+
+    @abstractmethod
+    def usings(self) -> tuple[Using, ...]:
+        """All USING at the cursor."""
 
     def modifiers(self) -> tuple[str, ...]:
         """ABSTRACT, PUBLIC and the like in front of a name."""
@@ -193,6 +198,7 @@ class MemberParser(ConfigurationParser, ABC):
         self.need(Feature.OBJECTS, first)
         modifiers = self.modifiers()
         name = self.name()
+        usings = self.usings()
         extends = self.base_types("EXTENDS")
         members: list[Method | Property] = []
         for member in self.members():
@@ -210,5 +216,5 @@ class MemberParser(ConfigurationParser, ABC):
             self.unexpected("METHOD, PROPERTY or END_INTERFACE")
         self._end_member("END_INTERFACE", first)
         return Interface(
-            self.span(first), name, modifiers, extends, tuple(members), leading, closing
+            self.span(first), name, modifiers, extends, tuple(members), leading, closing, usings
         )

@@ -49,6 +49,13 @@ class NamespaceParser(MemberParser, ABC):
         leading, trailing = self.settle(leading)
         return Using(place, tuple(names), leading, trailing)
 
+    def usings(self) -> tuple[Using, ...]:
+        """All USING at the cursor, behind the name of a block."""
+        found: list[Using] = []
+        while self.kinds[self.at] == "USING":
+            found.append(self.using())
+        return tuple(found)
+
     def _dotted_name(self) -> str:
         parts = [self.name().name]
         while self.accept("."):

@@ -32,16 +32,35 @@ class MemberPrinter(DeclarationPrinter):
         self.lines.level -= 1
 
     def head_of_block(self, block: Block) -> str:
-        """The first line of a block."""
-        words = (block.kind.value, *block.modifiers, self.name(block.name))
-        result = f" : {self.type_text(block.return_type)}" if block.return_type else ""
+        """The first line of a block that opens no namespaces."""
+        return self._first_words(block) + self._all_bases(block) + self._result(block)
+
+    def heading(self, block: Block) -> None:
+        """The first line of a block, and the namespaces that it opens."""
+        if not block.usings:
+            self.lines.add(self.head_of_block(block), first_of(block.span))
+            return
+        self.lines.add(self._first_words(block) + self._result(block), first_of(block.span))
+        self._usings(block.usings, self._all_bases(block))
+
+    def _usings(self, usings: tuple[Using, ...], bases: str) -> None:
+        """USING behind a name, and the bases that may be in what it opens."""
+        self.lines.level += 1
+        for using in usings:
+            self.using(using)
+        if bases:
+            self.lines.add(bases.strip(), usings[-1].span)
+        self.lines.level -= 1
+
+    def _first_words(self, block: Block) -> str:
+        return " ".join((block.kind.value, *block.modifiers, self.name(block.name)))
+
+    def _result(self, block: Block) -> str:
+        return f" : {self.type_text(block.return_type)}" if block.return_type else ""
+
+    def _all_bases(self, block: Block) -> str:
         bases = (block.extends,) if block.extends else ()
-        return (
-            " ".join(words)
-            + self._bases("EXTENDS", bases)
-            + self._bases("IMPLEMENTS", block.implements)
-            + result
-        )
+        return self._bases("EXTENDS", bases) + self._bases("IMPLEMENTS", block.implements)
 
     def members(self, members: tuple[BlockMember, ...]) -> None:
         """All members one level deeper, with blank lines around them."""
@@ -104,7 +123,12 @@ class MemberPrinter(DeclarationPrinter):
     def interface(self, node: Interface) -> None:
         """INTERFACE ... END_INTERFACE."""
         self.lines.trivia(node.leading)
-        self.lines.add(self.head_of_interface(node), first_of(node.span))
+        if node.usings:
+            words = ("INTERFACE", *node.modifiers, self.name(node.name))
+            self.lines.add(" ".join(words), first_of(node.span))
+            self._usings(node.usings, self._bases("EXTENDS", node.extends))
+        else:
+            self.lines.add(self.head_of_interface(node), first_of(node.span))
         self.members(node.members)
         self.lines.level += 1
         self.lines.trivia(without_last_blanks(node.closing))

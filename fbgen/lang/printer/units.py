@@ -70,7 +70,7 @@ class UnitPrinter(MemberPrinter):
         if sections and self.dialect.has(Feature.HEADERS):
             above, sections = _first_comments_apart(sections)
         self.lines.trivia((*block.leading, *block.header_comments, *above))
-        self.lines.add(self.head_of_block(block), first_of(block.span))
+        self.heading(block)
         self.header_items(block.header)
         self.sections(sections)
         self.lines.level += 1

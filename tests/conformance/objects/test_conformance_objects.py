@@ -213,6 +213,16 @@ def test_names_in_namespaces_are_found_whole_and_from_inside(engine_name: str) -
     assert (block.moved, block.turns) == (28, 2)
 
 
+def test_the_innermost_namespace_that_has_a_name_is_meant(engine_name: str) -> None:
+    path = __file__.replace("test_conformance_objects.py", "using.st")
+    program = load_program([path], dialect="iec", engine=engine_name)
+    user, other = program.instance("User"), program.instance("Other")
+    user()
+    other()
+    assert (user.first, user.second, user.third, user.runs) == (100, 102, 200, True)
+    assert other.n == 8
+
+
 def test_each_element_of_an_array_has_arguments_of_its_own(twincat: Twincat) -> None:
     program = twincat("element_arguments.st")
     program.run("Main")
