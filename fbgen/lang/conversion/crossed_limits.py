@@ -23,9 +23,9 @@ from fbgen.lang.ast import (
 )
 from fbgen.lang.checker import RULES
 from fbgen.lang.checker.standard_calls import is_standard_function
-from fbgen.lang.conversion.rewriting import Rewriter, Rule, rewritten
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.plant import BlockScope, PlantText
+from fbgen.lang.rewriting import Rewriter, Rule, rewritten
 from fbgen.lang.standard_parameters import STANDARD, standard_without_names
 from fbgen.lang.walk import walk
 from fbgen.source import Span
