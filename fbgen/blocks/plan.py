@@ -38,6 +38,14 @@ class BlockSpec:
     template: str
     context: Mapping[str, object] = field(default_factory=dict)
 
+    @property
+    def subject(self) -> str:
+        """The gateway or the sequence that it is made for, "" where it is made for the plant."""
+        made_for = self.context.get("gateway") or self.context.get("sequence")
+        if isinstance(made_for, GatewayView):
+            return made_for.name
+        return made_for.id if isinstance(made_for, SequenceView) else ""
+
 
 @dataclass(frozen=True, slots=True)
 class BlockPlan:

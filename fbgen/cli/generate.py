@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from fbgen.cli import FINDINGS
 from fbgen.cli.dialects import PlantDialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import CatalogOption
@@ -13,6 +14,7 @@ from fbgen.cli.output import report, result, say
 
 if TYPE_CHECKING:
     from fbgen.catalog import Catalog
+    from fbgen.emit.folder import FolderChanges
     from fbgen.plant import Plant
 
 _NUMBERS = "--block-numbers"
@@ -23,10 +25,19 @@ def register(program: typer.Typer) -> None:
     program.command(
         epilog=examples(
             "fbgen generate plant.yaml -o out",
+            "fbgen generate plant.yaml -o out --diff",
+            "fbgen generate plant.yaml -o out --check",
+            "fbgen generate plant.yaml -o out --prefix HALL2_ --files one",
             "fbgen generate plant.yaml -o out --dialect step7 --block-numbers 500-599",
             "fbgen generate plant.yaml -o out --catalog our_catalog --templates our_templates",
         )
     )(generate)
+
+
+def _known_layout(name: str | None) -> str | None:
+    if name not in (None, "one", "per_block"):
+        raise typer.BadParameter(f"'{name}' is none of one, per_block")
+    return name
 
 
 def generate(
@@ -35,6 +46,19 @@ def generate(
         Path, typer.Option("-o", "--output", metavar="DIR", help="Where the PLC text goes.")
     ],
     dialect: PlantDialectOption = None,
+    prefix: Annotated[
+        str | None,
+        typer.Option("--prefix", metavar="P_", help="How names of blocks begin instead of TOS_."),
+    ] = None,
+    files: Annotated[
+        str | None,
+        typer.Option(
+            "--files",
+            metavar="one|per_block",
+            callback=_known_layout,
+            help="All blocks in one file, or each in its own, where the dialect leaves it open.",
+        ),
+    ] = None,
     block_numbers: Annotated[
         str | None,
         typer.Option(
@@ -52,35 +76,99 @@ def generate(
             help="Templates of your own, before the shipped ones; may be given several times.",
         ),
     ] = None,
+    check: Annotated[
+        bool,
+        typer.Option("--check", help="Write nothing; exit status 1 if anything would change."),
+    ] = False,
+    diff: Annotated[
+        bool, typer.Option("--diff", help="Write nothing; print what would change.")
+    ] = False,
     force: Annotated[
         bool, typer.Option("--force", help="Overwrite files that a person has changed.")
     ] = False,
 ) -> None:
     """Generate the PLC text of a plant.
 
-    Standard output lists the files that were written.
-    A file that was changed by hand since it was generated is never overwritten without --force.
+    Standard output lists the files that were written, with --check those that would be written or
+    removed. A file that was changed by hand since it was generated is never overwritten without
+    --force, and never removed.
     The dialect is that of the plant file unless --dialect names another one; if the PLC of the
-    plant file does not read that, the usual PLC of the dialect takes its place.
+    plant file does not read that, the usual PLC of the dialect takes its place. --prefix and
+    --files take the place of what the plant file says.
     """
     from fbgen.catalog import load_catalog
+    from fbgen.emit.folder import compare
     from fbgen.emit.generator import generate as generate_text
     from fbgen.emit.writing import write_set
     from fbgen.plant import load_plant
 
     known = load_catalog(catalog or ())
     wanted = _in_dialect(load_plant(plant, known), dialect, known)
+    wanted = _changed(wanted, known, prefix=prefix, files=files)
     if block_numbers is not None:
         wanted = _with_numbers(wanted, block_numbers)
     generated = generate_text(wanted, known, templates or ())
     report(generated.warnings)
-    written = write_set(generated, folder, force=force)
-    for name in written.written:
-        result(str(folder / name))
+    dry = check or diff
+    found = compare(generated, folder) if dry else write_set(generated, folder, force=force)
+    if dry and not force:
+        report(found.refusals(folder))
+    if diff:
+        _print_differences(found, folder)
+    else:
+        for item in found.changes if check else [one for one in found.changes if one.after]:
+            result(str(folder / item.name))
+    _say_what_became_of_blocks(found, folder)
+    would = "would be " if dry else ""
     say(
-        f"{len(written.written)} written, {len(written.unchanged)} unchanged, "
-        f"{len(written.removed)} removed in {folder} (dialect {generated.dialect})"
+        f"{len(found.written)} {would}written, {len(found.unchanged)} unchanged, "
+        f"{len(found.removed)} {would}removed in {folder} (dialect {generated.dialect})"
     )
+    if check and found.changes:
+        raise typer.Exit(FINDINGS)
+
+
+def _say_what_became_of_blocks(found: "FolderChanges", folder: Path) -> None:
+    for old, new in found.blocks.renamed:
+        say(f"renamed block: {old} is now {new}")
+    for name in found.blocks.removed:
+        say(f"removed block: {name} is not generated any more")
+    for name in found.kept:
+        say(f"kept: {folder / name} is not generated any more, but was changed by hand")
+
+
+def _print_differences(found: "FolderChanges", folder: Path) -> None:
+    """A unified diff of all files; /dev/null stands for no file."""
+    from difflib import unified_diff
+
+    for item in found.changes:
+        name = str(folder / item.name)
+        before, after = (_lines(data) for data in (item.before, item.after))
+        if before is None or after is None:
+            result(f"Binary files {name} differ")
+            continue
+        old = "/dev/null" if item.before is None else name
+        new = "/dev/null" if item.after is None else name
+        for line in unified_diff(before, after, old, new, lineterm=""):
+            result(line)
+
+
+def _lines(data: bytes | None) -> list[str] | None:
+    """The lines of a file, none for no file; None for one that is no text."""
+    if data is None:
+        return []
+    try:
+        return data.decode("utf-8").splitlines()
+    except UnicodeDecodeError:
+        return None
+
+
+def _changed(plant: "Plant", catalog: "Catalog", **given: str | None) -> "Plant":
+    """The plant with what the command line says instead of the plant file."""
+    from fbgen.plant import changed
+
+    values = {name: value for name, value in given.items() if value is not None}
+    return changed(plant, catalog, **values) if values else plant
 
 
 def _in_dialect(plant: "Plant", dialect: str | None, catalog: "Catalog") -> "Plant":

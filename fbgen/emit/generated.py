@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from fbgen.diagnostics import Diagnostic
+from fbgen.emit.block_list import GeneratedBlock
 from fbgen.source import Origin
 
 
@@ -30,10 +31,12 @@ class GeneratedSet:
     """All files of a plant in the order in which they are imported.
 
     `inputs_hash` stands for fbgen's version, the plant file, the catalogue entries and templates;
-    each file with PLC text carries it. `warnings` are findings that did not stop the work.
+    each file with PLC text carries it. `warnings` are findings that did not stop the work, `blocks`
+    all units of the PLC program.
     """
 
     dialect: str
     files: tuple[GeneratedFile, ...]
     inputs_hash: str
     warnings: tuple[Diagnostic, ...] = ()
+    blocks: tuple[GeneratedBlock, ...] = ()

@@ -6,9 +6,12 @@
 * iec: one file with everything, in the order in which it compiles.
 * twincat: one object for each block and data type, and a list of the global variables.
 * plcopen: the text of iec in one project.
+
+`files:` of the plant file turns that round where the dialect's tools leave it open.
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 from fbgen.emit.container_origins import origins_of_lines
 from fbgen.emit.generated import GeneratedFile
@@ -17,12 +20,13 @@ from fbgen.lang import ast
 from fbgen.lang.containers import new_files
 from fbgen.lang.conversion import Schedule, convert
 from fbgen.lang.printer import print_generated
-from fbgen.plant import Plant
+from fbgen.plant import FILE_LAYOUTS, FileLayout, Plant, PlantDialect, with_prefix
 
 GLOBALS = "TOS_Globals"
 """The list of the global variables of dialect twincat."""
 
-Layout = Callable[[Sequence[ast.File], Sequence[ast.File], Plant], tuple[GeneratedFile, ...]]
+Layout = Callable[[Sequence[ast.File], Plant], tuple[GeneratedFile, ...]]
+"""Lays converted files out."""
 
 
 def laid_out(units: Sequence[ast.File], plant: Plant) -> tuple[GeneratedFile, ...]:
@@ -32,25 +36,40 @@ def laid_out(units: Sequence[ast.File], plant: Plant) -> tuple[GeneratedFile, ..
     """
     schedule = Schedule(interval_ns=round(plant.cycle_time_ms * 1_000_000))
     converted = convert(units, plant.language, schedule)
-    return _LAYOUTS[plant.dialect](units, converted, plant)
+    layout = plant.files or FILE_LAYOUTS[plant.dialect][0]
+    files = _LAYOUTS[plant.dialect, layout](converted, plant)
+    return (_symbols(units, plant), *files) if plant.dialect == "step7" else files
 
 
-def _one_file_a_unit(
-    units: Sequence[ast.File], converted: Sequence[ast.File], plant: Plant
-) -> tuple[GeneratedFile, ...]:
+def _symbols(units: Sequence[ast.File], plant: Plant) -> GeneratedFile:
+    symbols = symbol_table([unit for file in units for unit in file.units], plant)
+    return GeneratedFile(f"{plant.name}.sdf", symbols, (), LINE_END, is_program=False)
+
+
+def _one_file_a_source(converted: Sequence[ast.File], plant: Plant) -> tuple[GeneratedFile, ...]:
     return tuple(_printed(file, file.source.name) for file in converted)
 
 
-def _source_and_symbols(
-    units: Sequence[ast.File], converted: Sequence[ast.File], plant: Plant
+def _one_file_a_unit(
+    converted: Sequence[ast.File], plant: Plant, suffix: str
 ) -> tuple[GeneratedFile, ...]:
-    symbols = symbol_table([unit for file in units for unit in file.units], plant)
-    table = GeneratedFile(f"{plant.name}.sdf", symbols, (), LINE_END, is_program=False)
-    return (table, *_one_text(units, converted, plant, ".scl"))
+    """A file for each unit that has a name, what has none in one with the name of the plant."""
+    files: dict[str, list[ast.Unit]] = {}
+    for file in converted:
+        for unit in file.units:
+            if isinstance(unit, ast.Block | ast.DataBlock | ast.TypeDeclaration):
+                files.setdefault(unit.name.name, []).append(unit)
+            else:
+                files.setdefault(plant.name, []).append(unit)
+    first = converted[0]
+    return tuple(
+        _printed(ast.File(first.source, first.dialect, tuple(inside), ()), f"{stem}{suffix}")
+        for stem, inside in files.items()
+    )
 
 
 def _one_text(
-    units: Sequence[ast.File], converted: Sequence[ast.File], plant: Plant, suffix: str = ".st"
+    converted: Sequence[ast.File], plant: Plant, suffix: str
 ) -> tuple[GeneratedFile, ...]:
     first = converted[0]
     inside = tuple(unit for file in converted for unit in file.units)
@@ -78,10 +97,15 @@ def _in_container(
     return tuple(files)
 
 
-_LAYOUTS: dict[str, Layout] = {
-    "tia": _one_file_a_unit,
-    "step7": _source_and_symbols,
-    "iec": _one_text,
-    "twincat": lambda _, converted, plant: _in_container("twincat", GLOBALS, converted),
-    "plcopen": lambda _, converted, plant: _in_container("plcopen", plant.name, converted),
+_LAYOUTS: dict[tuple[PlantDialect, FileLayout], Layout] = {
+    ("tia", "per_block"): _one_file_a_source,
+    ("tia", "one"): partial(_one_text, suffix=".scl"),
+    ("step7", "one"): partial(_one_text, suffix=".scl"),
+    ("step7", "per_block"): partial(_one_file_a_unit, suffix=".scl"),
+    ("iec", "one"): partial(_one_text, suffix=".st"),
+    ("iec", "per_block"): partial(_one_file_a_unit, suffix=".st"),
+    ("twincat", "per_block"): lambda converted, plant: _in_container(
+        "twincat", with_prefix(GLOBALS, plant.prefix), converted
+    ),
+    ("plcopen", "one"): lambda converted, plant: _in_container("plcopen", plant.name, converted),
 }

@@ -14,6 +14,7 @@ from fbgen.lang.dialects import dialect_named
 from fbgen.lang.dialects.step7 import is_absolute
 from fbgen.lang.walk import walk
 from fbgen.plant import Plant
+from fbgen.plant.prefix import USUAL_PREFIX
 from fbgen.source import Span
 
 
@@ -32,10 +33,12 @@ def names_that_do_not_fit(
     """FB5010 for each name of the plant that makes a name too long, or is an address."""
     dialect = dialect_named(plant.language)
     parts = sorted(_parts(plant, catalog), key=lambda part: -len(part.name))
+    prefix = _Part(plant.prefix, "prefix", plant.span_of("prefix"))
+    otherwise = None if plant.prefix == USUAL_PREFIX else prefix
     longest: dict[_Part | None, tuple[str, Span]] = {}
     for name, place in _declared(units):
         if len(name) > dialect.identifier_length:
-            part = next((one for one in parts if one.name in name), None)
+            part = next((one for one in parts if one.name in name), otherwise)
             if part not in longest or len(name) > len(longest[part][0]):
                 longest[part] = (name, place)
     for part, (name, place) in longest.items():
@@ -45,7 +48,7 @@ def names_that_do_not_fit(
             f"the name '{name}' has {len(name)} characters, and {dialect.title} takes "
             f"{dialect.identifier_length}",
             part.place if part else place,
-            f"give the {part.what} a name of at most {room} characters" if part else "",
+            _way_out(part, room, plant) if part else "",
         )
     for part in parts:
         if dialect.name == "step7" and is_absolute(part.name):
@@ -55,6 +58,20 @@ def names_that_do_not_fit(
                 part.place,
                 f"give the {part.what} another name, such as {part.name}_1",
             )
+
+
+def _way_out(part: _Part, room: int, plant: Plant) -> str:
+    if part.what == "prefix":
+        return f"choose a prefix of at most {room} characters, the underscore included"
+    spare = len(plant.prefix) - len(USUAL_PREFIX)
+    if spare <= 0:
+        return f"give the {part.what} a name of at most {room} characters"
+    if room <= 0:
+        return f"choose a prefix that is shorter than {plant.prefix}"
+    return (
+        f"give the {part.what} a name of at most {room} characters, or the blocks a prefix "
+        f"shorter than {plant.prefix}"
+    )
 
 
 def _parts(plant: Plant, catalog: Catalog) -> Iterator[_Part]:

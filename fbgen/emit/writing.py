@@ -1,110 +1,77 @@
 """Generated files to disk, without ever losing what a person wrote.
 
-The folder keeps a list of what was generated with the hash of each file (`fbgen-files.json`). A
-file whose content is neither what the list says nor what is to be written belongs to a person and
-is left alone; then nothing at all is written. Each file goes to a temporary name first and is
-renamed, the list goes last, so an interrupted run loses nothing.
+Where a file belongs to a person, nothing at all is written. Each file goes to a temporary name
+first and is renamed, the list of files goes last, so an interrupted run loses nothing. What became
+of blocks that were renamed or are gone is written down in the folder, newest last: it is work for
+whoever has them in a project already.
 """
 
-import json
-import re
-from collections.abc import Mapping
-from dataclasses import dataclass
-from hashlib import sha256
 from pathlib import Path
 
-from fbgen.diagnostics import Diagnostic, DiagnosticError, error
+from fbgen.diagnostics import DiagnosticError
+from fbgen.emit.folder import (
+    FILE_LIST,
+    FolderChanges,
+    compare,
+    file_list,
+    not_writable,
+    read_content,
+)
 from fbgen.emit.generated import GeneratedSet
-from fbgen.writing import replace_file, why_not_written
+from fbgen.writing import replace_file
 
-FILE_LIST = "fbgen-files.json"
-_FILE_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\.(scl|udt|db|sdf|st|TcPOU|TcDUT|TcGVL|xml)")
-"""What fbgen calls its files; a list that names anything else is not followed."""
+CHANGED_BLOCKS = "fbgen-changed-blocks.txt"
+"""Which blocks were renamed or removed, each time that the folder was generated again."""
 
-
-@dataclass(frozen=True, slots=True)
-class WriteReport:
-    """What became of the files, by name. `removed` were generated before and are not any more."""
-
-    written: tuple[str, ...]
-    unchanged: tuple[str, ...]
-    removed: tuple[str, ...]
+_CHANGED_BLOCKS_HEADING = """\
+Blocks that were renamed or are not generated any more, each time this folder was generated again.
+Newest last. In a project that has them: rename or delete them, and mend what calls them.
+"""
 
 
-def write_set(generated: GeneratedSet, folder: Path, *, force: bool = False) -> WriteReport:
-    """Write all files into the folder, which is made if need be.
+def write_set(generated: GeneratedSet, folder: Path, *, force: bool = False) -> FolderChanges:
+    """Write all files into the folder, which is made if need be, and say what was done.
 
-    Raises DiagnosticError FB5020 for files that a person has changed (unless `force`), FB5021 where
-    the folder cannot be written, FB5022 where the list of generated files cannot be read.
+    A file that is not generated any more is removed unless a person has changed it. Raises
+    DiagnosticError FB5020 for files that a person has changed (unless `force`), FB5021 where the
+    folder cannot be written, FB5022 where the list of generated files cannot be read.
     """
-    texts = {file.name: file.data for file in generated.files}
-    known = _read_list(folder)
-    present = {name: _read(folder / name) for name in {*texts, *known}}
-    if not force and (theirs := _changed_by_person(texts, known, present)):
-        raise DiagnosticError(_refusal(folder / name) for name in theirs)
-    stale = tuple(sorted(name for name in known if name not in texts and present[name] is not None))
-    written = tuple(name for name, data in texts.items() if present[name] != data)
+    found = compare(generated, folder)
+    if found.theirs and not force:
+        raise DiagnosticError(found.refusals(folder))
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        for name in written:
-            replace_file(folder / name, texts[name])
-        hashes = {name: sha256(data).hexdigest() for name, data in sorted(texts.items())}
-        content = json.dumps({"inputs": generated.inputs_hash, "files": hashes}, indent=2) + "\n"
-        if _read(folder / FILE_LIST) != content.encode("ascii"):
-            replace_file(folder / FILE_LIST, content.encode("ascii"))
-        for name in stale:
+        _write(found, folder)
+        if found.blocks or found.kept:
+            before = read_content(folder / CHANGED_BLOCKS) or _CHANGED_BLOCKS_HEADING.encode()
+            entry = _entry(found, generated.inputs_hash).encode("ascii")
+            replace_file(folder / CHANGED_BLOCKS, before + entry)
+        content = file_list(generated)
+        if read_content(folder / FILE_LIST) != content:
+            replace_file(folder / FILE_LIST, content)
+    except OSError as problem:
+        raise not_writable(folder, problem) from None
+    return found
+
+
+def _write(found: FolderChanges, folder: Path) -> None:
+    """Files that go, go last: unless one differs from a new one in case only, which is one file on
+    Windows."""
+    new = {name.casefold() for name in (*found.written, *found.unchanged)}
+    early = [name for name in found.removed if name.casefold() in new]
+    for name in early:
+        (folder / name).unlink()
+    for item in found.changes:
+        if item.after is not None:
+            replace_file(folder / item.name, item.after)
+    for name in found.removed:
+        if name not in early:
             (folder / name).unlink()
-    except OSError as problem:
-        raise _not_writable(folder, problem) from None
-    return WriteReport(written, tuple(name for name in texts if name not in written), stale)
 
 
-def _changed_by_person(
-    texts: Mapping[str, bytes], known: Mapping[str, str], present: Mapping[str, bytes | None]
-) -> list[str]:
-    return sorted(
-        name
-        for name, data in present.items()
-        if data is not None
-        and data != texts.get(name)
-        and sha256(data).hexdigest() != known.get(name)
-    )
-
-
-def _refusal(path: Path) -> Diagnostic:
-    return Diagnostic(
-        "FB5020",
-        f"{path} was not generated by fbgen, or has been changed since",
-        help="move your changes away or choose another folder; --force overwrites the file",
-    )
-
-
-def _read_list(folder: Path) -> dict[str, str]:
-    data = _read(folder / FILE_LIST)
-    if data is None:
-        return {}
-    try:
-        files = json.loads(data)["files"]
-        names = {str(name): str(value) for name, value in files.items()}
-    except (ValueError, LookupError, TypeError, AttributeError, RecursionError):
-        raise error(
-            "FB5022",
-            f"{folder / FILE_LIST} is damaged, so fbgen cannot tell its files from yours",
-            help="delete it and generate with --force, or choose another folder",
-        ) from None
-    return {name: value for name, value in names.items() if _FILE_NAME.fullmatch(name)}
-
-
-def _read(path: Path) -> bytes | None:
-    try:
-        return path.read_bytes()
-    except FileNotFoundError:
-        return None
-    except OSError as problem:
-        raise _not_writable(path, problem) from None
-
-
-def _not_writable(path: Path, problem: OSError) -> DiagnosticError:
-    reason, remedy = why_not_written(problem)
-    place = problem.filename or path
-    return error("FB5021", f"{place} cannot be written: {reason}", help=remedy)
+def _entry(found: FolderChanges, inputs: str) -> str:
+    lines = [f"inputs {found.last_inputs} -> {inputs}"]
+    lines += [f"   renamed  {old} -> {new}" for old, new in found.blocks.renamed]
+    lines += [f"   removed  {name}" for name in found.blocks.removed]
+    lines += [f"   kept     {name}, not generated any more, changed by hand" for name in found.kept]
+    return "\n" + "\n".join(lines) + "\n"

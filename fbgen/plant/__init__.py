@@ -1,15 +1,32 @@
 """The plant file: what the user has, and which blocks are wanted for it."""
 
-from fbgen.plant.changing import in_dialect, problems_of
+from fbgen.plant.changing import changed, in_dialect, problems_of
 from fbgen.plant.commented import write_commented_plant
-from fbgen.plant.families import FAMILIES, LANGUAGES, Family, PlantDialect, PlcFamily
+from fbgen.plant.families import (
+    FAMILIES,
+    FILE_LAYOUTS,
+    LANGUAGES,
+    Family,
+    FileLayout,
+    PlantDialect,
+    PlcFamily,
+)
 from fbgen.plant.loading import load_plant, read_plant
-from fbgen.plant.plant import HIGHEST_BLOCK, BlockNumbers, Plant, PlantDrive, PlantGateway
+from fbgen.plant.plant import (
+    HIGHEST_BLOCK,
+    BlockNumbers,
+    Plant,
+    PlantDrive,
+    PlantGateway,
+)
+from fbgen.plant.prefix import with_prefix
 
 __all__ = [
     "BlockNumbers",
     "FAMILIES",
+    "FILE_LAYOUTS",
     "Family",
+    "FileLayout",
     "HIGHEST_BLOCK",
     "LANGUAGES",
     "Plant",
@@ -17,9 +34,11 @@ __all__ = [
     "PlantDrive",
     "PlantGateway",
     "PlcFamily",
+    "changed",
     "in_dialect",
     "load_plant",
     "problems_of",
     "read_plant",
+    "with_prefix",
     "write_commented_plant",
 ]

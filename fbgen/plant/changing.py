@@ -15,6 +15,14 @@ def problems_of(plant: Plant, catalog: Catalog) -> list[Diagnostic]:
     ]
 
 
+def changed(plant: Plant, catalog: Catalog, **values: object) -> Plant:
+    """The plant with other values of its fields. Raises DiagnosticError with what is wrong then."""
+    other = plant.model_copy(update=values)
+    if found := problems_of(other, catalog):
+        raise DiagnosticError(found)
+    return other
+
+
 def in_dialect(plant: Plant, dialect: str, catalog: Catalog) -> Plant:
     """The plant in another dialect of `LANGUAGES`.
 
@@ -25,7 +33,4 @@ def in_dialect(plant: Plant, dialect: str, catalog: Catalog) -> Plant:
         return plant
     reads_it = dialect in plant.family.dialects
     plc = plant.plc if reads_it else USUAL_PLC[dialect]
-    changed = plant.model_copy(update={"dialect": dialect, "plc": plc})
-    if found := problems_of(changed, catalog):
-        raise DiagnosticError(found)
-    return changed
+    return changed(plant, catalog, dialect=dialect, plc=plc)

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, TypeVar
 from fbgen.catalog import Catalog, Drive, Gateway, Layout, Located, Option, OptionValue
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
 from fbgen.nearest import nearest
-from fbgen.plant.families import FAMILIES, Family
+from fbgen.plant.families import FAMILIES, FILE_LAYOUTS, Family
 from fbgen.plant.names import name_problems
+from fbgen.plant.prefix import prefix_problems
 
 if TYPE_CHECKING:
     from fbgen.plant.plant import BlockNumbers, Plant, PlantDrive, PlantGateway
@@ -146,10 +147,12 @@ def inverter_numbers(item: "PlantGateway") -> Iterator[Diagnostic]:
 
 
 def plant(item: "Plant") -> Iterator[Diagnostic]:
-    """FB2012 and FB2013 names, FB2014 dialect, FB2015 PROFIBUS addresses, FB2019 identifiers."""
+    """FB2012, FB2013 and FB2021 names, FB2014 dialect, FB2015 PROFIBUS addresses, FB2019
+    identifiers, FB2022 files."""
     parts: tuple[Plant | PlantGateway | PlantDrive, ...] = (item, *item.gateways, *item.drives)
     for part in parts:
-        yield from name_problems(part.name, part.span_of("name"))
+        yield from name_problems(part.name, part.span_of("name"), item.prefix)
+    yield from prefix_problems(item.prefix, item.span_of("prefix"))
     named: tuple[PlantGateway | PlantDrive, ...] = (*item.gateways, *item.drives)
     yield from _twice(
         named,
@@ -166,6 +169,14 @@ def plant(item: "Plant") -> Iterator[Diagnostic]:
             f"{item.family.title} does not read the dialect {item.dialect}",
             item.span_of("dialect"),
             f"write dialect: {' or '.join(item.family.dialects)}, or plc: {' or '.join(fitting)}",
+        )
+    layouts = FILE_LAYOUTS[item.dialect]
+    if item.files is not None and item.files not in layouts:
+        yield Diagnostic(
+            "FB2022",
+            f"the dialect {item.dialect} cannot be written with files: {item.files}",
+            item.span_of("files"),
+            f"write files: {' or '.join(layouts)}, or leave it out",
         )
     yield from _twice(
         item.gateways,

@@ -28,6 +28,13 @@ dialect: tia
 # twincat (twincat or plcopen).
 plc: s7-1500
 
+# How the names of generated blocks begin.
+prefix: TOS_
+
+# Optional: one file with all blocks, or per_block, each in a file of its own. Without it what is
+# usual for the dialect; twincat and plcopen leave no choice.
+# files: one
+
 # For dialect step7: the numbers that FBs, FCs, DBs and UDTs may have.
 block_numbers: {first: 200, last: 399}
 

@@ -10,6 +10,8 @@ from typing import Literal
 
 PlcFamily = Literal["s7-1200", "s7-1500", "s7-300", "s7-400", "iec", "twincat"]
 PlantDialect = Literal["tia", "step7", "iec", "twincat", "plcopen"]
+FileLayout = Literal["one", "per_block"]
+"""All blocks in one file, or each in its own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +74,15 @@ USUAL_PLC: dict[str, PlcFamily] = {
     "plcopen": "iec",
 }
 """The family that a dialect is for where none is named that reads it."""
+
+FILE_LAYOUTS: dict[PlantDialect, tuple[FileLayout, ...]] = {
+    "tia": ("per_block", "one"),
+    "step7": ("one", "per_block"),
+    "iec": ("one", "per_block"),
+    "twincat": ("per_block",),
+    "plcopen": ("one",),
+}
+"""How a dialect's text can stand in files, the usual way first."""
 
 LANGUAGES: dict[str, str] = {
     "tia": "tia",

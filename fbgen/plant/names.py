@@ -5,17 +5,18 @@ from collections.abc import Iterator
 
 from fbgen.diagnostics import Diagnostic
 from fbgen.lang.dialects import DIALECTS
+from fbgen.plant.prefix import USUAL_PREFIX, reserved_beginnings
 from fbgen.source import Span
 
 LONGEST_NAME = 32
-RESERVED_PREFIXES = ("tos_", "typetos")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*")
 
 
-def name_problems(name: str, span: Span | None) -> Iterator[Diagnostic]:
+def name_problems(name: str, span: Span | None, prefix: str = USUAL_PREFIX) -> Iterator[Diagnostic]:
     """FB2012 for a name that cannot stand in a PLC program of any dialect.
 
-    All dialects count, so that a plant survives a change of its dialect.
+    All dialects count, so that a plant survives a change of its dialect. `prefix` is how generated
+    names begin.
     """
     if not _NAME.fullmatch(name):
         message = f"'{name}' is no name for a PLC program"
@@ -24,7 +25,7 @@ def name_problems(name: str, span: Span | None) -> Iterator[Diagnostic]:
     elif len(name) > LONGEST_NAME:
         message = f"the name '{name}' has {len(name)} characters"
         yield Diagnostic("FB2012", message, span, f"at most {LONGEST_NAME} fit into block names")
-    elif name.lower().startswith(RESERVED_PREFIXES):
+    elif name.lower().startswith(reserved_beginnings(prefix)):
         message = f"the name '{name}' begins like those of the generated blocks"
         yield Diagnostic("FB2012", message, span, "choose another beginning")
     elif owners := [item.title for item in DIALECTS.values() if name.upper() in item.reserved]:

@@ -9,7 +9,15 @@ from fbgen.catalog import AccessWay, Catalog, Located, OptionValue
 from fbgen.catalog.scalars import Flag, Real, Text, Whole
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import checks
-from fbgen.plant.families import FAMILIES, LANGUAGES, Family, PlantDialect, PlcFamily
+from fbgen.plant.families import (
+    FAMILIES,
+    LANGUAGES,
+    Family,
+    FileLayout,
+    PlantDialect,
+    PlcFamily,
+)
+from fbgen.plant.prefix import USUAL_PREFIX
 
 HIGHEST_BLOCK = 7999
 """The highest number of a block that an S7-300 or S7-400 takes; small CPUs take fewer."""
@@ -75,7 +83,11 @@ class BlockNumbers(Located):
 
 
 class Plant(Located):
-    """A plant file. Sequences are ids of the catalogue, generated for every drive they fit."""
+    """A plant file. Sequences are ids of the catalogue, generated for every drive they fit.
+
+    `prefix` is how the names of blocks begin; `files` says whether each stands in a file of its
+    own, None what is usual for the dialect.
+    """
 
     version: Literal[1]
     name: str
@@ -83,6 +95,8 @@ class Plant(Located):
     dialect: PlantDialect
     plc: PlcFamily
     cycle_time_ms: Annotated[Real, Field(gt=0, le=6000)] = 10
+    prefix: str = USUAL_PREFIX
+    files: FileLayout | None = None
     block_numbers: BlockNumbers = Field(default_factory=BlockNumbers)
     sequences: tuple[str, ...] = ()
     gateways: tuple[PlantGateway, ...] = Field(min_length=1)

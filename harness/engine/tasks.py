@@ -1,8 +1,8 @@
 """What a CPU runs, and when: program cycle, cyclic interrupts or tasks, and start-up blocks.
 
 On S7 the user's OB1 runs and those from OB123 on behind it, or, where the files have none, the
-harness's own, which calls TOS_Main. IEC programs run as their CONFIGURATION says; without one every
-PROGRAM that no block calls runs once a cycle.
+harness's own, which calls TOS_Main or what the settings name. IEC programs run as their
+CONFIGURATION says; without one every PROGRAM that no block calls runs once a cycle.
 """
 
 from collections import Counter
@@ -20,7 +20,6 @@ from harness.engine.organization import (
     organization_blocks,
 )
 
-MAIN_FUNCTION = "TOS_Main"
 _FIRST_FURTHER = 123
 
 
@@ -71,8 +70,9 @@ def cyclic_tasks(program: Program, settings: ObSettings | None = None) -> list[C
             for task in program.tasks
         ]
         return sorted(tasks, key=lambda task: task.priority)
-    numbered = organization_blocks(program, settings or ObSettings())
-    main = program.blocks.get(MAIN_FUNCTION.casefold())
+    known = settings or ObSettings()
+    numbered = organization_blocks(program, known)
+    main = program.blocks.get(known.main_function.casefold())
     blocks = [name for number, name in numbered.items() if number == PROGRAM_CYCLE]
     if not blocks and main is not None and main.kind is BlockKind.FUNCTION:
         blocks = [main.name]
@@ -89,7 +89,7 @@ def cyclic_tasks(program: Program, settings: ObSettings | None = None) -> list[C
             "FB7404",
             "nothing in these files would run on a controller",
             next((block.span for block in program.blocks.values()), None),
-            f'add an ORGANIZATION_BLOCK "Main", a FUNCTION {MAIN_FUNCTION} or a PROGRAM',
+            f'add an ORGANIZATION_BLOCK "Main", a FUNCTION {known.main_function} or a PROGRAM',
         )
     return [CyclicTask("cycle", None, 1, programs)]
 

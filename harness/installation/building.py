@@ -11,7 +11,7 @@ from pathlib import Path
 from fbgen.catalog import Catalog, Drive, OptionValue, load_catalog
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.nearest import nearest
-from fbgen.plant import Plant, PlantDrive, PlantGateway, load_plant
+from fbgen.plant import Plant, PlantDrive, PlantGateway, load_plant, with_prefix
 from harness.drives import Inverter, InverterSettings, ReplyTime
 from harness.drives.settings import TimeoutRestart
 from harness.engine.loading import engine_named, read_program
@@ -82,6 +82,7 @@ def _cpu_settings(plan: Plant, times: CpuSettings) -> CpuSettings:
         family=CpuFamily(plan.plc),
         cycle_ns=round(plan.cycle_time_ms * NS_PER_MS),
         memory_bytes=max(times.memory_bytes, last + 1),
+        obs=replace(times.obs, main_function=with_prefix("TOS_Main", plan.prefix)),
     )
 
 

@@ -41,7 +41,7 @@ class ScenarioCase:
         """The changes of the variation in brackets; empty for the plant as it is."""
         variation = self.variation
         dialect = self.dialect or variation.dialect
-        parts = [dialect, variation.plc, variation.layout, variation.access]
+        parts = [dialect, variation.plc, variation.layout, variation.access, variation.prefix]
         parts += [f"{name}={value}" for name, value in variation.options.items()]
         shown = ", ".join(part for part in parts if part)
         return f"[{shown}]" if shown else ""
@@ -122,7 +122,11 @@ def _varied(plant: Plant, variation: Variation, catalog: Catalog) -> Plant:
     changes: dict[str, object] = {"gateways": gateways}
     changes |= {
         key: value
-        for key, value in (("dialect", variation.dialect), ("plc", variation.plc))
+        for key, value in (
+            ("dialect", variation.dialect),
+            ("plc", variation.plc),
+            ("prefix", variation.prefix),
+        )
         if value is not None
     }
     changed = plant.model_copy(update=changes)

@@ -257,6 +257,7 @@ class Variation(Located):
 
     dialect: PlantDialect | None = Field(default=None, description="Language of the text")
     plc: PlcFamily | None = Field(default=None, description="Family of the CPU")
+    prefix: Text | None = Field(default=None, description="How the names of blocks begin")
     layout: Text | None = Field(default=None, description="Cyclic data of all gateways")
     access: Literal["per_identifier", "dpxx_dat", "process_image"] | None = Field(
         default=None, description="How the program reaches the cyclic data of all gateways"

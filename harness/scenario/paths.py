@@ -1,6 +1,7 @@
 """Names in scenario files: what `drive.pump.running` and `plc.TOS_Plant...` stand for.
 
 plc.VARIABLE        a variable of the PLC, `plc.TOS_Plant.gw1.pump.stop.execute`, `plc.List[2].ok`
+                    TOS_ stands for the plant's own prefix, too
 cpu.ITEM, bus.ITEM  the CPU and the DP master
 gateway.NAME.ITEM   a gateway, `gateway.gw1.led.device_status`
 drive.NAME.ITEM     a drive, `drive.pump.frequency`, `drive.pump.comno.FE03`
@@ -15,6 +16,7 @@ from types import MappingProxyType
 from fbgen.catalog import Catalog
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.nearest import nearest
+from fbgen.plant import with_prefix
 from fbgen.source import Span
 from harness.drives import Inverter
 from harness.engine.interface import Value
@@ -99,8 +101,9 @@ class Paths:
         root, _, rest = path.partition(".")
         plant = self._plant
         if root == "plc":
-            kind = self._variable(rest, span)
-            return Readable(kind, lambda: plant.cpu.engine.global_value(rest))
+            variable = with_prefix(rest, plant.plan.prefix)
+            kind = self._variable(variable, span)
+            return Readable(kind, lambda: plant.cpu.engine.global_value(variable))
         if root == "cpu":
             _one_of(rest, ("mode", "scans"), "property of the CPU", span)
             if rest == "scans":
@@ -122,9 +125,10 @@ class Paths:
         """What a path can be set to. Raises DiagnosticError FB8003."""
         root, _, rest = path.partition(".")
         if root == "plc":
-            kind = self._variable(rest, span)
+            variable = with_prefix(rest, self._plant.plan.prefix)
+            kind = self._variable(variable, span)
             engine = self._plant.cpu.engine
-            return Writable(kind, lambda value: engine.set_global(rest, _no_bytes(value)))
+            return Writable(kind, lambda value: engine.set_global(variable, _no_bytes(value)))
         name, _, item = rest.partition(".")
         what, _, key = item.partition(".")
         if root != "drive" or what != "comno":

@@ -57,6 +57,8 @@ PLANTS = [
     ("FB2017_no_address", 11, 13),
     ("FB2018_address_range", 12, 20),
     ("FB2019_hardware_identifier", 21, 26),
+    ("FB2021_prefix", 5, 9),
+    ("FB2022_files", 5, 8),
 ]
 
 

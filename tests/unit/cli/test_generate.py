@@ -152,3 +152,117 @@ def test_block_numbers_are_for_step7_only(fbgen: Fbgen, plant: Path) -> None:
     run = fbgen("generate", str(plant), "-o", "out", "--block-numbers", "200-300")
     assert run.status == 2
     assert "dialect tia numbers no blocks" in run.err
+
+
+def test_check_lists_what_would_change_and_writes_nothing(fbgen: Fbgen, plant: Path) -> None:
+    out = plant.parent / "out"
+    arguments = ("generate", str(plant), "-o", str(out))
+    run = fbgen(*arguments, "--check")
+    assert (run.status, out.exists()) == (1, False)
+    assert str(out / "TOS_Main.scl") in run.out.splitlines()
+    written = fbgen(*arguments).out
+    assert run.out == written
+    again = fbgen(*arguments, "--check")
+    assert (again.status, again.out) == (0, "")
+    (out / "TOS_Main.scl").unlink()
+    last = fbgen(*arguments, "--check")
+    assert (last.status, last.out) == (1, f"{out / 'TOS_Main.scl'}\n")
+    assert "1 would be written" in last.err
+
+
+def test_check_names_files_of_a_persons_own(fbgen: Fbgen, plant: Path) -> None:
+    out = plant.parent / "out"
+    arguments = ("generate", str(plant), "-o", str(out))
+    fbgen(*arguments)
+    with (out / "TOS_Main.scl").open("a") as file:
+        file.write("// mine\n")
+    run = fbgen(*arguments, "--check")
+    assert (run.status, run.out) == (1, f"{out / 'TOS_Main.scl'}\n")
+    assert "FB5020" in run.err
+    assert "// mine" in (out / "TOS_Main.scl").read_text("ascii")
+
+
+def test_diff_prints_what_would_change_and_writes_nothing(fbgen: Fbgen, plant: Path) -> None:
+    out = plant.parent / "out"
+    arguments = ("generate", str(plant), "-o", str(out))
+    fbgen(*arguments)
+    before = {path.name: path.read_bytes() for path in out.iterdir()}
+    text = plant.read_text("utf-8")
+    plant.write_text(text.replace("inv_no: 11", "inv_no: 12"), "utf-8")
+    run = fbgen(*arguments, "--diff")
+    assert run.status == 0
+    assert f"--- {out / 'TOS_Gateway_gw1.scl'}\n" in run.out
+    assert re.search(r"(?m)^-.*16#0B", run.out)
+    assert re.search(r"(?m)^\+.*16#0C", run.out)
+    assert {path.name: path.read_bytes() for path in out.iterdir()} == before
+    assert fbgen(*arguments, "--diff", "--check").status == 1
+
+
+def test_what_diff_prints_is_what_patch_applies(fbgen: Fbgen, plant: Path) -> None:
+    out = plant.parent / "out"
+    run = fbgen("generate", str(plant), "-o", str(out), "--diff")
+    added = [line[1:] for line in run.out.splitlines() if re.match(r"\+(?!\+\+ )", line)]
+    files = fbgen("generate", str(plant), "-o", str(out)).out.splitlines()
+    assert added == [line for path in files for line in Path(path).read_text().splitlines()]
+    assert run.out.count("--- /dev/null\n") == len(files)
+
+
+@pytest.mark.parametrize(
+    ("dialect", "layout", "names"),
+    [
+        ("tia", "one", {"manual_example.scl"}),
+        ("tia", "per_block", {"TOS_Main.scl", "TOS_Plant.db", "typeTosDrive.udt"}),
+        ("step7", "one", {"manual_example.scl", "manual_example.sdf"}),
+        ("step7", "per_block", {"TOS_Main.scl", "TOS_Plant.scl", "manual_example.sdf"}),
+        ("iec", "one", {"manual_example.st"}),
+        ("iec", "per_block", {"TOS_Main.st", "typeTosDrive.st", "manual_example.st"}),
+        ("twincat", "per_block", {"TOS_Main.TcPOU", "typeTosDrive.TcDUT"}),
+        ("plcopen", "one", {"manual_example.xml"}),
+    ],
+)
+def test_one_file_or_one_for_each_block(
+    fbgen: Fbgen, plant: Path, dialect: str, layout: str, names: set[str]
+) -> None:
+    text = plant.read_text(encoding="utf-8")
+    plant.write_text(text.replace("per_identifier", "process_image"), encoding="utf-8")
+    out = plant.parent / "out"
+    arguments = ("generate", str(plant), "-o", str(out), "--dialect", dialect, "--files", layout)
+    run = fbgen(*arguments)
+    assert run.status == 0, run.err
+    written = {Path(line).name for line in run.out.splitlines()}
+    assert names <= written
+    if layout == "one":
+        assert names == written
+    texts = [line for line in run.out.splitlines() if not line.endswith(".sdf")]
+    checked = fbgen("check", *texts, *(("--dialect", dialect) if dialect == "step7" else ()))
+    assert checked.status == 0, checked.err
+
+
+@pytest.mark.parametrize(("dialect", "layout"), [("twincat", "one"), ("plcopen", "per_block")])
+def test_files_that_a_dialect_leaves_no_choice_about_are_fb2022(
+    fbgen: Fbgen, plant: Path, dialect: str, layout: str
+) -> None:
+    text = plant.read_text(encoding="utf-8")
+    plant.write_text(text.replace("per_identifier", "process_image"), encoding="utf-8")
+    run = fbgen("generate", str(plant), "-o", "o", "--dialect", dialect, "--files", layout)
+    assert (run.status, run.out) == (1, "")
+    assert "error[FB2022]" in run.err
+
+
+def test_a_layout_of_files_that_there_is_not_is_wrong_usage(fbgen: Fbgen, plant: Path) -> None:
+    run = fbgen("generate", str(plant), "-o", "out", "--files", "two")
+    assert run.status == 2
+    assert "'two' is none of one, per_block" in run.err
+
+
+def test_renamed_removed_and_kept_are_told(fbgen: Fbgen, plant: Path) -> None:
+    out = plant.parent / "out"
+    arguments = ("generate", str(plant), "-o", str(out))
+    fbgen(*arguments)
+    (out / "TOS_Main.scl").write_text("mine\n")
+    run = fbgen(*arguments, "--prefix", "HALL_")
+    assert run.status == 0, run.err
+    assert "renamed block: TOS_Main is now HALL_Main\n" in run.err
+    assert f"kept: {out / 'TOS_Main.scl'} is not generated any more" in run.err
+    assert (out / "TOS_Main.scl").read_text() == "mine\n"
+    assert not (out / "TOS_Line.scl").exists()

@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 
 from fbgen.diagnostics import DiagnosticError
+from fbgen.emit.folder import FILE_LIST, compare
 from fbgen.emit.generated import GeneratedFile, GeneratedSet
-from fbgen.emit.writing import FILE_LIST, write_set
+from fbgen.emit.writing import CHANGED_BLOCKS, write_set
 
 
 def files(**texts: str) -> GeneratedSet:
@@ -51,18 +52,43 @@ def test_what_is_not_generated_any_more_is_removed(tmp_path: Path) -> None:
     assert set(contents(tmp_path)) == {"a.scl", FILE_LIST}
 
 
-@pytest.mark.parametrize("still_generated", [True, False])
-def test_a_file_that_a_person_changed_is_kept_and_nothing_is_written(
-    still_generated: bool, tmp_path: Path
-) -> None:
+def test_a_file_that_a_person_changed_is_kept_and_nothing_is_written(tmp_path: Path) -> None:
     write_set(files(a_scl="A\n", b_scl="B\n"), tmp_path)
     (tmp_path / "b.scl").write_text("mine\n", "utf-8")
     before = contents(tmp_path)
-    new = files(a_scl="new\n", b_scl="new\n") if still_generated else files(a_scl="new\n")
+    new = files(a_scl="new\n", b_scl="new\n")
     assert "b.scl" in refused("FB5020", new, tmp_path)
     assert contents(tmp_path) == before
     write_set(new, tmp_path, force=True)
     assert contents(tmp_path)["a.scl"] == "new\n"
+
+
+@pytest.mark.parametrize("force", [True, False])
+def test_a_file_that_is_not_generated_any_more_is_kept_if_a_person_changed_it(
+    force: bool, tmp_path: Path
+) -> None:
+    write_set(files(a_scl="A\n", b_scl="B\n"), tmp_path)
+    (tmp_path / "b.scl").write_text("mine\n", "utf-8")
+    report = write_set(files(a_scl="new\n"), tmp_path, force=force)
+    assert (report.kept, report.removed) == (("b.scl",), ())
+    assert contents(tmp_path)["b.scl"] == "mine\n"
+    assert contents(tmp_path)["a.scl"] == "new\n"
+    assert "kept     b.scl" in contents(tmp_path)[CHANGED_BLOCKS]
+
+
+def test_a_name_in_another_case_leaves_one_file(tmp_path: Path) -> None:
+    write_set(files(HALL_scl="A\n"), tmp_path)
+    assert write_set(files(Hall_scl="A\n"), tmp_path).removed == ("HALL.scl",)
+    assert set(contents(tmp_path)) == {"Hall.scl", FILE_LIST}
+
+
+def test_comparing_says_what_writing_would_do_and_writes_nothing(tmp_path: Path) -> None:
+    write_set(files(a_scl="A\n", b_scl="B\n", c_scl="C\n"), tmp_path)
+    before = contents(tmp_path)
+    found = compare(files(a_scl="A\n", b_scl="new\n", d_scl="D\n"), tmp_path)
+    assert (found.written, found.removed) == (("b.scl", "d.scl"), ("c.scl",))
+    assert (found.unchanged, found.kept, found.theirs) == (("a.scl",), (), ())
+    assert contents(tmp_path) == before
 
 
 def test_a_file_that_fbgen_never_wrote_is_kept(tmp_path: Path) -> None:
