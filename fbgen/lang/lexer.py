@@ -42,6 +42,7 @@ _FEATURE_KEYWORDS = {
     Feature.SHORT_CIRCUIT: words("AND_THEN OR_ELSE"),
     Feature.CONST_SECTIONS: words("CONST END_CONST"),
     Feature.LABEL_SECTIONS: words("LABEL END_LABEL"),
+    Feature.EXCEPTIONS: words("__TRY __CATCH __FINALLY __ENDTRY"),
 }
 """Keywords of the dialects that have the feature; elsewhere these words are names."""
 

@@ -217,6 +217,23 @@ class Flow:
         after = (self.must, self.may) if reached and not endless else None
         self._at(_joined(after, loop.after))
 
+    def _try(self, node: checked.Try) -> None:
+        before = (self.must, self.may)
+        self.depth += 1
+        self.body(node.body)
+        after = self._joined_here(None)
+        self._at((before[0], self.may))
+        if node.exception is not None:
+            self.effects.target(node.exception)
+            self._settle()
+        self.body(node.catch)
+        if node.catches:
+            after = self._joined_here(after)
+        self.depth -= 1
+        self._at(after if node.final == () or after is not None else before)
+        self.body(node.final)
+        self._at(after and self._joined_here(None))
+
     def _exit(self, _node: checked.Exit) -> None:
         if self.loops:
             self.loops[-1].after = _joined(self.loops[-1].after, (self.must, self.may))
@@ -390,6 +407,7 @@ _STEPS: dict[type, Any] = {
     checked.For: Flow._for,
     checked.While: Flow._while,
     checked.Repeat: Flow._repeat,
+    checked.Try: Flow._try,
     checked.Exit: Flow._exit,
     checked.Continue: Flow._continue,
     checked.Return: Flow._return,

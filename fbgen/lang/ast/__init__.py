@@ -81,6 +81,7 @@ from fbgen.lang.ast.statements import (
     CallStatement,
     Case,
     CaseArm,
+    Catch,
     ElseBranch,
     Empty,
     For,
@@ -92,6 +93,7 @@ from fbgen.lang.ast.statements import (
     Region,
     Repeat,
     Statement,
+    Try,
     While,
 )
 
@@ -128,6 +130,7 @@ __all__ = [
     "CallStatement",
     "Case",
     "CaseArm",
+    "Catch",
     "Configuration",
     "DataBlock",
     "Declaration",
@@ -166,6 +169,7 @@ __all__ = [
     "Trivia",
     "TriviaKind",
     "TriviaList",
+    "Try",
     "TypeDeclaration",
     "TypeSpec",
     "Unary",

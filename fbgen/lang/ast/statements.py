@@ -142,6 +142,32 @@ class Repeat:
 
 
 @node
+class Catch:
+    """`__CATCH(exc)` with its statements; `exception` is the variable that takes the code."""
+
+    span: Span
+    exception: Expression | None
+    body: tuple["Statement", ...]
+    leading: TriviaList = ()
+    trailing: Trivia | None = None
+    closing: TriviaList = ()
+
+
+@node
+class Try:
+    """__TRY body __CATCH(exc) ... __FINALLY ... __ENDTRY of CODESYS and TwinCAT."""
+
+    span: Span
+    body: tuple["Statement", ...]
+    catch: Catch | None
+    final: ElseBranch | None
+    leading: TriviaList = ()
+    opening: Trivia | None = None
+    closing: TriviaList = ()
+    trailing: Trivia | None = None
+
+
+@node
 class Region:
     """REGION title ... END_REGION; both lines are free text to their end (TIA only)."""
 
@@ -200,6 +226,7 @@ Statement: TypeAlias = (
     | For
     | While
     | Repeat
+    | Try
     | Region
     | Jump
     | Goto

@@ -61,6 +61,7 @@ from fbgen.lang.checked.statements import (
     Return,
     Statement,
     Stop,
+    Try,
     While,
 )
 from fbgen.lang.checked.variables import (
@@ -118,6 +119,7 @@ __all__ = [
     "Stop",
     "SystemCall",
     "Task",
+    "Try",
     "TypeTest",
     "Unary",
     "Variable",

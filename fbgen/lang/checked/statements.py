@@ -123,6 +123,23 @@ class Repeat:
 
 
 @node
+class Try:
+    """`body` up to a fault that can be caught; then the number of the fault goes to `exception`, if
+    there is one, and `catch` is done. `final` is done in any case, on the way of a jump too; no
+    jump leads out of it. No label is inside.
+
+    `catches` is False without __CATCH: then a fault stops the program, behind `final`.
+    """
+
+    span: Span
+    body: tuple["Statement", ...]
+    catches: bool
+    exception: Place | None
+    catch: tuple["Statement", ...]
+    final: tuple["Statement", ...]
+
+
+@node
 class Exit:
     """Leave the innermost loop."""
 
@@ -182,6 +199,7 @@ Statement: TypeAlias = (
     | For
     | While
     | Repeat
+    | Try
     | Exit
     | Continue
     | Return

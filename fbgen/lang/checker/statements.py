@@ -26,6 +26,7 @@ from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import SIGNED_OF, UNSIGNED_OF
 from fbgen.lang.checker.enabling import enabled, speaks_of_enable
 from fbgen.lang.checker.evaluation import check_expression
+from fbgen.lang.checker.exceptions import check_try
 from fbgen.lang.checker.jumps import check_goto, check_label
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.members import Receiver, called_member
@@ -380,6 +381,10 @@ def _repeat(ctx: Context, node: ast.Repeat) -> Sequence[Statement]:
     return (checked.Repeat(node.span, body, _condition(ctx, node.condition, "UNTIL")),)
 
 
+def _try(ctx: Context, node: ast.Try) -> Sequence[Statement]:
+    return check_try(ctx, node, check_body)
+
+
 def _region(ctx: Context, node: ast.Region) -> Sequence[Statement]:
     return check_body(ctx, node.body)
 
@@ -410,6 +415,7 @@ _CHECKS: dict[type, Callable[[Context, Any], Sequence[Statement]]] = {
     ast.For: _for,
     ast.While: _while,
     ast.Repeat: _repeat,
+    ast.Try: _try,
     ast.Region: _region,
     ast.Jump: _jump,
     ast.Goto: check_goto,

@@ -39,6 +39,7 @@ from fbgen.lang.ast import (
     SubrangeSpec,
     Trivia,
     TriviaKind,
+    Try,
     TypeDeclaration,
     TypeSpec,
     UnionSpec,
@@ -318,6 +319,10 @@ class _IecToTia(Rewriter):
             call = with_names(call, inputs)
         return call
 
+    def _try(self, node: Try) -> Statement:
+        self._findings.refuse("__TRY", node.span, "check for the fault beforehand")
+        return node
+
     def _dereference(self, node: Dereference) -> Expression:
         self._findings.refuse(node.span.text, node.span, "hand the variable over as VAR_IN_OUT")
         return node
@@ -361,6 +366,7 @@ class _IecToTia(Rewriter):
         UnionSpec: _refused_type,
         StringSpec: _string,
         Assignment: _assignment,
+        Try: _try,
         Name: _name,
         Member: _member,
         Call: _call,

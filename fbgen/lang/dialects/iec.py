@@ -23,6 +23,7 @@ IEC = Dialect(
             Feature.SET_ASSIGNMENTS,
             Feature.CHAINED_ASSIGNMENTS,
             Feature.JUMPS,
+            Feature.EXCEPTIONS,
             Feature.ENUMERATIONS,
             Feature.OUTER_NAMES,
             Feature.SUBRANGES,

@@ -47,6 +47,7 @@ TIA = Dialect(
         Feature.OBJECTS: "write a FUNCTION_BLOCK or a FUNCTION for each",
         Feature.CLASSES: "write a FUNCTION_BLOCK",
         Feature.OUTER_NAMES: "write the global name without the point",
+        Feature.EXCEPTIONS: "check for the fault beforehand",
         Feature.NAMESPACES: "put the name of the namespace into the names themselves",
         Feature.PROGRAMS: "write an ORGANIZATION_BLOCK or a FUNCTION",
         Feature.CONFIGURATIONS: "tasks are set in the device configuration of the project",

@@ -18,6 +18,7 @@ TWINCAT = Dialect(
             Feature.BIT_MEMBERS,
             Feature.SET_ASSIGNMENTS,
             Feature.JUMPS,
+            Feature.EXCEPTIONS,
             Feature.ENUMERATIONS,
             Feature.OUTER_NAMES,
             Feature.BASE_BEHIND,

@@ -27,16 +27,17 @@ ENDS = (
     frozenset(f"END_{unit}" for unit in UNITS)
     | {"END_IF", "END_CASE", "END_FOR", "END_WHILE", "END_REPEAT", "END_REGION", "END_RESOURCE"}
     | {"END_VAR", "END_STRUCT", "END_CONST", "END_LABEL", "ELSE", "ELSIF", "UNTIL"}
-    | {"END_UNION", "END_GET", "END_SET"}
+    | {"END_UNION", "END_GET", "END_SET", "__CATCH", "__FINALLY", "__ENDTRY"}
 )
 """Kinds of tokens that end something."""
 
 _LABEL_PARTS = NAMES | {".", "+", "-", "literal"}
-_STARTS = words("IF CASE FOR WHILE REPEAT REGION EXIT CONTINUE RETURN GOTO JMP")
+_STARTS = words("IF CASE FOR WHILE REPEAT REGION EXIT CONTINUE RETURN GOTO JMP __TRY")
 _OPENERS = {
     "ELSE": "IF or CASE",
     "ELSIF": "IF",
     "UNTIL": "REPEAT",
+    **dict.fromkeys(("__CATCH", "__FINALLY", "__ENDTRY"), "__TRY"),
 }
 READERS: dict[str, Callable[[Any], Statement]] = {}
 """Who reads the statement that begins with a token of this kind; see `enter`."""

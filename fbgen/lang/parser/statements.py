@@ -1,10 +1,21 @@
 """All statements: here loops and regions, the others are in the modules below.
 
 Source: IEC 61131-3, iteration statements; TIA Portal help, "REGION"; published sources for raw
-REGION lines.
+REGION lines; TwinCAT 3 help, "__TRY, __CATCH, __FINALLY, __ENDTRY".
 """
 
-from fbgen.lang.ast import Expression, For, Name, Region, Repeat, Statement, While
+from fbgen.lang.ast import (
+    Catch,
+    ElseBranch,
+    Expression,
+    For,
+    Name,
+    Region,
+    Repeat,
+    Statement,
+    Try,
+    While,
+)
 from fbgen.lang.parser.branches import BranchParser
 from fbgen.lang.parser.cursor import Unexpected
 from fbgen.lang.parser.statement_lists import enter
@@ -74,6 +85,45 @@ class StatementParser(BranchParser):
         leading, trailing = self.finish(leading)
         return Repeat(place, body, condition, leading, opening, closing, trailing)
 
+    def _try(self) -> Try:
+        leading = self.take_leading()
+        first = self.at
+        self.at += 1
+        opening = self.take_same_line()
+        ends = {"__CATCH", "__FINALLY", "__ENDTRY"}
+        body = self.inside(ends, self.statements)
+        closing = self.take_leading()
+        catch = self._catch() if self.kinds[self.at] == "__CATCH" else None
+        final = self._final() if self.kinds[self.at] == "__FINALLY" else None
+        if self.accept("__ENDTRY"):
+            self.accept(";")
+        else:
+            self.missing_end("__ENDTRY", first)
+        place = self.span(first)
+        trailing = self.take_same_line()
+        return Try(place, body, catch, final, leading, opening, closing, trailing)
+
+    def _catch(self) -> Catch:
+        first = self.at
+        self.at += 1
+        exception: Expression | None = None
+        if self.accept("("):
+            if self.kinds[self.at] != ")":
+                exception = self.operand()
+            self.expect(")", "')'", "write __CATCH(exc), exc is of type __SYSTEM.ExceptionCode")
+        trailing = self.take_same_line()
+        body = self.inside({"__FINALLY", "__ENDTRY"}, self.statements)
+        closing = self.take_leading()
+        return Catch(self.span(first), exception, body, (), trailing, closing)
+
+    def _final(self) -> ElseBranch:
+        first = self.at
+        self.at += 1
+        trailing = self.take_same_line()
+        body = self.inside({"__ENDTRY"}, self.statements)
+        closing = self.take_leading()
+        return ElseBranch(self.span(first), body, (), trailing, closing)
+
     def _region(self) -> Statement:
         if self.kinds[self.at + 1] == ":=":
             self.kinds[self.at] = "name"
@@ -99,5 +149,6 @@ enter(
         "WHILE": StatementParser._while,
         "REPEAT": StatementParser._repeat,
         "REGION": StatementParser._region,
+        "__TRY": StatementParser._try,
     }
 )

@@ -12,7 +12,6 @@ from fbgen.lang.parser.cursor import Cursor, Unexpected
 UNREAD_SECTIONS = words("VAR_ACCESS VAR_CONFIG VAR_GENERIC")
 """Sections with connections between the parts of a project, and with parameters of blocks."""
 
-_EXCEPTIONS = "__TRY"
 _CHART = words("INITIAL_STEP STEP TRANSITION")
 _LIST = words("LD LDN ST STN CAL CALC CALCN JMPC JMPCN RETC RETCN")
 _BODY_ENDS = words(
@@ -49,12 +48,7 @@ class UnreadParser(Cursor):
     def _refusal(self, name: str, first: int) -> Unexpected | None:
         """The refusal of a statement that begins with this name, if it is one to be refused."""
         word = name.upper()
-        if word == _EXCEPTIONS:
-            refusal = self.unread(
-                "__TRY with __CATCH", self.token_span(first), "check for the fault beforehand"
-            )
-            self._go_behind("__ENDTRY")
-        elif word in _CHART:
+        if word in _CHART:
             refusal = self.unread(
                 "a sequential function chart",
                 self.token_span(first),
@@ -70,12 +64,6 @@ class UnreadParser(Cursor):
             return None
         self._last_finding_at = self.at
         return refusal
-
-    def _go_behind(self, word: str) -> None:
-        while self.kinds[self.at] not in _BODY_ENDS:
-            self.at += 1
-            if self.texts[self.at - 1].upper() == word:
-                return
 
     def _go_to_end_of_body(self) -> None:
         while self.kinds[self.at] not in _BODY_ENDS:

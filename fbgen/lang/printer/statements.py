@@ -23,6 +23,7 @@ from fbgen.lang.ast import (
     Statement,
     Trivia,
     TriviaList,
+    Try,
     While,
 )
 from fbgen.lang.dialects.dialect import Dialect, Feature
@@ -174,6 +175,20 @@ class StatementPrinter(ExpressionPrinter):
         self.lines.add(self._line_with("UNTIL ", node.condition, ""), node.condition.span)
         self.lines.add("END_REPEAT;", _last(node.span), node.trailing)
 
+    def _try(self, node: Try) -> None:
+        self.lines.add("__TRY", _first(node.span), node.opening)
+        self.statements(node.body, node.closing)
+        if (catch := node.catch) is not None:
+            variable = f"({self.expression(catch.exception)})" if catch.exception else ""
+            self.lines.trivia(catch.leading)
+            self.lines.add(f"__CATCH{variable}", _first(catch.span), catch.trailing)
+            self.statements(catch.body, catch.closing)
+        if (final := node.final) is not None:
+            self.lines.trivia(final.leading)
+            self.lines.add("__FINALLY", _first(final.span), final.trailing)
+            self.statements(final.body, final.closing)
+        self.lines.add("__ENDTRY", _last(node.span), node.trailing)
+
     def _region(self, node: Region) -> None:
         self.lines.add(f"REGION {node.title}", _first(node.span))
         self.statements(node.body, node.closing)
@@ -196,6 +211,7 @@ _WRITERS: dict[type, Callable[[StatementPrinter, Any], None]] = {
     For: StatementPrinter._for,
     While: StatementPrinter._while,
     Repeat: StatementPrinter._repeat,
+    Try: StatementPrinter._try,
     Region: StatementPrinter._region,
     Jump: StatementPrinter._jump,
     Goto: StatementPrinter._goto,

@@ -9,6 +9,7 @@ from fbgen.lang.types import Elementary, Family, Scalar, Type
 from harness.engine.compiled.cells import Cell
 from harness.engine.compiled.code import Code
 from harness.engine.compiled.evaluation import Write, expression, value
+from harness.engine.compiled.exceptions import catching
 from harness.engine.compiled.function_code import all_of
 from harness.engine.compiled.library import stops
 from harness.engine.compiled.library.wholes import limit_or_operand
@@ -23,7 +24,9 @@ _BAD = (
 )
 
 
-def attempts(cpu: Any) -> dict[str, Callable[..., Any]]:
+def attempts(
+    cpu: Any, stopped_by: Callable[[Exception], Exception]
+) -> dict[str, Callable[..., Any]]:
     """What generated code calls; `cpu` counts how deep blocks are nested."""
 
     def attempt(flag: Cell, action: Callable[[], Scalar], nothing: Scalar) -> Scalar:
@@ -52,6 +55,7 @@ def attempts(cpu: Any) -> dict[str, Callable[..., Any]]:
         return limit_or_operand(low, operand, high)
 
     return {
+        **catching(cpu, stopped_by),
         "_attempt": attempt,
         "_attempt_whole": attempt_whole,
         "_attempt_limit": attempt_limit,

@@ -78,7 +78,7 @@ class CompiledEngine:
             **LIBRARY,
             **library,
             **counting(self._cpu, limits),
-            **attempts(self._cpu),
+            **attempts(self._cpu, self._stopped),
             "_environment": environment,
             "_cpu": self._cpu,
             "_set_others": self._set_others,

@@ -20,6 +20,7 @@ from fbgen.lang.checked import (
     Statement,
     Stop,
     SystemCall,
+    Try,
     While,
 )
 from fbgen.source import Span
@@ -30,6 +31,7 @@ from harness.engine.compiled.calls import (
     instruction_statement,
 )
 from harness.engine.compiled.evaluation import value
+from harness.engine.compiled.exceptions import write_try
 from harness.engine.compiled.hardware_reads import several_reads, write_several_reads
 from harness.engine.compiled.hardware_writes import several_writes, write_several_writes
 from harness.engine.compiled.instances import instance_call
@@ -100,7 +102,7 @@ def _keep_in_locals(procedure: Procedure, body: Sequence[Statement]) -> None:
 
 
 def _is_nested(body: Sequence[Statement]) -> bool:
-    return any(isinstance(one, If | Case | For | While | Repeat) for one in body)
+    return any(isinstance(one, If | Case | For | While | Repeat | Try) for one in body)
 
 
 def _probe(procedure: Procedure, node: Statement | Branch | CaseArm) -> None:
@@ -154,6 +156,8 @@ def write_statement(procedure: Procedure, statement: Statement) -> None:
             write_while(procedure, statement, write_body)
         case Repeat():
             write_repeat(procedure, statement, write_body)
+        case Try():
+            write_try(procedure, statement, write_body)
         case Evaluate():
             if isinstance(statement.call, RoutineCall):
                 routine_statement(procedure, statement.call)
@@ -230,6 +234,8 @@ def _jumps(body: Sequence[Statement], in_loop: bool = False) -> set[type]:
                 stack += [(one, inside) for one in node.otherwise]
             case Branch() | CaseArm():
                 stack += [(one, inside) for one in node.body]
+            case Try():
+                stack += [(one, inside) for one in (*node.body, *node.catch)]
             case For() | While() | Repeat():
                 stack += [(one, True) for one in node.body]
             case _:

@@ -34,6 +34,7 @@ from fbgen.lang.checked import (
     StandardCall,
     Statement,
     SystemCall,
+    Try,
     TypeTest,
     Unary,
     Variable,
@@ -85,6 +86,12 @@ _CHILDREN: dict[type, Callable[[Any], Iterable[Node]]] = {
     For: lambda node: (node.variable, node.first, node.last, node.step, *node.body),
     While: lambda node: (node.condition, *node.body),
     Repeat: lambda node: (node.condition, *node.body),
+    Try: lambda node: [
+        *node.body,
+        *([] if node.exception is None else [node.exception]),
+        *node.catch,
+        *node.final,
+    ],
 }
 """By type, because trees are walked several times; nodes that are not here have no children."""
 
@@ -132,6 +139,7 @@ _WRITTEN: dict[type, Callable[[Any], list[Place]]] = {
     ],
     SystemCall: lambda node: list(areas(node).values()),
     Attempt: lambda node: [node.flag],
+    Try: lambda node: [] if node.exception is None else [node.exception],
 }
 
 

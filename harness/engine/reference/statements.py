@@ -23,10 +23,12 @@ from fbgen.lang.checked import (
     RoutineCall,
     Statement,
     Stop,
+    Try,
     While,
 )
 from fbgen.lang.types import Elementary
 from fbgen.source import Span
+from harness.engine.exception_codes import exception_code
 from harness.engine.fault_values import places_of, with_values
 from harness.engine.faults import cannot_run, endless_loop, step_is_zero
 from harness.engine.interface import Value
@@ -181,6 +183,8 @@ class Statements:
                 return self._while(statement, frame)
             case Repeat():
                 return self._repeat(statement, frame)
+            case Try():
+                return self._try(statement, frame)
             case Exit():
                 return Flow.EXIT
             case Continue():
@@ -197,6 +201,23 @@ class Statements:
                 self._goal = statement.label
                 return Flow.GOTO
         return Flow.NEXT
+
+    def _try(self, statement: Try, frame: Frame) -> Flow:
+        try:
+            return self._caught(statement, frame)
+        finally:
+            self.run(statement.final, frame)
+
+    def _caught(self, statement: Try, frame: Frame) -> Flow:
+        try:
+            return self.run(statement.body, frame)
+        except DiagnosticError as stop:
+            code = exception_code(stop) if statement.catches else None
+            if code is None:
+                raise
+        if statement.exception is not None:
+            self._places.find(statement.exception, frame).write(code)
+        return self.run(statement.catch, frame)
 
     def _if(self, statement: If, frame: Frame) -> Flow:
         for branch in statement.branches:

@@ -63,6 +63,8 @@ def _dialect_of(path: Path) -> str:
         ("FB4051_recursive_call.st", 6, 20),
         ("FB4052_array_too_large.st", 2, 11),
         ("FB4054_not_supported.twincat", 6, 16),
+        ("FB4054_jump_in_finally.twincat", 6, 5),
+        ("FB4010_exception_variable.twincat", 5, 9),
         ("FB4055_bounds.st", 2, 19),
         ("FB4056_wrong_section.scl", 3, 3),
         ("FB4057_initial_value.st", 2, 36),
