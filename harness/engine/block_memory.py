@@ -1,10 +1,10 @@
 """Where the variables of blocks lie that live in bytes (`checked.Program.byte_memory`).
 
 An instance has its inputs, outputs, in-outs and statics in this order, each section from an even
-byte on, as an instance data block has them on S7; an in-out of a structure or an array takes the
-six bytes of a pointer. A call has its temporaries, and in a FUNCTION its parameters, one behind the
-other. The bytes of timers, counters and edges inside of an instance are reserved and stay zero:
-what these remember is kept elsewhere.
+byte on, as an instance data block has them on S7; an in-out that is a reference (a structure, an
+array, a text) takes the six bytes of a pointer. A call has its temporaries, and in a FUNCTION its
+parameters, one behind the other. The bytes of timers, counters and edges inside of an instance are
+reserved and stay zero: what these remember is kept elsewhere.
 Sources: STEP 7 help, "Instance data block"; S7-1500 help, "IEC_TIMER" and "IEC_COUNTER" (lengths);
 STEP 7 System and Standard Functions, SFB 0 to 5 (lengths on S7-300/400).
 """
@@ -12,11 +12,23 @@ STEP 7 System and Standard Functions, SFB 0 to 5 (lengths on S7-300/400).
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from fbgen.lang.checked import Block, Program, StandardBlock, Variable, VariableKind
-from fbgen.lang.types import AnyType, BlockType, Elementary, StringType, Type
+from fbgen.lang.checked import (
+    IN_OUTS,
+    Block,
+    Program,
+    StandardBlock,
+    Variable,
+    VariableKind,
+)
+from fbgen.lang.types import BlockType, Type
 from harness.engine.layout import Layout
 
-_SECTIONS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT, VariableKind.STATIC)
+_SECTIONS = (
+    (VariableKind.INPUT,),
+    (VariableKind.OUTPUT,),
+    IN_OUTS,
+    (VariableKind.STATIC,),
+)
 _POINTER_BITS = 48
 _TIMER_BITS = {"tia": 128, "step7": 176}
 _OTHER_BITS = {"R_TRIG": 16, "F_TRIG": 16, "SR": 16, "RS": 16}
@@ -61,9 +73,9 @@ class BlockLayout(Layout):
         if key not in self._instances:
             self._instances[key] = self._placed(
                 variable
-                for kind in _SECTIONS
+                for section in _SECTIONS
                 for variable in block.variables
-                if variable.kind is kind
+                if variable.kind in section
             )
         return self._instances[key]
 
@@ -77,16 +89,17 @@ class BlockLayout(Layout):
         bits: dict[Variable, int] = {}
         overlays: list[Variable] = []
         end = 0
-        section: VariableKind | None = None
+        before: tuple[VariableKind, ...] = ()
         for variable in variables:
             if variable not in self.program.byte_memory:
                 continue
             if variable.overlay is not None:
                 overlays.append(variable)
                 continue
-            start = self._even(end) if variable.kind is not section else end
-            section = variable.kind
-            if _is_pointer(variable):
+            section = _section(variable.kind)
+            start = self._even(end) if section != before else end
+            before = section
+            if variable.kind is VariableKind.IN_OUT:
                 start, size = self._even(start), _POINTER_BITS
             else:
                 start = self.aligned(start, variable.type)
@@ -102,7 +115,6 @@ class BlockLayout(Layout):
         return -(-bit // 16) * 16
 
 
-def _is_pointer(variable: Variable) -> bool:
-    """True for an in-out that an instance holds as a pointer."""
-    single = isinstance(variable.type, Elementary | StringType | AnyType)
-    return variable.kind is VariableKind.IN_OUT and not single
+def _section(kind: VariableKind) -> tuple[VariableKind, ...]:
+    """The kinds of variables that lie one behind the other with this one."""
+    return next((section for section in _SECTIONS if kind in section), (kind,))

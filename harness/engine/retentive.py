@@ -7,12 +7,10 @@ variable by variable; of timers and edges only what a program could write comes 
 from collections.abc import Iterator, Mapping, Sequence
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError
-from fbgen.lang.checked import Block, Program, Variable, VariableKind
+from fbgen.lang.checked import LIVING, Block, Program, Variable, VariableKind
 from fbgen.lang.layout import holds_blocks, holds_values
 from fbgen.lang.types import ArrayType, BlockType, StructType, Type, is_area_pointer
 from harness.engine.interface import Engine, Value
-
-_KEPT = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.STATIC)
 
 
 def retentive_values(engine: Engine) -> dict[str, Value]:
@@ -46,7 +44,7 @@ def _paths(program: Program) -> Iterator[str]:
 
 
 def _of_variable(program: Program, path: str, variable: Variable, is_kept: bool) -> Iterator[str]:
-    if variable.kind in (*_KEPT, VariableKind.GLOBAL) and variable.overlay is None:
+    if variable.kind in (*LIVING, VariableKind.GLOBAL) and variable.overlay is None:
         yield from _parts(program, path, variable.type, is_kept)
 
 

@@ -8,7 +8,7 @@ from typing import Protocol
 
 from fbgen.diagnostics import error
 from fbgen.lang.ast import BlockKind
-from fbgen.lang.checked import Block, Variable, VariableKind
+from fbgen.lang.checked import IN_OUTS, Block, Variable, VariableKind
 from fbgen.lang.types import BlockType, Type
 from fbgen.nearest import nearest
 from harness.engine.faults import unknown_name
@@ -84,7 +84,7 @@ class InstanceSubject:
         self._program = engine.program
         self._instance = engine.instance(block.name)
         self._type = BlockType(block.name)
-        self.outputs = _names(block, VariableKind.OUTPUT, VariableKind.IN_OUT)
+        self.outputs = _names(block, VariableKind.OUTPUT, *IN_OUTS)
 
     def call(self) -> None:
         self._instance.call({})

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from fbgen.lang.analysis.effects import Effects
 from fbgen.lang.analysis.report import Report
 from fbgen.lang.checked import (
+    LIVING,
     Constant,
     Expression,
     For,
@@ -17,13 +18,7 @@ from fbgen.lang.checked import (
 from fbgen.lang.types import BOOL
 from fbgen.source import Span
 
-_OF_THE_BLOCK = (
-    VariableKind.INPUT,
-    VariableKind.OUTPUT,
-    VariableKind.STATIC,
-    VariableKind.TEMP,
-    VariableKind.RESULT,
-)
+_OF_THE_BLOCK = (*LIVING, VariableKind.TEMP, VariableKind.RESULT)
 Write = tuple[Variable, Span, bool]
 
 

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from fbgen.lang.analysis.flow import Flow
 from fbgen.lang.ast import BlockKind
-from fbgen.lang.checked import Variable, VariableKind
+from fbgen.lang.checked import IN_OUTS, Variable, VariableKind
 from fbgen.lang.life_cycle import is_life_cycle, is_method
 from fbgen.lang.types import BOOL, Elementary, StringType
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _INNER = (VariableKind.STATIC, VariableKind.TEMP)
 _RESULTS = (VariableKind.RESULT, VariableKind.OUTPUT)
-_PARAMETERS = (VariableKind.INPUT, VariableKind.IN_OUT)
+_PARAMETERS = (VariableKind.INPUT, *IN_OUTS)
 
 
 def check_usage(flow: Flow, ctx: "Context", members_written: Set[tuple[str, str]]) -> None:

@@ -65,6 +65,8 @@ from fbgen.lang.checked.statements import (
     While,
 )
 from fbgen.lang.checked.variables import (
+    IN_OUTS,
+    LIVING,
     Address,
     AnyBlock,
     Block,
@@ -74,6 +76,8 @@ from fbgen.lang.checked.variables import (
 )
 
 __all__ = [
+    "IN_OUTS",
+    "LIVING",
     "WORKS",
     "Address",
     "AddressRef",

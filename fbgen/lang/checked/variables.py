@@ -17,11 +17,19 @@ class VariableKind(Enum):
     INPUT = "input"
     OUTPUT = "output"
     IN_OUT = "in-out"
+    KEPT = "kept in-out"
     STATIC = "static"
     TEMP = "temporary"
     RESULT = "result"
     GLOBAL = "global"
     THIS = "instance"
+
+
+IN_OUTS = (VariableKind.IN_OUT, VariableKind.KEPT)
+"""Both kinds of in-outs: references to a variable of the caller, and copies of one."""
+
+LIVING = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.KEPT, VariableKind.STATIC)
+"""The variables that an instance of a block keeps from call to call."""
 
 
 @node
@@ -39,6 +47,11 @@ class Address:
 @node
 class Variable:
     """A variable. `initial` None is the default of the type; `address` only for located ones.
+
+    An IN_OUT is the variable of the caller itself. KEPT is an in-out for which the instance has a
+    variable of its own, as those of elementary types in function blocks of S7: a call that gives it
+    copies the caller's variable in and, behind the block, out again; any other call uses what the
+    instance has.
 
     GLOBAL covers the data blocks of S7 and VAR_GLOBAL: a data block is one global variable whose
     type is its structure, or the function block of which it is the instance. `remanent` is RETAIN.

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from fbgen.lang import ast
 from fbgen.lang.checked import (
+    IN_OUTS,
     AnyBlock,
     Block,
     Constant,
@@ -22,7 +23,6 @@ from fbgen.lang.checker.conversions import fits_place
 from fbgen.lang.checker.converted_outputs import converted_output
 from fbgen.lang.checker.enabling import ENABLED
 from fbgen.lang.checker.evaluation import check_expression
-from fbgen.lang.checker.kept_in_outs import kept_by_instance
 from fbgen.lang.checker.literals import ERRONEOUS, default_value
 from fbgen.lang.checker.memory_instructions import check_pointer_constant, points
 from fbgen.lang.checker.not_run import cannot_run
@@ -43,7 +43,7 @@ from fbgen.lang.types import (
     refers_to_anything,
 )
 
-_PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)
+_PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, *IN_OUTS)
 _ARROW = ast.ArgumentKind.OUTPUT
 
 
@@ -130,7 +130,7 @@ def bind_variables(
             if is_any_value(variable.type) and value.type not in (variable.type, ERRONEOUS):
                 value = cannot_run(ctx, argument.span, f"an argument of type {variable.type.name}")
             inputs.append((variable, coerce(ctx, value, variable.type, where)))
-        elif variable.kind is VariableKind.IN_OUT:
+        elif variable.kind in IN_OUTS:
             place = _in_out(ctx, argument.value, variable, where)
             complete = complete and place is not None
             if place is not None:
@@ -142,33 +142,16 @@ def bind_variables(
                 outputs.append((variable, place))
     given = {variable for variable, _ in bound}
     missing = [
-        variable
+        variable.name
         for variable in block.variables
         if variable.kind is VariableKind.IN_OUT
         and variable not in given
         and variable not in ctx.library.receivers
     ]
     if missing:
-        _left_out(ctx, node, name, block, missing)
+        report_missing(ctx, node, name, missing)
         return None
     return Bound(tuple(inputs), tuple(in_outs), tuple(outputs)) if complete else None
-
-
-def _left_out(
-    ctx: Context, node: ast.Call, name: str, block: AnyBlock, missing: Sequence[Variable]
-) -> None:
-    """Report in-outs without an argument: those of an instance can keep their values on S7."""
-    kept = all(kept_by_instance(ctx, block, one) for one in missing)
-    names = [variable.name for variable in missing]
-    if not kept:
-        report_missing(ctx, node, name, names)
-        return
-    ctx.findings.gap(
-        f"in-out {', '.join(names)} of {name} without an argument has no model, so this program"
-        " cannot run",
-        node.span,
-        "to run it, give a variable in each call",
-    )
 
 
 def _without_inherited(ctx: Context, node: ast.Call, known: Set[str]) -> ast.Call:

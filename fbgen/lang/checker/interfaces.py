@@ -12,6 +12,7 @@ from fbgen.lang.checked import Address, Variable, VariableKind
 from fbgen.lang.checker.coercion import spelled
 from fbgen.lang.checker.constants import constant_of, untyped_constant
 from fbgen.lang.checker.context import Context
+from fbgen.lang.checker.kept_in_outs import in_out_kind
 from fbgen.lang.checker.literals import ERRONEOUS, default_value
 from fbgen.lang.checker.overlays import Home, check_overlay, overlay_kind
 from fbgen.lang.checker.places import address_of
@@ -196,6 +197,8 @@ class Interfaces:
             # It cannot be written, so a copy of a value is as good as the variable.
             is_value = not isinstance(resolved.type, BlockType | OpenArrayType)
             kind = VariableKind.INPUT if is_value else kind
+        if kind is VariableKind.IN_OUT:
+            kind = in_out_kind(self._library.rules.dialect, block, resolved.type)
         if declaration.initial is not None and resolved.type != ERRONEOUS:
             ctx.not_run = None if block is None else []
             initial = self._library.initial(

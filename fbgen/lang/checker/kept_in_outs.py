@@ -1,21 +1,25 @@
 """In-outs that have a value of their own in the instance, as those of elementary types on S7.
 
-A call may leave them out, and they can be read and written from outside. Source: S7-SCL V5.3,
-"Supplying parameters in function block calls"; TIA Portal help, "Calling function blocks".
+A call copies the variable of the caller in and, behind the block, out again. A call may leave such
+an in-out out: then the block works with what the instance has, and it can be read and written from
+outside. What is no elementary type there (texts, DATE_AND_TIME, arrays, structures) is a reference.
+Sources: S7-SCL V5.3 manual, "Supplying parameters in function block calls"; TIA Portal help,
+"Calling function blocks"; S7-1200 System Manual, "Block optimization and passing parameters".
 """
 
 from fbgen.lang.ast import BlockKind
-from fbgen.lang.checked import AnyBlock, Block, Variable, VariableKind
-from fbgen.lang.checker.context import Context
-from fbgen.lang.types import Elementary
+from fbgen.lang.checked import VariableKind
+from fbgen.lang.types import DATE_AND_TIME, Elementary, Type
+
+_S7 = ("tia", "step7")
 
 
-def kept_by_instance(ctx: Context, block: AnyBlock | None, variable: Variable) -> bool:
-    """True for an in-out that keeps its value in the instance; the engines have none of them."""
-    return (
-        ctx.rules.dialect in ("tia", "step7")
-        and isinstance(block, Block)
-        and block.kind is BlockKind.FUNCTION_BLOCK
-        and variable.kind is VariableKind.IN_OUT
-        and isinstance(variable.type, Elementary)
+def in_out_kind(dialect: str, block: BlockKind | None, kind: Type) -> VariableKind:
+    """Whether an in-out of a type refers to the caller's variable, or the instance keeps a copy."""
+    kept = (
+        dialect in _S7
+        and block is BlockKind.FUNCTION_BLOCK
+        and isinstance(kind, Elementary)
+        and kind != DATE_AND_TIME
     )
+    return VariableKind.KEPT if kept else VariableKind.IN_OUT

@@ -11,7 +11,7 @@ from types import MappingProxyType
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
-from fbgen.lang.checked import AnyBlock, Block, StandardBlock, Variable, VariableKind
+from fbgen.lang.checked import LIVING, AnyBlock, Block, StandardBlock, Variable, VariableKind
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enabling import enable_variables
 from fbgen.lang.checker.findings import Findings
@@ -35,7 +35,6 @@ from fbgen.source import Span
 
 _NESTING = 60
 _S7 = ("tia", "step7")
-_PARTS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.STATIC)
 
 
 class Library:
@@ -294,7 +293,7 @@ class Library:
             return [
                 (part.name, part.type, part.initial)
                 for part in self.variables_of(kind)
-                if part.kind in _PARTS
+                if part.kind in LIVING
             ]
         return []
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
-from fbgen.lang.checked import Variable, VariableKind
+from fbgen.lang.checked import LIVING, Variable, VariableKind
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.memory_use import is_optimized
@@ -17,7 +17,7 @@ from fbgen.lang.layout import holds_blocks, holds_values, sizes_of
 from fbgen.lang.types import Type
 from fbgen.nearest import nearest
 
-_PLACES = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.STATIC, VariableKind.TEMP)
+_PLACES = (*LIVING, VariableKind.TEMP)
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,6 +3,7 @@
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import (
+    IN_OUTS,
     Address,
     AddressRef,
     Constant,
@@ -30,7 +31,6 @@ from fbgen.lang.checker.enumerations import (
 )
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.foreign_names import library_help
-from fbgen.lang.checker.kept_in_outs import kept_by_instance
 from fbgen.lang.checker.literals import ERRONEOUS, NULL, erroneous
 from fbgen.lang.checker.members import of_owner, own_variable, read_property, read_special
 from fbgen.lang.checker.name_lookup import (
@@ -67,7 +67,7 @@ from fbgen.nearest import nearest
 from fbgen.source import Span
 
 _SIZES = {"X": BOOL, "B": BYTE, "W": WORD, "D": DWORD, "L": LWORD}
-_PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT)
+_PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, *IN_OUTS)
 
 
 def is_place(expression: Expression) -> bool:
@@ -269,20 +269,12 @@ def _instance_variable(ctx: Context, node: ast.Member, kind: BlockType) -> Varia
     for variable in ctx.library.variables_of(kind):
         if variable.name.casefold() != key:
             continue
-        if variable.kind in (VariableKind.INPUT, VariableKind.OUTPUT):
+        if variable.kind in (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.KEPT):
             return variable
         if variable.kind is VariableKind.STATIC and (
             ctx.library.access.word(variable) or ctx.rules.statics_visible or is_program(ctx, kind)
         ):
             ctx.library.access.check(ctx, node.span, variable)
-            return variable
-        if kept_by_instance(ctx, ctx.library.user_block(kind.name), variable):
-            ctx.findings.gap(
-                f"in-out '{variable.name}' of {kind.name} has no model outside of the block, so"
-                " this program cannot run",
-                node.span,
-                "to run it, give a variable in each call and use that",
-            )
             return variable
         if variable.kind is not VariableKind.RESULT:
             ctx.findings.error(

@@ -2,6 +2,7 @@
 
 from fbgen.lang import ast
 from fbgen.lang.checked import (
+    IN_OUTS,
     AddressRef,
     Constant,
     Dereference,
@@ -91,7 +92,7 @@ def _member(ctx: Context, field: FieldRef, instance: BlockType) -> Variable:
 
 def _member_may_be_written(ctx: Context, field: FieldRef, instance: BlockType, where: str) -> bool:
     variable = _member(ctx, field, instance)
-    if variable.kind in (VariableKind.INPUT, VariableKind.IN_OUT):
+    if variable.kind in (VariableKind.INPUT, *IN_OUTS):
         return True
     if ctx.library.access.word(variable):
         return True  # who may use it at all has been looked at with its name

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from fbgen.lang.checked import (
+    LIVING,
     Assignment,
     Binary,
     Block,
@@ -46,12 +47,7 @@ _WORTH = 2.5
 _WORTH_IF_WRITTEN = 1.8
 """Weighted uses from which on a local pays; fewer if it need not be filled first."""
 
-_KEPT_KINDS = (
-    VariableKind.INPUT,
-    VariableKind.OUTPUT,
-    VariableKind.STATIC,
-    VariableKind.IN_OUT,
-)
+_KEPT_KINDS = (*LIVING, VariableKind.IN_OUT)
 
 
 _NOBODY = Variable(Span(Source("", ""), 0, 0), "", VariableKind.TEMP, VOID)

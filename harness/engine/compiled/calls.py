@@ -109,7 +109,12 @@ def in_out_arguments(
             else:
                 result.append(InOut(variable, node, cell(procedure, node).text, ""))
         else:
-            back = comes_back(variable, callee, facts)
+            kept = variable.kind is VariableKind.KEPT
+            back = (
+                not facts.only_reads(callee, variable)
+                if kept
+                else comes_back(variable, callee, facts)
+            )
             if back:
                 node = pinned(procedure, node)
             text = value(procedure, node).text

@@ -6,7 +6,7 @@ from typing import Any, NoReturn
 
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.ast import BlockKind
-from fbgen.lang.checked import AnyBlock, Block, Program, Variable, VariableKind
+from fbgen.lang.checked import IN_OUTS, AnyBlock, Block, Program, Variable, VariableKind
 from fbgen.lang.checker.instance_starts import IN_GLOBALS
 from fbgen.lang.checker.objects import RECEIVER
 from fbgen.lang.types import BlockType, OpenArrayType, ReferenceType, StructType, Type
@@ -41,6 +41,9 @@ from harness.engine.interface import Convert, FunctionResult, Limits, Reference,
 from harness.engine.path_types import global_steps
 from harness.engine.starting import own_starts
 from harness.engine.values import accept, accept_scalar, array_of
+
+_GIVEN = (VariableKind.INPUT, *IN_OUTS)
+"""What a call from outside gives an instance."""
 
 
 class CompiledEngine:
@@ -255,12 +258,8 @@ class CompiledEngine:
         record = self._records[type(data)]
         for name, value in inputs.items():
             part = record.part(name)
-            if part is None or part.kind not in (VariableKind.INPUT, VariableKind.IN_OUT):
-                known = [
-                    one.name
-                    for one in record.parts
-                    if one.kind in (VariableKind.INPUT, VariableKind.IN_OUT)
-                ]
+            if part is None or part.kind not in _GIVEN:
+                known = [one.name for one in record.parts if one.kind in _GIVEN]
                 raise unknown_name("input", name, known)
             if part.kind is VariableKind.IN_OUT:
                 assert part.variable is not None

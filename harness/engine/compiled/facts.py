@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from fbgen.lang.checked import (
+    LIVING,
     AddressRef,
     Attempt,
     Block,
@@ -250,7 +251,7 @@ class Facts:
             for block in self._found
             if has_memory(block)
             for variable in block.variables
-            if variable.kind in (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.STATIC)
+            if variable.kind in LIVING
         }
         self.cells -= memory
         self.cells = {cell for cell in self.cells if cell.kind is not VariableKind.GLOBAL}
@@ -329,7 +330,7 @@ def _sites(
 ) -> list[_Site]:
     sites = []
     for parameter, place in in_outs:
-        if not is_scalar(parameter.type):
+        if not is_scalar(parameter.type) or parameter.kind is VariableKind.KEPT:
             continue
         others = [root_of(other) for variable, other in in_outs if variable is not parameter]
         sites.append(_Site(caller, callee, parameter, place, frozenset((*others, *roots))))

@@ -15,10 +15,9 @@ from harness.engine.compiled.ranges import is_counted, limits
 
 
 def _inputs(record: Record) -> Sequence[Part]:
-    """The inputs that are single values; the others are set one by one."""
-    return [
-        part for part in record.parts if part.kind is VariableKind.INPUT and is_scalar(part.type)
-    ]
+    """Inputs and kept in-outs that are single values; the others are set one by one."""
+    kinds = (VariableKind.INPUT, VariableKind.KEPT)
+    return [part for part in record.parts if part.kind in kinds and is_scalar(part.type)]
 
 
 def _type_name(record: Record, part: Part) -> str:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import (
+    LIVING,
     Address,
     AnyBlock,
     Block,
@@ -45,7 +46,6 @@ from harness.engine.reference.placed_pointers import PointerCell, Pointers
 from harness.engine.reference.pointers import ReferenceCell
 from harness.engine.reference.standard_blocks import new_behaviour
 from harness.engine.reference.storage import (
-    LIVING_KINDS,
     Array,
     Cell,
     InstanceStorage,
@@ -210,7 +210,7 @@ class Allocator:
             spot = _Spot(memory, 0)
         parts = self._own_parts(block)
         for variable, bit in placement.bits.items():
-            if variable.kind in LIVING_KINDS and spot is not None:
+            if variable.kind in LIVING and spot is not None:
                 parts[variable.name.casefold()] = self._variable(variable, spot.behind(bit))
         return InstanceStorage(kind, block, parts, None, memory)
 
@@ -219,7 +219,7 @@ class Allocator:
         return {
             variable.name.casefold(): self.variable(variable)
             for variable in block.variables
-            if variable.kind in LIVING_KINDS
+            if variable.kind in LIVING
         }
 
     def _block(self, name: str) -> AnyBlock:

@@ -1,6 +1,7 @@
 """Calls of blocks: frames, parameters, and how deep blocks may be inside each other."""
 
 from fbgen.lang.checked import (
+    LIVING,
     Block,
     Expression,
     FunctionCall,
@@ -25,7 +26,7 @@ from harness.engine.reference.places import Places
 from harness.engine.reference.routines import Routines, fitted
 from harness.engine.reference.standard_blocks import run_standard_block
 from harness.engine.reference.statements import Statements, Watchdog
-from harness.engine.reference.storage import LIVING_KINDS, InstanceStorage, Storage
+from harness.engine.reference.storage import InstanceStorage, Storage
 from harness.engine.reference.timers import Timer, control_timer
 from harness.engine.reference.unmodelled import Unmodelled, keep_inputs
 from harness.engine.stub_calls import with_eno
@@ -113,7 +114,7 @@ class Calls:
             key = variable.name.casefold()
             if variable in frame.storages:
                 continue
-            if variable.kind in LIVING_KINDS:
+            if variable.kind in LIVING:
                 frame.storages[variable] = instance.parts[key]
             elif variable.kind is not VariableKind.IN_OUT:
                 frame.storages[variable] = self._allocator.variable(variable)
@@ -223,12 +224,19 @@ class Calls:
         for variable, value in values:
             instance.parts[variable.name.casefold()].write(value)
         for variable, storage in connections:
-            instance.connections[variable.name.casefold()] = storage
+            key = variable.name.casefold()
+            if variable.kind is VariableKind.KEPT:
+                instance.parts[key].write(storage.read())
+            else:
+                instance.connections[key] = storage
         if isinstance(call.block, StandardBlock):
             self.run_standard(instance, call.block)
         else:
             self.run_instance(instance, call.span, call.block)
         self._disconnect(instance)
+        for variable, storage in connections:
+            if variable.kind is VariableKind.KEPT:
+                storage.write(instance.parts[variable.name.casefold()].read())
         for variable, place in call.outputs:
             value = instance.parts[variable.name.casefold()].read()
             self._places.find(place, frame).write(value)

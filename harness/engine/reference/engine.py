@@ -7,7 +7,15 @@ from types import MappingProxyType
 from typing import Any
 
 from fbgen.lang.ast import BlockKind
-from fbgen.lang.checked import AnyBlock, Block, Program, StandardBlock, Variable, VariableKind
+from fbgen.lang.checked import (
+    IN_OUTS,
+    AnyBlock,
+    Block,
+    Program,
+    StandardBlock,
+    Variable,
+    VariableKind,
+)
 from fbgen.lang.checker.instance_starts import IN_GLOBALS
 from fbgen.lang.checker.objects import RECEIVER
 from fbgen.lang.types import ArrayType, BlockType, OpenArrayType, Type
@@ -371,7 +379,7 @@ def check_arguments(
     parameters = {
         variable.name.casefold(): variable
         for variable in block.variables
-        if variable.kind in (VariableKind.INPUT, VariableKind.IN_OUT)
+        if variable.kind in (VariableKind.INPUT, *IN_OUTS)
     }
     given: dict[Variable, Value] = {}
     for name, value in arguments.items():

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from fbgen.lang.checked import AnyBlock, Variable, VariableKind
+from fbgen.lang.checked import AnyBlock, Variable
 from fbgen.lang.types import ArrayType, Elementary, Scalar, StringType, StructType, Type
 from harness.engine.faults import reference_not_set
 from harness.engine.interface import State, Value
@@ -335,7 +335,3 @@ class InstanceStorage(Storage):
         if self.standard is not None and fresh.standard is not None:
             self.standard.restore(fresh.standard.snapshot())
         self.connections.clear()
-
-
-LIVING_KINDS = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.STATIC)
-"""The variables of an instance that keep their value from call to call."""
