@@ -12,7 +12,7 @@ import pytest
 from harness import LoadedProgram, load_program
 from harness.engine.loading import ENGINES
 
-_DIALECTS = {".scl": "tia", ".st": "iec", ".twincat": "twincat"}
+_DIALECTS = {".scl": "tia", ".st": "iec", ".step7": "step7", ".twincat": "twincat"}
 
 
 @pytest.fixture(params=sorted(ENGINES))

@@ -72,8 +72,14 @@ def history(program: Program, steps: Sequence[Scan]) -> list[str]:
 
 
 def _without_memory(values: Value) -> Value:
-    """The variables; of F_TRIG, which may have become a block, what it has in every dialect."""
+    """The variables; of F_TRIG, which may have become a block, what it has in every dialect.
+
+    An in-out is left out of an instance: only S7 keeps its value there.
+    """
     assert isinstance(values, dict)
+    if isinstance(inner := values.get("instInner"), dict):
+        inner = {name: value for name, value in inner.items() if name != "place"}
+        values = {**values, "instInner": inner}
     edge = values.get("instFall")
     if not isinstance(edge, dict):
         return values

@@ -229,7 +229,7 @@ END_FUNCTION_BLOCK
         ("#b := %IW3:P; #a := %IB1:P;", "3:2 1:1"),
         ("#a := %IB1:P; #b := %IW2:P; #a := %IB3:P;", "1:1 2:2"),
         ("#b := %IW1:P; #a := %IB2:P;", ""),
-        ("#a := %IB1:P; #single := %IB2:P;", ""),
+        ("#a := %IB1:P; #single := %IB2:P;", "1:1 2:1"),
         ("#a := %IB1:P; %QB1:P := #a; #a := %IB2:P;", ""),
         ("#a := %IB1:P; #bits[BYTE_TO_INT(#a)] := %IB2:P;", ""),
         ("#a := %IB1:P; #b := %IW2;", ""),
@@ -261,7 +261,7 @@ END_FUNCTION_BLOCK
         ("%QB1:P := #a; #a := #a + 1; %QB2:P := #a;", ""),
         ("%QB1:P := #t; #t := #a; %QB2:P := #t;", ""),
         ("%QB1:P := #a; #t := #a; %QB1:P := #t; #t := #u; %QB2:P := #t;", ""),
-        ("%QB1:P := #single; %QB2:P := #a;", ""),
+        ("%QB1:P := #single; %QB2:P := #a;", "1:1 2:1"),
         ("%QB1:P := #bits[BYTE_TO_INT(#a)]; %QB2:P := #a;", ""),
         ("%QB1:P := #a; %QB2:P := %IB1:P;", ""),
     ],
@@ -269,6 +269,12 @@ END_FUNCTION_BLOCK
 def test_only_what_may_be_worked_out_before_is_written_at_once(statements, places):
     text = source_of("Writer", WRITING.format(statements))
     assert asked_for(text, "write_several") == places
+
+
+def test_what_may_lie_among_the_inputs_itself_is_not_read_at_once():
+    text = READING.replace("FUNCTION_BLOCK", "FUNCTION").replace('"Reader"\n', '"Reader" : VOID\n')
+    text = source_of("Reader", text.format("#a := %IB1:P; #single := %IB2:P;"))
+    assert asked_for(text, "read_several") == ""
 
 
 def source_of(block, text):
