@@ -49,6 +49,7 @@ from fbgen.lang.ast import (
 )
 from fbgen.lang.checker.system_instructions import ALIASES
 from fbgen.lang.conversion.bit_literals import BitLiterals, typed_bits
+from fbgen.lang.conversion.handed_on import with_copies
 from fbgen.lang.dialects import dialect_named
 from fbgen.lang.dialects.step7 import is_absolute
 from fbgen.lang.lowering.chains import links
@@ -79,8 +80,9 @@ _SHORT = 8
 
 def to_step7(files: Sequence[File], findings: Findings) -> list[File]:
     """The same files in dialect step7. What STEP 7 has not is noted in the findings."""
-    plant = PlantText(files)
-    typed = rewritten(files, "tia", lambda unit: BitLiterals(plant, unit))
+    own = with_copies(files)
+    plant = PlantText(own)
+    typed = rewritten(own, "tia", lambda unit: BitLiterals(plant, unit))
     return rewritten(typed, "step7", lambda unit: _ToStep7(plant, findings, unit))
 
 

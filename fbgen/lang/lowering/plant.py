@@ -85,7 +85,7 @@ class Scope:
             block = self.plant.data_blocks.get(place.name.casefold())
             return _type_of_data_block(block) if block else None
         if isinstance(place, Index):
-            array = self._resolved(self.type_of(place.base))
+            array = self.resolved(self.type_of(place.base))
             return array.element if isinstance(array, ArraySpec) else None
         if isinstance(place, Member):
             return _types_by_name(self.fields_of(self.type_of(place.base))).get(
@@ -95,10 +95,10 @@ class Scope:
 
     def elementary_of(self, place: Expression) -> str:
         """The upper-case name of the elementary type of a place, else ""."""
-        spec = self._resolved(self.type_of(place))
+        spec = self.resolved(self.type_of(place))
         return spec.name.upper() if isinstance(spec, NamedType) and not spec.quoted else ""
 
-    def _resolved(self, spec: TypeSpec | None) -> TypeSpec | None:
+    def resolved(self, spec: TypeSpec | None) -> TypeSpec | None:
         """A UDT's own type in place of its name, as often as it takes."""
         for _ in range(len(self.plant.types) + 1):
             if not isinstance(spec, NamedType):
@@ -111,7 +111,7 @@ class Scope:
 
     def fields_of(self, spec: TypeSpec | None) -> tuple[Declaration, ...]:
         """What a structure, or an instance of a block, consists of."""
-        spec = self._resolved(spec)
+        spec = self.resolved(spec)
         if isinstance(spec, StructSpec):
             return spec.fields
         if isinstance(spec, NamedType):
