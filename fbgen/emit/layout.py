@@ -18,7 +18,7 @@ from fbgen.emit.generated import GeneratedFile
 from fbgen.emit.symbol_table import LINE_END, symbol_table
 from fbgen.lang import ast
 from fbgen.lang.containers import new_files
-from fbgen.lang.conversion import Schedule, convert
+from fbgen.lang.conversion import Schedule, convert, with_copies
 from fbgen.lang.printer import print_generated
 from fbgen.plant import FILE_LAYOUTS, FileLayout, Plant, PlantDialect, with_prefix
 
@@ -35,6 +35,8 @@ def laid_out(units: Sequence[ast.File], plant: Plant) -> tuple[GeneratedFile, ..
     Raises DiagnosticError for what the dialect cannot say: FB3040, FB3050 to FB3053, FB5011.
     """
     schedule = Schedule(interval_ns=round(plant.cycle_time_ms * 1_000_000))
+    if plant.family.classic:
+        units = with_copies(units)
     converted = convert(units, plant.language, schedule)
     layout = plant.files or FILE_LAYOUTS[plant.dialect][0]
     files = _LAYOUTS[plant.dialect, layout](converted, plant)

@@ -17,6 +17,7 @@ from fbgen.lang.ast import File
 from fbgen.lang.conversion.crossed_limits import with_same_limits
 from fbgen.lang.conversion.falling_edges import with_own_falling_edges
 from fbgen.lang.conversion.from_step7 import from_step7
+from fbgen.lang.conversion.handed_on import with_copies
 from fbgen.lang.conversion.iec_to_tia import iec_to_tia
 from fbgen.lang.conversion.to_step7 import to_step7
 from fbgen.lang.depth import room_for_depth
@@ -25,7 +26,7 @@ from fbgen.lang.lowering import Schedule, lower_files
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.other_languages import foreign_bodies
 
-__all__ = ["Schedule", "convert", "way"]
+__all__ = ["Schedule", "convert", "way", "with_copies"]
 
 Step: TypeAlias = Callable[[Sequence[File], Findings, Schedule | None], list[File]]
 

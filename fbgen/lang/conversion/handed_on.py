@@ -41,7 +41,7 @@ from fbgen.lang.rewriting import Rewriter, Rule, replaced, rewritten, with_leadi
 _LARGE = frozenset({"DT", "DATE_AND_TIME", "DTL", "LDT", "STRING", "WSTRING"})
 _OF_BLOCKS = frozenset({"VAR_IN_OUT"})
 _OF_FUNCTIONS = frozenset({"VAR_INPUT", "VAR_OUTPUT", "VAR_IN_OUT"})
-_WHY = "// S7-300/400: no structured parameter is handed on, so a copy is"
+_WHY = "// goes to another block in the place of a structured parameter"
 
 
 def with_copies(files: Sequence[File]) -> list[File]:
@@ -64,9 +64,7 @@ class _HandedOn(Rewriter):
         if not self._copies:
             return block
         keyword = "VAR_TEMP" if block.kind is BlockKind.FUNCTION else "VAR"
-        why = Trivia(node.span, TriviaKind.LINE_COMMENT, _WHY)
-        section = VarSection(node.span, keyword, (), tuple(self._copies.values()), opening=why)
-        return replaced(block, sections=(*block.sections, section))
+        return replaced(block, sections=_with(block, keyword, tuple(self._copies.values())))
 
     def _call_statement(self, node: CallStatement) -> object:
         return self._around(node, node.call)
@@ -142,7 +140,8 @@ class _HandedOn(Rewriter):
         key = (text, used[text])
         if key not in self._copies:
             name = DeclaredName(argument.span, self._free_name(argument.name))
-            self._copies[key] = Declaration(argument.span, (name,), kind, None)
+            why = Trivia(argument.span, TriviaKind.LINE_COMMENT, _WHY)
+            self._copies[key] = Declaration(argument.span, (name,), kind, None, trailing=why)
         return Name(argument.span, self._copies[key].names[0].name, local=True)
 
     def _free_name(self, parameter: str) -> str:
@@ -159,6 +158,24 @@ class _HandedOn(Rewriter):
         CallStatement: _call_statement,
         Assignment: _assignment,
     }
+
+
+def _with(block: Block, keyword: str, copies: tuple[Declaration, ...]) -> tuple[VarSection, ...]:
+    """The sections of a block with these at the end of the last one of that kind."""
+    sections = list(block.sections)
+    ends = [number for number, one in enumerate(sections) if _is_plain(one, keyword)]
+    if ends:
+        last = sections[ends[-1]]
+        sections[ends[-1]] = replaced(last, declarations=(*last.declarations, *copies))
+        return tuple(sections)
+    temporary = [number for number, one in enumerate(sections) if _is_plain(one, "VAR_TEMP")]
+    place = temporary[0] if temporary else len(sections)
+    sections.insert(place, VarSection(block.span, keyword, (), copies))
+    return tuple(sections)
+
+
+def _is_plain(section: VarSection, keyword: str) -> bool:
+    return section.keyword == keyword and not section.qualifiers
 
 
 def _structured(scope: BlockScope) -> frozenset[str]:

@@ -225,6 +225,42 @@ END_FUNCTION_BLOCK
 """
 
 
+def test_no_structured_parameter_is_handed_on_in_step7() -> None:
+    block = """\
+TYPE "Pair" STRUCT a : Int; b : Int; END_STRUCT; END_TYPE
+FUNCTION "Sum" : Int
+VAR_INPUT pair : "Pair"; END_VAR
+VAR_OUTPUT text : String[8]; END_VAR
+BEGIN
+  #Sum := #pair.a + #pair.b;
+  #text := 'sum';
+END_FUNCTION
+FUNCTION_BLOCK "Outer"
+VAR_INPUT given : "Pair"; END_VAR
+VAR_IN_OUT
+  pairs : Array[0..3] of "Pair"; caption : String[8]; count : Int;
+END_VAR
+VAR own : "Pair"; END_VAR
+BEGIN
+  // both
+  #count := "Sum"(pair := #pairs[#count], text => #caption);
+  #count := "Sum"(pair := #given, text => #caption);
+END_FUNCTION_BLOCK
+FUNCTION "Around" : Int
+VAR_INPUT pair : "Pair"; END_VAR
+VAR_TEMP mine : String[8]; copyPair : Int; END_VAR
+BEGIN
+  #Around := "Sum"(pair := #pair, text => #mine);
+END_FUNCTION
+"""
+    text = converted(block, "tia", "step7")
+    assert "   // both\n   copyPair := pairs[count];\n   count := " in text
+    assert '"Sum"(pair := copyPair, text := copyText);\n   caption := copyText;\n' in text
+    assert 'count := "Sum"(pair := given, text := copyText);' in text
+    assert 'copyPair2 := pair;\n   Around := "Sum"(pair := copyPair2, text := mine);' in text
+    assert text.count("copyPair :=") == 1
+
+
 def test_instances_are_called_as_step7_calls_them() -> None:
     classic = converted(_MOTOR, "tia", "step7")
     assert classic.endswith(_PLANT_IN_STEP7)
