@@ -96,13 +96,11 @@ class _HandedOn(Rewriter):
             return node
         calling = replaced(call, arguments=tuple(arguments))
         part = "call" if isinstance(node, CallStatement) else "value"
-        first, *others = (*before, replaced(node, **{part: calling}), *behind)
+        itself: Statement = replaced(node, **{part: calling})
         if before:
-            first, others[len(before) - 1] = (
-                with_leading(first, node.leading),
-                with_leading(others[len(before) - 1], ()),
-            )
-        return (first, *others)
+            before[0] = with_leading(before[0], node.leading)
+            itself = with_leading(itself, ())
+        return (*before, itself, *behind)
 
     def _formal(self, callee: Expression) -> dict[str, str]:
         """The section of each parameter of a user's block, by casefolded name."""
