@@ -44,6 +44,9 @@ class DriveView:
     inv_no: int
     inv_no_byte: SclText
     max_frequency: SclText
+    min_frequency: SclText
+    at_setpoint: SclText
+    error_pause: SclText
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +66,7 @@ class GatewayView:
     handshake: SclText
     status_poll: bool
     timeout: SclText
+    retries: SclText
     gap: SclText
     longest_telegram_ms: float
     drive_zero: SclText
@@ -100,7 +104,8 @@ def gateway_view(
     place = origin(f"gateway {gateway.name}", gateway)
     series = [catalog.drive(drive.series) for drive in gateway.drives]
     reply_max = max(item.times.reply_max.ms for item in series)
-    timeout_ms = reply_timeout_ms(plant, entry, reply_max)
+    chosen = gateway.parameters.timeout_ms
+    timeout_ms = reply_timeout_ms(plant, entry, reply_max) if chosen is None else float(chosen)
     return GatewayView(
         name=gateway.name,
         access=gateway.access,
@@ -115,6 +120,7 @@ def gateway_view(
         handshake=SclText("TRUE" if gateway.options.get("handshake", True) else "FALSE", place),
         status_poll=gateway.status_poll,
         timeout=milliseconds(timeout_ms, place),
+        retries=SclText(str(gateway.parameters.retries), place),
         gap=milliseconds(silent_gap_ms(plant, entry, reply_max), place),
         longest_telegram_ms=_longest_telegram_ms(plant, timeout_ms, sequences),
         drive_zero=SclText("TRUE" if any(not item.inv_no for item in gateway.drives) else "FALSE"),
@@ -224,5 +230,14 @@ def _laddr(plant: Plant, gateway: PlantGateway, address: int | None) -> SclText:
 
 def _drive(drive: PlantDrive) -> DriveView:
     place = origin(f"drive {drive.name}", drive)
-    frequency = real(drive.max_frequency_hz, place)
-    return DriveView(drive.name, drive.series, drive.inv_no, byte(drive.inv_no, place), frequency)
+    own = drive.parameters
+    return DriveView(
+        name=drive.name,
+        series=drive.series,
+        inv_no=drive.inv_no,
+        inv_no_byte=byte(drive.inv_no, place),
+        max_frequency=real(drive.max_frequency_hz, place),
+        min_frequency=real(own.min_frequency_hz, place),
+        at_setpoint=real(own.at_setpoint_hz, place),
+        error_pause=milliseconds(own.error_pause_ms, place),
+    )

@@ -27,7 +27,7 @@ _OF_SEQUENCE_BLOCK = frozenset(
 _OF_GATEWAY = frozenset({"line"})
 """What templates/types/typeTosGateway.udt.jinja declares beside the drives."""
 
-_OF_DRIVE_TYPE = frozenset({"control", "state", "polled"})
+_OF_DRIVE_TYPE = frozenset({"control", "state", "polled", "alarms"})
 """What templates/types/typeTosDrive.udt.jinja declares beside the sequences."""
 
 

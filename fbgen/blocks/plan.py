@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
+from fbgen.blocks.alarms import LINE_ALARMS, drive_alarms
 from fbgen.blocks.gateways import GatewayView, gateway_view, missing_fields
 from fbgen.blocks.literals import SclText, byte, comno, milliseconds, one_line, source_text, word
 from fbgen.blocks.names import name_conflicts
@@ -102,13 +103,14 @@ def _types(
     gateways: tuple[GatewayView, ...], sequences: tuple[SequenceView, ...]
 ) -> list[BlockSpec]:
     line = ("Input", "Output", "Request", "Reply", "Channel", "Line")
-    plain = (*line, "Control", "State", "Polled")
+    plain = (*line, "Control", "State", "Polled", "LineParam", "DriveParam")
     specs = [_type(f"typeTos{name}") for name in plain]
     specs += [_type(f"typeTos_{item.id}", "typeTosSeq", {"sequence": item}) for item in sequences]
     specs.append(_type("typeTosDrive"))
     specs += [
-        _type(f"typeTosGateway_{item.name}", "typeTosGateway", {"gateway": item})
+        _type(f"{name}_{item.name}", name, {"gateway": item})
         for item in gateways
+        for name in ("typeTosGateway", "typeTosParam")
     ]
     return specs
 
@@ -131,6 +133,7 @@ def _blocks(
     specs += [_block(f"TOS_Seq_{item.id}", "TOS_Seq", {"sequence": item}) for item in sequences]
     if sequences:
         specs.append(_block("TOS_Sequences"))
+    specs.append(_block("TOS_Alarms"))
     for name in ("TOS_ConsistentIo", "TOS_Gateway"):
         specs += [_block(f"{name}_{item.name}", name, {"gateway": item}) for item in gateways]
     return specs
@@ -147,6 +150,7 @@ def _data(gateways: tuple[GatewayView, ...]) -> list[BlockSpec]:
         )
         for item in gateways
     ]
+    specs.append(BlockSpec("TOS_Parameters", "db", "data/TOS_Parameters.db.jinja"))
     specs.append(_block("TOS_Main"))
     return specs
 
@@ -206,6 +210,10 @@ def _plant_context(
         "plant": PlantView(plant.name, max(len(item.drives) for item in gateways)),
         "gateways": gateways,
         "sequences": sequences,
+        "alarms": {
+            "line": LINE_ALARMS,
+            "drive": drive_alarms([item.id for item in sequences]),
+        },
     }
 
 

@@ -83,6 +83,11 @@ gateways:
     # Read trip code and status of every drive in turn while no command waits.
     status_poll: true
 
+    # First values of the line's parameters in TOS_Parameters; in iec and plcopen they count each
+    # time. Without timeout_ms (limit for one attempt of a telegram) it is calculated.
+    parameters:
+      retries: 2
+
     # What the documents leave open, with the documented default. `fbgen catalog show tospbdp001`
     # explains each; all but the first concern the simulated gateway only.
     options:
@@ -105,6 +110,10 @@ gateways:
         inv_no: 1                # 0 to 63, parameter F802; number 0 also answers broadcasts
         series: vf-s11
         max_frequency_hz: 50.0   # parameter FH
+        parameters:              # first values of the drive's parameters in TOS_Parameters
+          min_frequency_hz: 0    # a lower set-point is raised to it
+          at_setpoint_hz: 0.5    # so far off it counts as at set-point
+          error_pause_ms: 1000   # before a command without acknowledgement is tried again
       - name: outfeed
         inv_no: 2
         series: vf-s11

@@ -1,0 +1,194 @@
+"""The alarms of a line and of its drives: which bit of which word, and what the operator reads.
+
+One table for both sides: the block that packs the bits (TOS_Alarms) and the lists that name them
+for an HMI come from it, so that a text can never belong to another bit.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from fbgen.blocks.literals import SclText, word
+
+AlarmClass = Literal["Errors", "Warnings"]
+"""As WinCC calls the two classes that every project has: Errors want an acknowledgement."""
+
+
+@dataclass(frozen=True, slots=True)
+class Alarm:
+    """One bit. `condition` is what raises it, in the block's own names.
+
+    The texts are in English and German and name neither the line nor the drive: whoever writes a
+    list puts that in front. `shows_trip` is for the alarm to which the trip in words belongs.
+    """
+
+    bit: int
+    name: str
+    condition: str
+    kind: AlarmClass
+    english: str
+    german: str
+    english_help: str
+    german_help: str
+    shows_trip: bool = False
+
+    @property
+    def mask(self) -> SclText:
+        """The bit in its word."""
+        return word(1 << self.bit)
+
+    def text(self, language: str) -> str:
+        """What the operator reads."""
+        return self.german if language == "de" else self.english
+
+    def help(self, language: str) -> str:
+        """What can be done about it."""
+        return self.german_help if language == "de" else self.english_help
+
+
+LINE_ALARMS = (
+    Alarm(
+        0,
+        "gateway_lost",
+        "NOT #line.online",
+        "Errors",
+        "Gateway does not take part",
+        "Gateway nimmt nicht teil",
+        "Check its 24 V supply, PROFIBUS plug and address switches. Its drives keep running until "
+        "their own time-out (F803) trips them.",
+        "24-V-Versorgung, PROFIBUS-Stecker und Adressschalter pruefen. Die Antriebe laufen weiter, "
+        "bis ihre eigene Zeitueberwachung (F803) ausloest.",
+    ),
+    Alarm(
+        1,
+        "io_error",
+        "#line.ioError",
+        "Errors",
+        "Cyclic data cannot be exchanged",
+        "Zyklische Daten werden nicht ausgetauscht",
+        "ioRetVal has what the access reported. Compare the addresses and the module in the "
+        "hardware configuration with the plant file.",
+        "ioRetVal zeigt, was der Zugriff gemeldet hat. Adressen und Modul der "
+        "Hardwarekonfiguration mit der Anlagendatei vergleichen.",
+    ),
+    Alarm(
+        2,
+        "telegram_errors",
+        "#line.gatewayFault",
+        "Errors",
+        "Gateway reports faulty telegrams",
+        "Gateway meldet fehlerhafte Telegramme",
+        "errorCount counts them. Check the RS-485 line: wires, termination, shield, F800 and F801 "
+        "of the drives; a refused write counts as well.",
+        "errorCount zaehlt sie. RS-485-Leitung pruefen: Adern, Abschluss, Schirm, F800 und F801 "
+        "der Antriebe; auch ein abgelehnter Schreibauftrag zaehlt.",
+    ),
+    Alarm(
+        3,
+        "emergency_stop",
+        "#line.emergencyStop",
+        "Warnings",
+        "Emergency stop of the line is on",
+        "Nothalt der Linie steht an",
+        "No drive of this line takes a command until it is taken back.",
+        "Kein Antrieb dieser Linie nimmt einen Befehl an, bis er weggenommen ist.",
+    ),
+    Alarm(
+        4,
+        "not_stopped",
+        "#line.emergencyStop AND NOT #line.stopping AND NOT #line.stopped",
+        "Errors",
+        "Emergency stop: not every drive has acknowledged it",
+        "Nothalt: nicht jeder Antrieb hat ihn quittiert",
+        "unreached has how many. Such a drive may still run: switch it off.",
+        "unreached zeigt, wie viele. Ein solcher Antrieb kann noch laufen: abschalten.",
+    ),
+)
+"""The alarms of typeTosLine.alarms."""
+
+_DRIVE_ALARMS = (
+    Alarm(
+        0,
+        "tripped",
+        "#drive.polled.tripped",
+        "Errors",
+        "Drive has tripped",
+        "Antrieb hat abgeschaltet",
+        "state.trip has the trip in words. Remove the cause, then reset it.",
+        "state.trip zeigt die Stoerung in Worten. Ursache beseitigen, dann quittieren.",
+        shows_trip=True,
+    ),
+    Alarm(
+        1,
+        "lost",
+        "#drive.polled.lost",
+        "Errors",
+        "Drive does not answer",
+        "Antrieb antwortet nicht",
+        "Check its supply, its inverter number (F802) and the line.",
+        "Versorgung, Umrichternummer (F802) und Leitung pruefen.",
+    ),
+    Alarm(
+        2,
+        "not_acknowledged",
+        "#drive.state.error",
+        "Errors",
+        "Last command was not acknowledged",
+        "Letzter Befehl wurde nicht quittiert",
+        "state.status has the reason. Start it again by taking run back once.",
+        "state.status zeigt den Grund. Zum Starten den Laufbefehl einmal wegnehmen.",
+    ),
+    Alarm(
+        3,
+        "emergency_stop",
+        "#drive.control.emergencyStop",
+        "Warnings",
+        "Emergency stop of the drive is on",
+        "Nothalt des Antriebs steht an",
+        "It trips with E and needs a reset afterwards.",
+        "Er schaltet mit E ab und braucht danach eine Quittierung.",
+    ),
+    Alarm(
+        4,
+        "inhibited",
+        "#drive.control.enable AND #drive.state.inhibited AND (#drive.control.manual AND "
+        "#drive.control.manualRun OR NOT #drive.control.manual AND #drive.control.run)",
+        "Warnings",
+        "Drive waits until the run command was taken back once",
+        "Antrieb wartet, bis der Laufbefehl einmal weggenommen war",
+        "So it never starts by itself after a loss, a trip or a start of the PLC.",
+        "So laeuft er nach Ausfall, Stoerung oder Neustart der Steuerung nie von selbst an.",
+    ),
+    Alarm(
+        5,
+        "interlock",
+        "#drive.control.enable AND NOT #drive.control.interlock AND (#drive.control.manual AND "
+        "#drive.control.manualRun OR NOT #drive.control.manual AND #drive.control.run)",
+        "Warnings",
+        "Drive is to run and its interlock is missing",
+        "Antrieb soll laufen, die Verriegelung fehlt",
+        "control.interlock is FALSE.",
+        "control.interlock ist FALSE.",
+    ),
+)
+
+SEQUENCE_FAILED = 6
+"""The bit of typeTosDrive.alarms that says that a sequence of the drive has failed."""
+
+
+def drive_alarms(sequences: Sequence[str]) -> tuple[Alarm, ...]:
+    """The alarms of typeTosDrive.alarms, with these sequences."""
+    if not sequences:
+        return _DRIVE_ALARMS
+    failed = " OR ".join(f"#drive.{name}.error" for name in sequences)
+    sequence = Alarm(
+        SEQUENCE_FAILED,
+        "sequence_failed",
+        failed,
+        "Errors",
+        "A sequence has ended with an error",
+        "Ein Ablauf hat mit Fehler geendet",
+        "failedStep and status of the sequence say where and why.",
+        "failedStep und status des Ablaufs zeigen, wo und warum.",
+    )
+    return (*_DRIVE_ALARMS, sequence)
