@@ -9,3 +9,122 @@ from fbgen.catalog import AccessWay, Catalog, Located, OptionValue
 from fbgen.catalog.scalars import Flag, Real, Text, Whole
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import checks
+from fbgen.plant.families import (
+    FAMILIES,
+    LANGUAGES,
+    Family,
+    FileLayout,
+    PlantDialect,
+    PlcFamily,
+)
+from fbgen.plant.parameters import DriveParameters, LineParameters
+from fbgen.plant.prefix import USUAL_PREFIX
+
+HIGHEST_BLOCK = 7999
+"""The highest number of a block that an S7-300 or S7-400 takes; small CPUs take fewer."""
+
+
+class PlantDrive(Located):
+    """One inverter. `inv_no` is its number on the line, `max_frequency_hz` its parameter FH."""
+
+    name: str
+    title: Text | None = None
+    inv_no: Whole
+    series: str
+    max_frequency_hz: Real
+    parameters: DriveParameters = Field(default_factory=DriveParameters)
+    options: dict[str, OptionValue] = Field(default_factory=dict)
+
+    def problems_against(self, known: object) -> Iterable[Diagnostic]:
+        """What the catalogue says about this drive."""
+        assert isinstance(known, Catalog)
+        return checks.drive(self, known)
+
+
+class PlantGateway(Located):
+    """One gateway with the drives on its line.
+
+    `input_address` and `output_address` are the first bytes of its data in the PLC's input and
+    output area; identifiers follow each other without a gap. `hardware_identifier` is what
+    DPRD_DAT and DPWR_DAT of S7-1200 and S7-1500 take. `status_poll` reads the trip code and the
+    status of every drive in turn while no command waits.
+    """
+
+    name: str
+    title: Text | None = None
+    type: str
+    layout: str
+    profibus_address: Whole
+    access: AccessWay
+    input_address: Whole | None = None
+    output_address: Whole | None = None
+    hardware_identifier: Annotated[Whole, Field(ge=1, le=65535)] | None = None
+    status_poll: Flag = True
+    parameters: LineParameters = Field(default_factory=LineParameters)
+    options: dict[str, OptionValue] = Field(default_factory=dict)
+    drives: tuple[PlantDrive, ...] = Field(min_length=1)
+
+    def problems(self) -> Iterable[Diagnostic]:
+        """FB2006: one INV-NO for two drives."""
+        return checks.inverter_numbers(self)
+
+    def problems_against(self, known: object) -> Iterable[Diagnostic]:
+        """What the catalogue says about this gateway."""
+        assert isinstance(known, Catalog)
+        return checks.gateway(self, known)
+
+
+class BlockNumbers(Located):
+    """The numbers that FBs, FCs, DBs and UDTs of dialect step7 may have, each kind from `first`."""
+
+    first: Annotated[Whole, Field(ge=1, le=HIGHEST_BLOCK)] = 200
+    last: Annotated[Whole, Field(ge=1, le=HIGHEST_BLOCK)] = 399
+
+    def problems(self) -> Iterable[Diagnostic]:
+        """FB2020: the range ends before it begins."""
+        return checks.block_numbers(self)
+
+
+class Plant(Located):
+    """A plant file. Sequences are ids of the catalogue, generated for every drive they fit.
+
+    `prefix` is how the names of blocks begin; `files` says whether each stands in a file of its
+    own, None what is usual for the dialect.
+    """
+
+    version: Literal[1]
+    name: str
+    title: Text | None = None
+    dialect: PlantDialect
+    plc: PlcFamily
+    cycle_time_ms: Annotated[Real, Field(gt=0, le=6000)] = 10
+    prefix: str = USUAL_PREFIX
+    files: FileLayout | None = None
+    block_numbers: BlockNumbers = Field(default_factory=BlockNumbers)
+    sequences: tuple[str, ...] = ()
+    gateways: tuple[PlantGateway, ...] = Field(min_length=1)
+
+    @property
+    def family(self) -> Family:
+        """What the PLC can do."""
+        return FAMILIES[self.plc]
+
+    @property
+    def language(self) -> str:
+        """The dialect of the language in which its text is written."""
+        return LANGUAGES[self.dialect]
+
+    @property
+    def drives(self) -> tuple[PlantDrive, ...]:
+        """All drives of all gateways, in the order of the file."""
+        return tuple(drive for gateway in self.gateways for drive in gateway.drives)
+
+    def problems(self) -> Iterable[Diagnostic]:
+        """What the parts of the plant say about each other."""
+        return checks.plant(self)
+
+    def problems_against(self, known: object) -> Iterable[Diagnostic]:
+        """What the catalogue says about the plant as a whole."""
+        assert isinstance(known, Catalog)
+        yield from checks.sequences(self, known)
+        yield from checks.addresses(self, known)
