@@ -122,7 +122,8 @@ def check(
     """Check PLC text: syntax, names, types, likely mistakes.
 
     All files of one dialect are one program. Without --dialect the file names decide: .scl, .udt
-    and .db are tia, .st and .xml (PLCopen) are iec, .TcPOU and the like are twincat. Exit status 1
+    and .db are tia, .st and .xml (PLCopen) are iec, .TcPOU and the like are twincat; .st that only
+    CODESYS and TwinCAT take, because of what they convert, is twincat too. Exit status 1
     if there is an error; warnings alone are status 0.
     """
     from fbgen.cli.checking import Settings, check_programs
@@ -142,7 +143,7 @@ def check(
         db_numbers=read_numbers(numbers),
     )
     progress = Progress(len(paths) + len(programs), shown=on_error_terminal())
-    found = check_programs(programs, settings, jobs, progress)
+    programs, found = check_programs(programs, settings, jobs, progress)
     ranks = (Severity.INFO, Severity.WARNING, Severity.ERROR)
     least = ranks.index(Severity(lowest.value))
     shown = [finding for finding in found if ranks.index(finding.severity) >= least]

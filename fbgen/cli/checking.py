@@ -23,6 +23,17 @@ from fbgen.lang.families import Cpu
 from fbgen.lang.tag_files import global_file
 from fbgen.lang.unread_parts import unread_parts
 
+_CONVERSIONS = frozenset({"FB4010", "FB4011", "FB4012", "FB4058"})
+"""Errors that Structured Text can have because nobody has said that it is of CODESYS."""
+
+
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """A program, in the dialect that it turned out to have, and what is wrong with it."""
+
+    program: ProgramFiles
+    findings: list[Diagnostic]
+
 
 @dataclass(frozen=True, slots=True)
 class Settings:
@@ -42,8 +53,8 @@ class Settings:
 
 def check_programs(
     programs: Sequence[ProgramFiles], settings: Settings, jobs: int, progress: Progress
-) -> list[Diagnostic]:
-    """Everything that is wrong, in the order of the files and their lines.
+) -> tuple[list[ProgramFiles], list[Diagnostic]]:
+    """The programs in their dialects, and everything that is wrong, by files and lines.
 
     Names and types are left alone if the constants or tags cannot be read.
     """
@@ -56,7 +67,10 @@ def check_programs(
     else:
         found = [_check(part, settings, progress) for part in parts]
     progress.end()
-    return [*unread, *(one for part in found for one in part)]
+    checked = list(programs)
+    if len(found) == len(programs):
+        checked = [part.program for part in found]
+    return checked, [*unread, *(one for part in found for one in part.findings)]
 
 
 def _unread_tables(settings: Settings) -> list[Diagnostic]:
@@ -77,14 +91,45 @@ def _shares(
             continue
         size = -(-len(program.paths) // jobs)
         for start in range(0, len(program.paths), size):
-            yield ProgramFiles(program.dialect, program.paths[start : start + size])
+            yield replace(program, paths=program.paths[start : start + size])
 
 
-def _check_quietly(settings: Settings, program: ProgramFiles) -> list[Diagnostic]:
+def _check_quietly(settings: Settings, program: ProgramFiles) -> Checked:
     return _check(program, settings, Progress(0, shown=False))
 
 
-def _check(program: ProgramFiles, settings: Settings, progress: Progress) -> list[Diagnostic]:
+def settled(program: ProgramFiles, settings: Settings) -> ProgramFiles:
+    """The program in the dialect that it is right in."""
+    return _check_quietly(settings, program).program if program.is_open else program
+
+
+def _check(program: ProgramFiles, settings: Settings, progress: Progress) -> Checked:
+    """Structured Text of nobody in particular is of CODESYS where that mends its conversions."""
+    found = _findings(program, settings, progress)
+    if program.is_open and any(one.code in _CONVERSIONS for one in found):
+        other = replace(program, dialect="twincat")
+        more = _findings(other, settings, progress)
+        if len(_errors(more)) < len(_errors(found)):
+            return Checked(other, [_needs_codesys(found), *more])
+    return Checked(program, found)
+
+
+def _errors(found: Sequence[Diagnostic]) -> list[Diagnostic]:
+    return [one for one in found if one.severity is Severity.ERROR]
+
+
+def _needs_codesys(found: Sequence[Diagnostic]) -> Diagnostic:
+    first = next(one for one in found if one.code in _CONVERSIONS)
+    return Diagnostic(
+        "FB9015",
+        "what converts by itself here is as in CODESYS: checked as dialect twincat",
+        first.span,
+        "say --dialect twincat, or --dialect iec to see what the standard does not convert",
+        severity=Severity.WARNING,
+    )
+
+
+def _findings(program: ProgramFiles, settings: Settings, progress: Progress) -> list[Diagnostic]:
     trees: list[ast.File] = []
     found: list[Diagnostic] = []
     for path in program.paths:
@@ -100,7 +145,7 @@ def _check(program: ProgramFiles, settings: Settings, progress: Progress) -> lis
         progress.step("names and types")
         rules = _rules(program.dialect, settings)
         tables = global_file(program.dialect, settings.constants, settings.tags)
-        unread = [one for one in found if one.severity is Severity.ERROR]
+        unread = _errors(found)
         _, more = check_reporting(
             [*trees, tables],
             program.dialect,

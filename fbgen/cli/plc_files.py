@@ -15,10 +15,11 @@ _PATTERN = frozenset("*?[")
 
 @dataclass(frozen=True, slots=True)
 class ProgramFiles:
-    """All files of one dialect: one program."""
+    """All files of one dialect: one program. `is_open`: nobody has said that it is this dialect."""
 
     dialect: str
     paths: tuple[Path, ...]
+    is_open: bool = False
 
 
 def expand(arguments: Iterable[Path]) -> list[Path]:
@@ -89,7 +90,11 @@ def programs_of(paths: Sequence[Path], dialect: str | None) -> list[ProgramFiles
     if classic:
         by_dialect["step7"] = classic
         by_dialect["tia"] = newer
-    return [ProgramFiles(name, tuple(files)) for name, files in by_dialect.items() if files]
+    return [
+        ProgramFiles(name, tuple(files), is_open=name == "iec")
+        for name, files in by_dialect.items()
+        if files
+    ]
 
 
 def _by_age(paths: Sequence[Path]) -> tuple[list[Path], list[Path]]:
@@ -116,8 +121,14 @@ def _told(path: Path) -> str | None:
 
 
 def dialect_of(paths: Sequence[Path]) -> str:
-    """The dialect that the names of these files stand for; wrong usage if they do not tell."""
+    """The dialect that these files stand for; wrong usage if they do not tell one.
+
+    Structured Text that only CODESYS and TwinCAT take, because of what they convert by themselves,
+    is `twincat`.
+    """
+    from fbgen.cli.checking import Settings, settled
+
     programs = programs_of(paths, None)
     if len(programs) == 1:
-        return programs[0].dialect
+        return settled(programs[0], Settings()).dialect
     raise typer.BadParameter("the files are of several dialects: add --dialect")

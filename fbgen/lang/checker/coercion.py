@@ -15,6 +15,7 @@ from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import (
     changes_sign,
     conversion_between,
+    converts_in_codesys,
     is_implicit,
     is_likely_unchecked,
 )
@@ -29,6 +30,7 @@ from fbgen.lang.checker.literals import (
     settled,
     settled_bits,
 )
+from fbgen.lang.checker.operator_help import IN_CODESYS
 from fbgen.lang.checker.pointers import as_pointer
 from fbgen.lang.checker.rules import Rules
 from fbgen.lang.types import (
@@ -324,6 +326,8 @@ def _refuse(ctx: Context, expression: Expression, target: Type, where: str) -> N
         code, help_text = "FB4011", f"write the conversion: {function}(...)"
     elif isinstance(expression, Constant) and is_untyped(source):
         help_text = _constant_help(target)
+    if ctx.rules.dialect == "iec" and converts_in_codesys(source, target):
+        help_text += f"; {IN_CODESYS}"
     ctx.findings.error(
         code, f"{where} takes {spelled(target)}, not {spelled(source)}", expression.span, help_text
     )

@@ -33,7 +33,7 @@ the other dialects: see `rules`; ties to even: conformance rule of the project f
 
 from functools import cache
 
-from fbgen.lang.checker.rules import Rules, without_iec_check
+from fbgen.lang.checker.rules import RULES, Rules, without_iec_check
 from fbgen.lang.types import (
     ALIASES,
     BOOL,
@@ -157,6 +157,12 @@ def changes_sign(source: Type, target: Type, rules: Rules) -> bool:
     pair = (UNSIGNED_OF.get(source, source), UNSIGNED_OF.get(target, target))
     signs = {kind.family for kind in pair}
     return signs == {Family.SIGNED, Family.UNSIGNED} and source.bits <= target.bits
+
+
+def converts_in_codesys(source: Type, target: Type) -> bool:
+    """True for what CODESYS and TwinCAT convert by themselves, be it with a warning."""
+    rules = RULES["twincat"]
+    return is_implicit(source, target, rules) or changes_sign(source, target, rules)
 
 
 def is_implicit(source: Type, target: Type, rules: Rules) -> bool:

@@ -4,6 +4,7 @@ from fbgen.lang.checker import folding
 from fbgen.lang.checker.conversions import UNSIGNED_OF
 from fbgen.lang.types import BOOL, Elementary, Enumeration, Family, ReferenceType, Type
 
+IN_CODESYS = "CODESYS and TwinCAT do it by themselves: --dialect twincat"
 _COUNTS = (Family.SIGNED, Family.UNSIGNED, Family.BITS)
 
 
@@ -36,3 +37,8 @@ def operator_help(operator: str, left: Type, right: Type, both_typed: bool) -> s
     if operator in ("MOD", "DIV"):
         return f"{operator} takes integers"
     return "bring both sides to one type with a conversion function"
+
+
+def counts_in_codesys(kind: Type) -> bool:
+    """True for numbers, and for what CODESYS and TwinCAT calculate with as with numbers."""
+    return isinstance(kind, Elementary) and (kind.family in _COUNTS or kind.family is Family.REAL)

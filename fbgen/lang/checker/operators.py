@@ -38,7 +38,7 @@ from fbgen.lang.checker.literals import (
     holds_untyped,
     is_untyped,
 )
-from fbgen.lang.checker.operator_help import operator_help
+from fbgen.lang.checker.operator_help import IN_CODESYS, counts_in_codesys, operator_help
 from fbgen.lang.checker.pointers import calculated
 from fbgen.lang.checker.reference_comparison import compare
 from fbgen.lang.checker.stamps import as_stamp, is_stamp
@@ -140,12 +140,11 @@ def _refuse(ctx: Context, span: Span, operator: str, left: Expression, right: Ex
     one, two = as_typed(left).type, as_typed(right).type
     both_typed = not is_untyped(left.type) and not is_untyped(right.type)
     types = spelled(one) if one == two else f"{spelled(one)} and {spelled(two)}"
-    ctx.findings.error(
-        "FB4012",
-        f"{operator} does not work on {types}",
-        span,
-        operator_help(operator, one, two, both_typed),
-    )
+    help_text = operator_help(operator, one, two, both_typed)
+    if ctx.rules.dialect == "iec" and counts_in_codesys(one) and counts_in_codesys(two):
+        help_text += f"; {IN_CODESYS}"
+    message = f"{operator} does not work on {types}"
+    ctx.findings.error("FB4012", message, span, help_text)
 
 
 def unify(

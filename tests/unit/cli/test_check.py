@@ -202,3 +202,47 @@ def test_what_the_cpu_does_not_have_is_an_error(fbgen: Fbgen, folder: Path) -> N
         "error[FB4301]: s7-1200 has no type LINT"
         in fbgen("check", str(path), "--cpu", "s7-1200").err
     )
+
+
+CODESYS = """\
+FUNCTION_BLOCK Scale
+VAR_INPUT raw : WORD; gain : DINT; END_VAR
+VAR_OUTPUT value : REAL; n : INT; END_VAR
+value := gain;
+n := raw;
+END_FUNCTION_BLOCK
+"""
+
+
+def test_conversions_of_codesys_make_an_st_one_of_dialect_twincat(
+    fbgen: Fbgen, tmp_path: Path
+) -> None:
+    path = tmp_path / "scale.st"
+    path.write_text(CODESYS, encoding="utf-8")
+    run = fbgen("check", str(path), "--format", "json")
+    report = json.loads(run.out)
+    assert run.status == 0
+    assert [one["dialect"] for one in report["programs"]] == ["twincat"]
+    assert [one["code"] for one in report["diagnostics"]] == ["FB9015", "FB4111"]
+    assert (report["diagnostics"][0]["line"], report["diagnostics"][0]["column"]) == (4, 10)
+
+
+def test_dialect_iec_names_the_dialect_that_converts_by_itself(
+    fbgen: Fbgen, tmp_path: Path
+) -> None:
+    path = tmp_path / "scale.st"
+    path.write_text(CODESYS, encoding="utf-8")
+    run = fbgen("check", str(path), "--dialect", "iec")
+    assert run.status == 1
+    assert run.err.count("--dialect twincat") == 2
+
+
+def test_mistakes_that_no_dialect_mends_leave_an_st_what_it_is(
+    fbgen: Fbgen, tmp_path: Path
+) -> None:
+    path = tmp_path / "scale.st"
+    text = CODESYS.replace("value := gain;", "value := TRUE;").replace("n := raw;", "")
+    path.write_text(text, encoding="utf-8")
+    run = fbgen("check", str(path))
+    assert run.status == 1
+    assert "dialect: iec, errors: 1" in run.err

@@ -209,3 +209,14 @@ def test_all_mistakes_come_together(fbgen: Fbgen, ramp: str) -> None:
         "error[FB9013]",
         "error[FB6020]",
     ]
+
+
+def test_an_st_of_codesys_runs_without_a_dialect(fbgen: Fbgen, tmp_path: Path) -> None:
+    path = tmp_path / "scale.st"
+    path.write_text(
+        "FUNCTION_BLOCK Scale\nVAR_INPUT raw : WORD; END_VAR\nVAR_OUTPUT value : INT; END_VAR\n"
+        "value := raw;\nEND_FUNCTION_BLOCK\n",
+        encoding="utf-8",
+    )
+    run = fbgen("run", str(path), "--cycles", "1", "--set", "raw=7", "--format", "csv")
+    assert (run.status, run.out) == (0, "cycle,ms,value\n1,0,7\n")
