@@ -11,7 +11,7 @@ from pathlib import Path
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.lang.ast import File
-from fbgen.lang.containers import plcopen, twincat
+from fbgen.lang.containers import plcopen, s7dcl, twincat
 from fbgen.lang.containers.age import Age, age_of
 from fbgen.lang.containers.places import rewritten
 from fbgen.lang.containers.told_dialect import XML_SUFFIXES, told_dialect
@@ -42,7 +42,7 @@ class Document:
     def rewritten(self, file: File) -> bytes:
         """The bytes of the file with this tree, which has the units and members of `self.file`.
 
-        Encoding and line ends stay. In XML only the code changes.
+        Encoding and line ends stay. In XML only the code changes, in a `.s7dcl` nothing.
         """
         return self._encoding.encode(self._written(file))
 
@@ -61,7 +61,8 @@ def document_of(path: Path, data: bytes, dialect: str | None = None) -> Document
     encoding, text = encoding_of(data, str(path))
     source = Source(str(path), text)
     chosen = dialect or told_dialect(path, text) or "tia"
-    if dialect is None and chosen == "tia" and age_of(data) is Age.CLASSIC:
+    is_text = path.suffix.lower() != s7dcl.SUFFIX
+    if dialect is None and chosen == "tia" and is_text and age_of(data) is Age.CLASSIC:
         chosen = "step7"
     return _document(path, source, chosen, encoding, path.suffix.lower() in XML_SUFFIXES)
 
@@ -76,6 +77,8 @@ def _document(
 ) -> Document:
     if is_xml:
         return _xml_document(path, source, dialect, encoding)
+    if path.suffix.lower() == s7dcl.SUFFIX:
+        return _declared_document(path, source, dialect, encoding)
     file, findings = parse_recovering(source, dialect)
     crlf = "\r\n" in source.text
 
@@ -84,6 +87,14 @@ def _document(
         return text.replace("\n", "\r\n") if crlf else text
 
     return Document(path, dialect, file, tuple(findings), source.text, written, encoding)
+
+
+def _declared_document(path: Path, source: Source, dialect: str, encoding: Encoding) -> Document:
+    """A `.s7dcl`, whose layout is TIA Portal's own: it is written back as it is."""
+    declared = s7dcl.read_declared(source)
+    file, findings = parse_recovering(declared.source, dialect)
+    found = sorted((*findings, *declared.findings), key=_place)
+    return Document(path, dialect, file, tuple(found), source.text, lambda _: source.text, encoding)
 
 
 def _xml_document(path: Path, source: Source, dialect: str, encoding: Encoding) -> Document:

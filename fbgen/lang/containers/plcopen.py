@@ -175,7 +175,7 @@ class _Reader:
                     self.slots.append(Slot(inner, code))
                 elif language.tag not in ("addData", "documentation"):
                     self.text.add_at(foreign_body(language.tag), language.start)
-                    self.findings.append(other_language(name, language))
+                    self.findings.append(other_language(name, language.tag, language.place))
 
     # --- configurations -----------------------------------------------------------------------
 

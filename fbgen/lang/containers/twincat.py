@@ -17,7 +17,7 @@ from fbgen.lang.containers.xml_tree import Element
 from fbgen.lang.dialects import dialect_named
 from fbgen.lang.lexer import tokenize
 from fbgen.lang.other_languages import foreign_body
-from fbgen.source import Source
+from fbgen.source import Source, Span
 
 ROOT = "TcPlcObject"
 _OBJECTS = ("POU", "Itf", "DUT", "GVL")
@@ -156,15 +156,15 @@ class _Reader:
                 self._code(language, code)
             else:
                 self.assembly.add_at(foreign_body(language.tag), language.start)
-                self.findings.append(other_language(name, language))
+                self.findings.append(other_language(name, language.tag, language.place))
 
 
-def other_language(name: str, language: Element) -> Diagnostic:
+def other_language(name: str, language: str, place: Span) -> Diagnostic:
     """A body that is not structured text."""
     return Diagnostic(
         "FB3017",
-        f"the body of {name} is written in {language.tag}",
-        language.place,
+        f"the body of {name} is written in {language}",
+        place,
         "only structured text is read; its variables are known all the same",
         severity=Severity.WARNING,
     )

@@ -26,7 +26,8 @@ from fbgen.lang.ast import (
 )
 from fbgen.lang.dialects.dialect import Feature
 from fbgen.lang.parser.cursor import Unexpected
-from fbgen.lang.parser.declarations import MEMBERS, SECTIONS, UNITS
+from fbgen.lang.parser.declarations import BLOCK_ENDS, MEMBERS, SECTIONS, UNITS
+from fbgen.lang.parser.meant_words import meant_section
 from fbgen.lang.parser.namespaces import NamespaceParser
 from fbgen.lang.parser.unread import UNREAD_SECTIONS
 from fbgen.source import Span
@@ -201,8 +202,21 @@ class BlockParser(NamespaceParser):
                 labels.append(self.label_section())
             elif more := self.sections_here():
                 sections += more
+            elif kind == "name" and self._misspelt_section():
+                continue
             elif not (kind == "name" and self._foreign_section(self.texts[self.at].upper())):
                 return tuple(sections), tuple(labels)
+
+    def _misspelt_section(self) -> bool:
+        """Whether a word in front of a declaration is nearly that of a section: it becomes one."""
+        at = self.at
+        if not (self.word(at + 1) and self.kinds[at + 2] in (":", ",")):
+            return False
+        meant = meant_section(self.texts[at], SECTIONS)
+        if meant:
+            self.unexpected("a section, BEGIN or a statement", f"write {meant}")
+            self.kinds[at] = meant
+        return bool(meant)
 
     def _foreign_section(self, word: str) -> bool:
         """Whether CONST or LABEL begins a section here, where the dialect has none."""
@@ -220,6 +234,10 @@ class BlockParser(NamespaceParser):
 
     def _end_unit(self, end: str, first: int) -> None:
         if self.accept(end):
+            self.accept(";")
+        elif self.kinds[self.at] in BLOCK_ENDS and self.is_last_of_unit():
+            self.unexpected(end, f"write {end}, as it ends a {end.removeprefix('END_')}")
+            self.at += 1
             self.accept(";")
         else:
             self.missing_end(end, first)

@@ -17,7 +17,11 @@ from fbgen.lang.ast import (
 from fbgen.lang.parser.cursor import Unexpected
 from fbgen.lang.parser.declarations import UNITS
 from fbgen.lang.parser.simple_statements import SimpleStatementParser
-from fbgen.lang.parser.statement_lists import ENDS, enter
+from fbgen.lang.parser.statement_lists import ENDS, STARTS, enter
+
+_HEAD_ENDS = ("THEN", "DO", "OF")
+_BEHIND_HEADS = ENDS | UNITS | STARTS | {";", "end", *_HEAD_ENDS}
+"""What does not stand between the first word of a statement and the last one of its head."""
 
 
 class BranchParser(SimpleStatementParser):
@@ -30,6 +34,7 @@ class BranchParser(SimpleStatementParser):
         otherwise: ElseBranch | None = None
         ends = {"ELSIF", "ELSE", "END_IF"}
         branch_leading: TriviaList = ()
+        hint = ""
         while True:
             start = self.at
             self.at += 1
@@ -49,8 +54,10 @@ class BranchParser(SimpleStatementParser):
                 break
             branch_leading = ()
         if self.kinds[self.at] == "ELSE":
+            in_line = self.kinds[self.at + 1] == "IF" and not self.starts_line(self.at + 1)
             otherwise = self._else({"END_IF"})
-        self.end("END_IF", first)
+            hint = "ELSE IF needs an END_IF of its own: write ELSIF" if in_line else ""
+        self.end("END_IF", first, hint)
         place = self.span(first)
         leading, trailing = self.finish(leading)
         return If(place, tuple(branches), otherwise, leading, trailing)
@@ -71,13 +78,19 @@ class BranchParser(SimpleStatementParser):
             return Name(self.span(first), "")
 
     def skip_behind(self, end: str) -> None:
-        """Go on behind the next `end` of this statement; give up if it has none."""
-        at = self.at
-        while self.kinds[at] not in (end, ";", "end") and self.kinds[at] not in ENDS | UNITS:
+        """Go on behind the next `end` of this statement.
+
+        If it has none, what stands in the next line is inside of the statement all the same, as
+        its END_x shows that is still to come.
+        """
+        kinds, at = self.kinds, self.at
+        while kinds[at] not in _BEHIND_HEADS and kinds[at] != end:
             at += 1
-        if self.kinds[at] != end:
-            raise Unexpected
-        self.at = at + 1
+        if kinds[at] != end:
+            at = self.at
+            while kinds[at] not in _BEHIND_HEADS and not self.starts_line(at):
+                at += 1
+        self.at = at + 1 if kinds[at] in (end, ";", *_HEAD_ENDS) else at
 
     def _else(self, ends: set[str]) -> ElseBranch:
         first = self.at

@@ -48,6 +48,11 @@ UNITS = MEMBERS | words(
 )
 """Keywords that begin a unit of a file."""
 
+BLOCK_ENDS = words(
+    "END_FUNCTION_BLOCK END_FUNCTION END_ORGANIZATION_BLOCK END_PROGRAM END_DATA_BLOCK END_TYPE"
+)
+"""Ends of units that stand in no other one but a namespace."""
+
 _UNIT_ENDS = frozenset(
     {f"END_{unit}" for unit in UNITS} | words("END_RESOURCE BEGIN end END_REGION END_GET END_SET")
 )
@@ -221,7 +226,7 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
         if not self.accept(end):
             self.missing_end(end, first)
 
-    def missing_end(self, end: str, first: int) -> None:
+    def missing_end(self, end: str, first: int, hint: str = "") -> None:
         """Report that what began with token `first` has no end before the next token.
 
         Behind a comment that swallows the rest of the text nothing is missing but its end.
@@ -238,7 +243,7 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
             "FB3007",
             f"{opener.text.split()[0].upper()} has no {end} before {found}",
             opener,
-            f"write {end}{semicolon} where it ends",
+            hint or f"write {end}{semicolon} where it ends",
             (Note(f"{end} is missing at the latest here", self.token_span(self.at)),),
         )
 

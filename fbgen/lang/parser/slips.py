@@ -4,7 +4,7 @@ The places are found as any other mistake is; here stands only which help fits b
 general one.
 """
 
-_WORDS = {
+WORDS = {
     "ELSEIF": "ELSIF",
     "ELIF": "ELSIF",
     "ENDIF": "END_IF",
@@ -13,9 +13,11 @@ _WORDS = {
     "ENDWHILE": "END_WHILE",
     "ENDREPEAT": "END_REPEAT",
 }
+"""Words that other languages have for a keyword."""
 _ENDS = frozenset({"IF", "CASE", "FOR", "WHILE", "REPEAT"})
 _PAIRS = {
     ("=", "="): "one '=' compares",
+    (":", "="): "write := without a blank in it",
     ("=", "<"): "write <=",
     ("=", ">"): "write >=",
     (">", "<"): "write <> for not equal",
@@ -34,7 +36,7 @@ def help_for_slip(before: str, found: str, behind: str, expected: str) -> str:
         return pair
     if character := _CHARACTERS.get(found[:1]):
         return character
-    if word := _WORDS.get(before.upper()):
+    if word := WORDS.get(before.upper()):
         return f"write {word}"
     if before.upper() == "END" and found.upper() in _ENDS:
         return f"write END_{found.upper()}"

@@ -11,7 +11,7 @@ from fbgen.lang.ast import Statement, Trivia, TriviaList
 from fbgen.lang.dialects.dialect import Dialect, Feature
 from fbgen.lang.dialects.words import words
 from fbgen.lang.parser.cursor import Unexpected
-from fbgen.lang.parser.declarations import UNITS, DeclarationParser
+from fbgen.lang.parser.declarations import BLOCK_ENDS, UNITS, DeclarationParser
 from fbgen.lang.parser.expressions import SOFT_KEYWORDS
 from fbgen.lang.parser.places import NAMES
 from fbgen.lang.parser.unread import UnreadParser
@@ -31,8 +31,10 @@ ENDS = (
 )
 """Kinds of tokens that end something."""
 
+STARTS = words("IF CASE FOR WHILE REPEAT REGION EXIT CONTINUE RETURN GOTO JMP __TRY")
+"""Words that only a statement begins with."""
+
 _LABEL_PARTS = NAMES | {".", "+", "-", "literal"}
-_STARTS = words("IF CASE FOR WHILE REPEAT REGION EXIT CONTINUE RETURN GOTO JMP __TRY")
 _OPENERS = {
     "ELSE": "IF or CASE",
     "ELSIF": "IF",
@@ -117,10 +119,17 @@ class StatementListParser(DeclarationParser, UnreadParser):
                 return tuple(statements)
 
     def recover(self, start: int, depth: int, levels: int) -> None:
-        """Go back to this level of nesting and on to the next statement."""
+        """Go back to this level of nesting and on to the next statement.
+
+        A statement that begins with a misspelt keyword is read again with the right one.
+        """
         self.depth = depth
         del self.open_lists[levels:]
-        self.skip_statement(start)
+        if self.at <= start + 1 and (meant := self.meant(start)):
+            self.at = start + meant.before
+            self.kinds[self.at] = meant.keyword
+        else:
+            self.skip_statement(start)
 
     def _at_end(self, kind: str) -> bool:
         """Whether the list ends here. Anything that is neither end nor statement is skipped."""
@@ -136,6 +145,8 @@ class StatementListParser(DeclarationParser, UnreadParser):
                 self.missing_feature(Feature.REGIONS, self.token_span(self.at))
                 self.skip_line()
                 return False
+            if kind in BLOCK_ENDS and self.is_last_of_unit():
+                return True
             opener = _OPENERS.get(kind) or kind.removeprefix("END_")
             self._last_finding_at = self.at
             self.report(
@@ -165,7 +176,7 @@ class StatementListParser(DeclarationParser, UnreadParser):
             if kind == ";":
                 self.at += 1
                 return
-            if kind == "end" or kind in ENDS or kind in _STARTS or kind in UNITS:
+            if kind == "end" or kind in ENDS or kind in STARTS or kind in UNITS:
                 return
             if kind in NAMES and self.starts_line(self.at) and self._begins_statement():
                 return
@@ -180,15 +191,22 @@ class StatementListParser(DeclarationParser, UnreadParser):
 
     # --- ends ---------------------------------------------------------------------------------
 
-    def end(self, end: str, first: int) -> None:
-        """Read END_x and its semicolon."""
+    def is_last_of_unit(self) -> bool:
+        """Whether nothing of the same unit stands behind this token."""
+        at = self.at + 1
+        while self.kinds[at] == ";":
+            at += 1
+        return self.kinds[at] in UNITS or self.kinds[at] in ("end", "END_NAMESPACE")
+
+    def end(self, end: str, first: int, hint: str = "") -> None:
+        """Read END_x and its semicolon; `hint` is the help where it is missing."""
         if self.accept(end):
             if not self.accept(";") and not self.dialect.has(Feature.BARE_ENDS):
                 self.missing_semicolon(end)
         elif self.kinds[self.at] in ENDS | UNITS | {"end"}:
-            self.missing_end(end, first)
+            self.missing_end(end, first, hint)
         else:
-            raise self.failed(end)
+            raise self.failed(end, hint or f"write {end}; where it ends")
 
     def finish(self, leading: TriviaList) -> tuple[TriviaList, Trivia | None]:
         return self.settle(leading) if self.extra_at <= self.at else (leading, None)

@@ -77,13 +77,22 @@ class StatementParser(BranchParser):
         opening = self.take_same_line()
         body = self.inside({"UNTIL", "END_REPEAT"}, self.statements)
         closing = self.take_leading()
-        self.expect("UNTIL", "UNTIL", "write REPEAT ... UNTIL condition END_REPEAT;")
-        condition = self.expression()
-        self.accept(";")
+        condition = self._until()
         self.end("END_REPEAT", first)
         place = self.span(first)
         leading, trailing = self.finish(leading)
         return Repeat(place, body, condition, leading, opening, closing, trailing)
+
+    def _until(self) -> Expression:
+        """UNTIL and its condition; without it what was repeated is read all the same."""
+        start = self.at
+        if self.kinds[start] == "END_REPEAT":
+            self.unexpected("UNTIL", "write REPEAT ... UNTIL condition END_REPEAT;")
+            return Name(self.token_span(start), "")
+        self.expect("UNTIL", "UNTIL", "write REPEAT ... UNTIL condition END_REPEAT;")
+        condition = self.expression()
+        self.accept(";")
+        return condition
 
     def _try(self) -> Try:
         leading = self.take_leading()

@@ -4,10 +4,13 @@ What begins with one of the words below is right in other tools. The finding sta
 reading goes on behind what it begins.
 """
 
+from collections.abc import Iterator
+
 from fbgen.lang.ast import Expression, Name
 from fbgen.lang.dialects.dialect import Feature
 from fbgen.lang.dialects.words import words
 from fbgen.lang.parser.cursor import Cursor, Unexpected
+from fbgen.lang.parser.meant_words import Meant, meant_keyword
 
 UNREAD_SECTIONS = words("VAR_ACCESS VAR_CONFIG VAR_GENERIC")
 """Sections with connections between the parts of a project, and with parameters of blocks."""
@@ -23,6 +26,18 @@ _BODY_ENDS = words(
 class UnreadParser(Cursor):
     """Says why something is no statement."""
 
+    def meant(self, start: int) -> Meant | None:
+        """The keyword that the statement from a token on must begin with."""
+        return meant_keyword(self.kinds, self.texts, self._line_from(start))
+
+    def _line_from(self, start: int) -> Iterator[int]:
+        """The tokens from one on that are in its line."""
+        yield start
+        at = start + 1
+        while not self.starts_line(at) and self.kinds[at] != "end":
+            yield at
+            at += 1
+
     def no_statement(self, target: Expression, first: int) -> Unexpected:
         """Report what begins with this target, token number `first`, and is no statement."""
         if self.kinds[self.at] == "=":
@@ -34,8 +49,12 @@ class UnreadParser(Cursor):
             self.skip_line()
             self._last_finding_at = self.at
             return Unexpected()
+        meant = self.meant(first) if self.at == first + 1 else None
         return self.failed(
-            "':=' or '('", "a statement is an assignment 'x := 1;' or a call 'f(x := 1);'"
+            "':=' or '('",
+            f"write {meant.keyword}"
+            if meant
+            else "a statement is an assignment 'x := 1;' or a call 'f(x := 1);'",
         )
 
     def skip_line(self) -> None:
