@@ -133,9 +133,35 @@ def test_nothing_is_sent_while_nothing_changes_or_while_it_is_not_enabled(
 ) -> None:
     bench = running(program)
     bench.cycles(50)
-    bench.control(enable=False, run=False, frequency=0.0)
+    assert bench.words() == []
+    bench.control(run=False)
+    bench.cycles(10)
+    bench.requests.clear()
+    bench.control(enable=False, frequency=0.0)
     bench.cycles(50)
     assert bench.words() == []
+    assert not bench.block.active
+
+
+def test_a_drive_that_runs_is_stopped_when_enable_is_taken_back(program: LoadedProgram) -> None:
+    bench = running(program)
+    bench.answer = lambda request: Answer(status=0x8401 if len(bench.requests) < 3 else 0)
+    bench.control(enable=False, frequency=10.0, reset=True)
+    bench.cycles(500)
+    assert bench.words() == ["FA00 C000"] * 3
+    assert not bench.block.active
+
+
+def test_a_run_command_on_its_way_is_followed_by_a_stop_when_enable_is_taken_back(
+    program: LoadedProgram,
+) -> None:
+    bench = DriveBench(program)
+    bench.requests.clear()
+    bench.control(run=True)
+    bench.cycles(1)
+    bench.control(enable=False)
+    bench.cycles(50)
+    assert bench.words()[-2:] == ["FA00 C400", "FA00 C000"]
 
 
 @pytest.mark.parametrize("cause", ["tripped", "online", "enable"])
