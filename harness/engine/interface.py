@@ -173,10 +173,11 @@ class Engine(Protocol):
         """Call a method of the instance at a path as `global_value` takes it."""
         ...
 
-    def run_block(self, name: str) -> None:
+    def run_block(self, name: str, start: bytes = b"") -> None:
         """Run an organization block, a PROGRAM or a FUNCTION without parameters and result.
 
-        A PROGRAM keeps its variables from run to run.
+        A PROGRAM keeps its variables from run to run. `start` are the 20 bytes of start information
+        that an organization block has at the beginning of its temporary data; none for zeros.
         """
         ...
 

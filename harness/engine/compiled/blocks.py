@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from fbgen.lang.checked import Block, Statement, Variable, VariableKind
+from fbgen.lang.checked import Block, Statement, Variable, VariableKind, VariableRef
 from fbgen.lang.layout import holds_blocks
 from fbgen.lang.types import ArrayType, StructInitial, StructType
 from harness.engine.compiled import (
@@ -32,6 +32,9 @@ from harness.engine.compiled.procedure import (
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.statements import write_long
 from harness.engine.compiled.temporaries import read_unfilled
+from harness.engine.interface import Value
+from harness.engine.layout import S7
+from harness.engine.start_information import start_places
 
 for module in (places, references, operators, standard_functions, calls, attempts, routines):
     enter(module.EXPRESSIONS)
@@ -139,6 +142,32 @@ def _head(procedure: Procedure, parameters: Sequence[Variable], body: Sequence[S
             if procedure.has_cell(variable):
                 text = f"{target} = _ValueCell({text.removeprefix(f'{target} = ')})"
             procedure.line(text)
+    used = [
+        (variable, bit)
+        for variable, bit in start_places(context.block)
+        if variable not in filled_first or variable in placement.bits
+    ]
+    if used:
+        _start_information(procedure, used)
+
+
+def _start_information(procedure: Procedure, places: Sequence[tuple[Variable, int]]) -> None:
+    """Write what fills the temporary variables that the operating system fills."""
+    context = procedure.context
+    kinds = [(bit, variable.type) for variable, bit in places]
+
+    def read(start: bytes) -> tuple[Value, ...]:
+        return tuple(S7.read(start, bit, kind) for bit, kind in kinds)
+
+    values = procedure.temporary()
+    procedure.line("if _cpu.start:")
+    procedure.line(f"    {values} = {context.table('start', read)}(_cpu.start)")
+    for number, (variable, _) in enumerate(places):
+        if is_scalar(variable.type):
+            procedure.line(f"    {procedure.text_of(variable)} = {values}[{number}]")
+        else:
+            node = context.table("filled", VariableRef(variable.span, variable, variable.type))
+            procedure.line(f"    _fill({node}, {procedure.storage(variable)}, {values}[{number}])")
 
 
 def _function(context: BlockContext, body: Sequence[Statement]) -> Listing:

@@ -370,16 +370,18 @@ class CompiledEngine:
             raise exception
         raise stopped from None
 
-    def run_block(self, name: str) -> None:
+    def run_block(self, name: str, start: bytes = b"") -> None:
         """Run an organization block, a PROGRAM or a FUNCTION without parameters and result.
 
         A PROGRAM keeps its variables from run to run. Raises FB6022 for another kind of block.
+        `start` is the start information of an organization block.
         """
         run = self._runs.get(name) or self._make_run(name)
         cpu = self._cpu
         before = cpu.passes, cpu.depth  # of what is interrupted, if anything is
         cpu.passes = cpu.most_passes
         cpu.depth = 0
+        cpu.start = start
         try:
             run()
         except Exception as exception:

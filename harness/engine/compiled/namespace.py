@@ -42,14 +42,15 @@ from harness.engine.values import accept_scalar
 
 
 class Cpu:
-    """What one call from outside may still do."""
+    """What one call from outside may still do; `start` is its start information."""
 
-    __slots__ = ("depth", "most_passes", "passes")
+    __slots__ = ("depth", "most_passes", "passes", "start")
 
     def __init__(self, limits: Limits) -> None:
         self.most_passes = limits.loop_passes
         self.passes = limits.loop_passes
         self.depth = 0
+        self.start = b""
 
     def retrigger(self) -> None:
         """The cycle monitoring time begins anew."""

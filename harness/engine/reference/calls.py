@@ -17,6 +17,7 @@ from fbgen.lang.types import VOID, AnyType, OpenArrayType
 from fbgen.source import Span
 from harness.engine.faults import nesting_too_deep
 from harness.engine.interface import Limits, Value
+from harness.engine.layout import S7
 from harness.engine.reference.addresses import Addresses
 from harness.engine.reference.allocation import Allocator
 from harness.engine.reference.expressions import Expressions
@@ -29,6 +30,7 @@ from harness.engine.reference.statements import Statements, Watchdog
 from harness.engine.reference.storage import InstanceStorage, Storage
 from harness.engine.reference.timers import Timer, control_timer
 from harness.engine.reference.unmodelled import Unmodelled, keep_inputs
+from harness.engine.start_information import start_places
 from harness.engine.stub_calls import with_eno
 from harness.engine.stubs import StubState
 
@@ -100,11 +102,16 @@ class Calls:
         self._run_body(block, arguments, span)
 
     def run_instance(
-        self, instance: InstanceStorage, span: Span | None, body: Block | None = None
+        self,
+        instance: InstanceStorage,
+        span: Span | None,
+        body: Block | None = None,
+        start: bytes = b"",
     ) -> None:
         """A block with variables that live on; its inputs and in-outs have been set.
 
-        `body` is the block whose statements run, if it is not that of the instance.
+        `body` is the block whose statements run, if it is not that of the instance; `start` the
+        start information of an organization block.
         """
         block = body or instance.block
         assert isinstance(block, Block)
@@ -120,6 +127,9 @@ class Calls:
                 frame.storages[variable] = self._allocator.variable(variable)
             elif key in instance.connections:
                 frame.storages[variable] = instance.connections[key]
+        if start:
+            for variable, bit in start_places(block):
+                frame.storages[variable].write(S7.read(start, bit, variable.type))
         self._run_body(block, frame, span)
 
     def run_standard(self, instance: InstanceStorage, block: StandardBlock) -> None:

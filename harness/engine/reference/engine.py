@@ -150,12 +150,12 @@ class ReferenceEngine:
         value = None if block.result is None else frame.storages[block.result].read()
         return FunctionResult(value, outputs)
 
-    def run_block(self, name: str) -> None:
+    def run_block(self, name: str, start: bytes = b"") -> None:
         """Run an organization block, a PROGRAM or a FUNCTION without parameters."""
         instance = self._runnable.get(name.casefold())
         if instance is not None:
             with self.running():
-                self._calls.run_instance(instance, None)
+                self._calls.run_instance(instance, None, start=start)
             return
         block = self._block(name)
         if block.kind is not BlockKind.FUNCTION:
