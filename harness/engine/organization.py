@@ -5,7 +5,8 @@ are known; any other number has to be told.
 
 Sources: STEP 7 System Software reference, "Organization blocks": numbers, priority classes 7 to 15
 and default periods of OB30 to OB38; TIA Portal help, "Organization blocks": default names, 100 ms
-for a new cyclic interrupt, further program cycle and start-up blocks from number 123 on.
+for a new cyclic interrupt, further program cycle and start-up blocks from number 123 on; standard
+library of STEP 7 V5 for the short names of the error blocks (recalled).
 """
 
 import re
@@ -18,7 +19,8 @@ from fbgen.lang.checked import Program
 from harness.kernel import NS_PER_MS
 
 PROGRAM_CYCLE, WARM_RESTART, COLD_RESTART = 1, 100, 102
-TIME_ERROR, RACK_FAILURE, ACCESS_ERROR = 80, 86, 122
+TIME_ERROR, DIAGNOSIS, PRIORITY_CLASS_ERROR, RACK_FAILURE = 80, 82, 85, 86
+PROGRAMMING_ERROR, ACCESS_ERROR = 121, 122
 CYCLIC_INTERRUPTS = range(30, 39)
 
 _DEFAULT_NAMES = {
@@ -26,8 +28,15 @@ _DEFAULT_NAMES = {
     "startup": WARM_RESTART,
     "cyclic interrupt": 30,
     "time error interrupt": TIME_ERROR,
+    "diagnostic error interrupt": DIAGNOSIS,
     "rack or station failure": RACK_FAILURE,
+    "programming error": PROGRAMMING_ERROR,
     "io access error": ACCESS_ERROR,
+    "i/o_flt1": DIAGNOSIS,
+    "obnl_flt": PRIORITY_CLASS_ERROR,
+    "rack_flt": RACK_FAILURE,
+    "prog_err": PROGRAMMING_ERROR,
+    "mod_err": ACCESS_ERROR,
 }
 _NUMBER = re.compile(r"ob ?([0-9]{1,5})")
 _PERIODS_MS = (5_000, 2_000, 1_000, 500, 200, 100, 50, 20, 10)

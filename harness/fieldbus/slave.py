@@ -57,7 +57,7 @@ class DpDevice(Protocol):
 
 
 NO_MASTER = 0xFF
-_NOT_READY, _CFG_FAULT, _PRM_FAULT = 0x02, 0x04, 0x40
+_NOT_READY, _CFG_FAULT, _EXT_DIAG, _PRM_FAULT = 0x02, 0x04, 0x08, 0x40
 _PRM_REQ, _ALWAYS_1, _WD_ON, _FREEZE_MODE, _SYNC_MODE = 0x01, 0x04, 0x08, 0x10, 0x20
 
 
@@ -74,6 +74,7 @@ class DpSlave:
         "_zeros",
         "address",
         "cfg_fault",
+        "ext_diag",
         "freeze",
         "inputs",
         "master_address",
@@ -112,7 +113,7 @@ class DpSlave:
         self.parameters: Parameters | None = None
         self.master_address = NO_MASTER
         self.prm_fault = self.cfg_fault = False
-        self.sync = self.freeze = False
+        self.ext_diag = self.sync = self.freeze = False
         self.outputs = self._held = self._zeros
 
     # --- the device's side ------------------------------------------------------------------
@@ -143,6 +144,12 @@ class DpSlave:
                 if self._attention is not None:
                     self._attention()
 
+    def set_ext_diag(self, reported: bool) -> None:
+        """Report a diagnosis of the device, or that it is over."""
+        if reported is not self.ext_diag:
+            self.ext_diag = reported
+            self._notify()
+
     # --- the bus's side ---------------------------------------------------------------------
 
     def slave_diag(self) -> bytes:
@@ -151,6 +158,7 @@ class DpSlave:
         first = (
             (0 if exchanging else _NOT_READY)
             | (_CFG_FAULT if self.cfg_fault else 0)
+            | (_EXT_DIAG if self.ext_diag else 0)
             | (_PRM_FAULT if self.prm_fault else 0)
         )
         watched = self.parameters is not None and self.parameters.watchdog_factors is not None

@@ -108,7 +108,8 @@ class StationMaster(Protocol):
 class Station:
     """One slave of a master. `outputs` and `inputs` are what the CPU writes and reads.
 
-    `failed` is True if the CPU cannot reach the data: the slave is silent or refuses. `transfers`
+    `failed` is True if the CPU cannot reach the data: the slave is silent or refuses. `reporting`
+    is True while the slave, in data exchange, has a diagnosis of its own (Ext_Diag). `transfers`
     counts the simulated polls since data exchange began. `unsent` is True from a write until the
     next cycle.
     """
@@ -121,6 +122,7 @@ class Station:
         "inputs",
         "outputs",
         "queued",
+        "reporting",
         "settings",
         "slave",
         "slots",
@@ -150,7 +152,7 @@ class Station:
         )
         self.outputs = bytearray(output_length(identifiers))
         self.inputs = bytearray(input_length(identifiers))
-        self.failed = False
+        self.failed = self.reporting = False
         self.state = StationState.DIAGNOSIS
         self.queued = self.unsent = False
         self.transfers = 0
@@ -201,7 +203,7 @@ class Station:
 
     def restart(self) -> None:
         """Begin again with Slave_Diag, as after the master was stopped."""
-        self.failed = False
+        self.failed = self.reporting = False
         self.state = StationState.DIAGNOSIS
 
     def poll(self) -> None:
@@ -252,12 +254,15 @@ class Station:
         self.transfers += 1
         for tap in master.taps:
             tap(Transfer(master.now_ns, self, outputs, answer))
-        if self.transfers == 1:
+        reporting = self.slave.ext_diag  # told by the priority of the answer
+        if self.transfers == 1 or reporting is not self.reporting:
+            self.reporting = reporting
             master.report(self)
 
     def _drop(self, state: StationState) -> None:
         self.state = state
         self.failed = state is not StationState.DIAGNOSIS
+        self.reporting = False
         self.transfers = 0
         self.inputs[:] = bytes(len(self.inputs))
         self._master.report(self)

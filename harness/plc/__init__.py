@@ -2,6 +2,7 @@
 
 from harness.plc.consistent_data import ConsistentData, RetVal
 from harness.plc.cpu import Cpu, CpuMode, Restart
+from harness.plc.error_events import ImageErrors
 from harness.plc.link import MasterLink
 from harness.plc.modules import ModuleTable, Mounting
 from harness.plc.settings import CpuFamily, CpuSettings, DpInterface
@@ -13,6 +14,7 @@ __all__ = [
     "CpuMode",
     "CpuSettings",
     "DpInterface",
+    "ImageErrors",
     "MasterLink",
     "ModuleTable",
     "Mounting",

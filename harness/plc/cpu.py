@@ -18,7 +18,7 @@ from fbgen.lang.checked import Program
 from harness.engine.interface import Engine, EngineFactory, Limits
 from harness.engine.organization import (
     ACCESS_ERROR,
-    RACK_FAILURE,
+    PROGRAMMING_ERROR,
     TIME_ERROR,
     CyclicInterrupt,
     cyclic_interrupts,
@@ -27,6 +27,16 @@ from harness.engine.organization import (
 from harness.engine.tasks import CyclicTask, cyclic_tasks, startup_blocks
 from harness.fieldbus import DpMaster, Station
 from harness.kernel import NS_PER_MS, Event, Kernel
+from harness.plc.error_events import (
+    ASYNCHRONOUS_PRIORITY,
+    PROGRAMMING_FAULTS,
+    ErrorEvent,
+    ImageErrors,
+    diagnosis_event,
+    image_events,
+    programming_event,
+    station_event,
+)
 from harness.plc.hardware_access import HardwareAccess, missing_ob
 from harness.plc.interrupts import Interrupts
 from harness.plc.settings import CpuSettings
@@ -50,28 +60,33 @@ class Restart(Enum):
 class Cpu(HardwareAccess):
     """One CPU with its DP master.
 
-    `diagnostics` says why it went to STOP. `scans` counts the scans since the last start. The
-    functions in `after_scan` are called when the program of a scan is through, those in `on_mode`
-    when the mode has changed.
+    `diagnostics` says why it went to STOP, `programming_errors` what OB121 has kept it from
+    stopping for. `scans` counts the scans since the last start. The functions in `after_scan` are
+    called when the program of a scan is through, those in `on_mode` when the mode has changed.
     """
 
     __slots__ = (
         "_engine",
         "_failed",
         "_free_ns",
-        "_in_access_error",
+        "_image_errors",
+        "_image_failed",
         "_interrupts",
         "_life",
         "_obs",
+        "_priority",
+        "_reporting",
         "_restart",
         "_scan_event",
         "_started_ns",
+        "_synchronous",
         "_tasks",
         "after_scan",
         "diagnostics",
         "master",
         "mode",
         "on_mode",
+        "programming_errors",
         "scans",
     )
 
@@ -82,7 +97,11 @@ class Cpu(HardwareAccess):
         self._obs: dict[int, str] = {}
         self._interrupts = Interrupts(kernel, (), self._run_interrupt, self._lose)
         self._failed: set[str] = set()
-        self._in_access_error = False
+        self._reporting: set[str] = set()
+        self._image_failed: set[Station] = set()
+        self._image_errors = settings.image_errors or settings.family.image_errors
+        self._synchronous: set[int] = set()
+        self._priority = 1
         self._restart = Restart.WARM
         self._scan_event: Event | None = None
         self._life = self._started_ns = self._free_ns = 0
@@ -90,6 +109,7 @@ class Cpu(HardwareAccess):
         self.mode = CpuMode.STOP
         self.scans = 0
         self.diagnostics: list[Diagnostic] = []
+        self.programming_errors: list[Diagnostic] = []
         self.after_scan: list[Callable[[], None]] = []
         self.on_mode: list[Callable[[CpuMode], None]] = []
         master.observers.append(self._station_changed)
@@ -129,6 +149,7 @@ class Cpu(HardwareAccess):
         engine = self.engine
         self.stop()
         self.diagnostics.clear()
+        self.programming_errors.clear()
         self.scans = 0
         self.inputs[:] = bytes(len(self.inputs))
         keep = self.settings.remanent_marker_bytes if restart is Restart.WARM else 0
@@ -182,6 +203,10 @@ class Cpu(HardwareAccess):
         self._set_mode(CpuMode.RUN)
         self._begin()
         self._failed = {one.settings.name for one in self.master.stations if one.failed}
+        self._reporting = {one.settings.name for one in self.master.stations if one.reporting}
+        self._image_failed.clear()
+        self._synchronous.clear()
+        self._priority = 1
         warm = self._restart is Restart.WARM
         for name in startup_blocks(self.engine.program, self.settings.obs, warm=warm):
             if not self._run((name,)):
@@ -191,28 +216,29 @@ class Cpu(HardwareAccess):
         self._interrupts.begin()
         self._schedule(self._instant_ns)
 
-    def _run(self, blocks: tuple[str, ...]) -> bool:
+    def _run(self, blocks: tuple[str, ...], start: bytes = b"") -> bool:
         """Run blocks one after the other; False if that took the CPU to STOP."""
         life, engine = self._life, self._engine
         assert engine is not None, "only a loaded program is started"
-        try:
-            for block in blocks:
-                engine.run_block(block)
-                if life != self._life:
+        for block in blocks:
+            try:
+                engine.run_block(block, start)
+            except DiagnosticError as failure:
+                if not self._programming_error(failure):
+                    self._crash(failure)
                     return False
-        except DiagnosticError as failure:
-            self._crash(failure)
-            return False
+            if life != self._life:
+                return False
         return True
 
-    def _run_interrupt(self, block: str) -> None:
+    def _run_interrupt(self, block: str, start: bytes = b"") -> None:
         """Run a block now, in the middle of whatever runs, which goes on when it is through."""
         life, pending = self._life, self._scan_event
         if pending is not None:
             self._kernel.cancel(pending)  # no scan begins meanwhile
         now_ns, instant_ns = self.now_ns, self._instant_ns
         self._begin()
-        self._run((block,))
+        self._run((block,), start)
         self._instant_ns += instant_ns - self.now_ns
         self.now_ns = now_ns
         if life != self._life:
@@ -242,14 +268,57 @@ class Cpu(HardwareAccess):
             self._crash(failure)
         return self.mode is CpuMode.RUN
 
-    def _access_error(self, what: str) -> int:
-        if ACCESS_ERROR not in self._obs or self._in_access_error:
-            return super()._access_error(what)
-        self.access_errors += 1
-        self._in_access_error = True
-        self._run_interrupt(self._obs[ACCESS_ERROR])
-        self._in_access_error = False
-        return 0
+    # --- error events -----------------------------------------------------------------------
+
+    def _access_error(self, event: ErrorEvent) -> int:
+        """OB122, or STOP on an S7-300/400 without it; 0 is read."""
+        if self.settings.family.classic and ACCESS_ERROR not in self._obs:
+            self.access_errors += 1
+            raise missing_ob(ACCESS_ERROR, event.what)
+        self._synchronous_error(event)
+        return super()._access_error(event)
+
+    def _programming_error(self, failure: DiagnosticError) -> bool:
+        """OB121 of an S7-300/400; False if the fault of the program takes the CPU to STOP.
+
+        The block that has the error ends there: no engine can go on behind it.
+        """
+        codes = [found.code for found in failure.diagnostics]
+        if (
+            not self.settings.family.classic
+            or PROGRAMMING_ERROR not in self._obs
+            or PROGRAMMING_ERROR in self._synchronous
+            or any(code not in PROGRAMMING_FAULTS for code in codes)
+        ):
+            return False
+        self.programming_errors += failure.diagnostics
+        self._synchronous_error(programming_event(codes[0]))
+        return True
+
+    def _synchronous_error(self, event: ErrorEvent) -> None:
+        """Run OB121 or OB122 in the priority class of what runs, not inside of itself."""
+        if event.number in self._obs and event.number not in self._synchronous:
+            self._synchronous.add(event.number)
+            priority = max(self._priority, self._interrupts.priority_class)
+            self._run_interrupt(self._obs[event.number], self._start_of(event, priority))
+            self._synchronous.discard(event.number)
+
+    def _asynchronous_error(self, event: ErrorEvent) -> bool:
+        """Run OB82, OB85 or OB86; an S7-300/400 without it goes to STOP, and False is given."""
+        if event.number not in self._obs:
+            if self.settings.family.classic:
+                self._crash(missing_ob(event.number, event.what))
+            return self.mode is CpuMode.RUN
+        before, self._priority = self._priority, ASYNCHRONOUS_PRIORITY
+        self._run_interrupt(self._obs[event.number], self._start_of(event, ASYNCHRONOUS_PRIORITY))
+        self._priority = before
+        return self.mode is CpuMode.RUN
+
+    def _start_of(self, event: ErrorEvent, priority: int) -> bytes:
+        """The start information, which only the blocks of an S7-300/400 have in this form."""
+        if not self.settings.family.classic:
+            return b""
+        return event.start(priority, self.services.calendar_ns + self._kernel.now_ns)
 
     def _crash(self, failure: DiagnosticError) -> None:
         self.diagnostics += failure.diagnostics
@@ -262,18 +331,37 @@ class Cpu(HardwareAccess):
             self._station_failed_or_came(station)
 
     def _station_failed_or_came(self, station: Station) -> None:
-        """OB86 runs when a station fails and when it is back."""
-        name = station.settings.name
-        if station.failed == (name in self._failed):
-            return
-        self._failed ^= {name}
-        if station.failed and self.settings.family.classic:
-            needed = {86, 85} if station in self._modules.image else {86}
-            if missing := needed - self.settings.error_obs - self._obs.keys():
-                self._crash(missing_ob(max(missing), f"station '{name}' has failed"))
+        """OB86 when a station fails and when it is back, OB82 when its diagnosis comes and goes."""
+        name, address = station.settings.name, station.settings.address
+        if station.failed != (name in self._failed):
+            self._failed ^= {name}
+            if not self._asynchronous_error(station_event(name, address, failed=station.failed)):
                 return
-        if RACK_FAILURE in self._obs:
-            self._run_interrupt(self._obs[RACK_FAILURE])
+        if station.reporting != (name in self._reporting):
+            self._reporting ^= {name}
+            first = station.slots[0]
+            self._asynchronous_error(diagnosis_event(name, first, reported=station.reporting))
+
+    def _image_updated(self, station: Station, *, reading: bool) -> bool:
+        """OB85 for a station in the process image that fails, or is well again.
+
+        False if that took the CPU to STOP.
+        """
+        errors = self._image_errors
+        if not self.settings.family.classic or errors is ImageErrors.NONE:
+            return True
+        if errors is ImageErrors.CHANGES:
+            if station.failed == (station in self._image_failed):
+                return True
+            if not reading:
+                self._image_failed ^= {station}
+        elif not station.failed:
+            return True
+        return all(
+            self._asynchronous_error(event)
+            for slot in station.slots
+            for event in image_events(slot, reading=reading, errors=errors, bad=station.failed)
+        )
 
     # --- the scan ---------------------------------------------------------------------------
 
@@ -294,8 +382,8 @@ class Cpu(HardwareAccess):
         task = self._tasks[0]  # they stand in the order of their priorities
         if task.due_ns > start_ns:
             task = next(other for other in self._tasks if other.due_ns <= start_ns)
-        if image:
-            self._read_inputs()
+        if image and not self._read_inputs():
+            return
         if task.single and not task.is_wanted(self.engine):
             task.ran(start_ns, settings.cycle_ns)
             self._schedule(start_ns)
@@ -319,16 +407,24 @@ class Cpu(HardwareAccess):
         task.ran(start_ns, settings.cycle_ns)
         self._schedule(end_ns)
 
-    def _read_inputs(self) -> None:
+    def _read_inputs(self) -> bool:
+        """The process image of the inputs; False if that took the CPU to STOP."""
         for station in self._image:
             at, length = station.settings.input_address, len(station.inputs)
             self.inputs[at : at + length] = self.link.read(station, 0, length)
+            if (station.failed or self._image_failed) and not self._image_updated(
+                station, reading=True
+            ):
+                return False
+        return True
 
     def _has_outputs(self) -> bool:
         """True if the process image holds outputs that the master does not have yet."""
         for station in self._image:
             at = station.settings.output_address
             if self.outputs[at : at + len(station.outputs)] != station.outputs:
+                return True
+            if station.failed or self._image_failed:
                 return True
         return False
 
@@ -338,6 +434,10 @@ class Cpu(HardwareAccess):
         for station in self._modules.image:
             at = station.settings.output_address
             self.link.write(station, 0, bytes(self.outputs[at : at + len(station.outputs)]))
+            if (station.failed or self._image_failed) and not self._image_updated(
+                station, reading=False
+            ):
+                return
 
 
 def _too_slow(task: str, took_ns: int, allowed_ns: int) -> DiagnosticError:

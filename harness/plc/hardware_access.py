@@ -14,6 +14,7 @@ from harness.engine.services import Services
 from harness.fieldbus import DpMaster
 from harness.kernel import Kernel
 from harness.plc.consistent_data import ConsistentData
+from harness.plc.error_events import ErrorEvent, access_event
 from harness.plc.link import MasterLink
 from harness.plc.modules import ModuleTable, Mounting
 from harness.plc.settings import CpuSettings
@@ -105,14 +106,14 @@ class HardwareAccess:
         try:
             station, offset = self._inputs_at[byte]
         except KeyError:
-            return self._access_error(f"input byte {byte}")
+            return self._access_error(access_event(byte, count, reading=True))
         if station.failed:
-            return self._access_error(f"input byte {byte}")
+            return self._access_error(access_event(byte, count, reading=True))
         inputs = station.inputs
         if count == 1:
             return inputs[offset]
         if offset + count > len(inputs):
-            return self._access_error(f"input byte {byte + count - 1}")
+            return self._access_error(access_event(byte, count, reading=True))
         if self.link.armed:
             self._let_happen(instant_ns)
             return int.from_bytes(self.link.read(station, offset, count), "big")
@@ -144,14 +145,14 @@ class HardwareAccess:
         try:
             station, offset = self._outputs_at[byte]
         except KeyError:
-            self._access_error(f"output byte {byte}")
+            self._access_error(access_event(byte, count, reading=False))
             return
         if station.failed:
-            self._access_error(f"output byte {byte}")
+            self._access_error(access_event(byte, count, reading=False))
             return
         outputs = station.outputs
         if offset + count > len(outputs):
-            self._access_error(f"output byte {byte + count - 1}")
+            self._access_error(access_event(byte, count, reading=False))
             return
         if count == 1:
             is_new = outputs[offset] != value
@@ -253,11 +254,9 @@ class HardwareAccess:
             )
         return laddr, record
 
-    def _access_error(self, what: str) -> int:
-        """Nobody is there: OB122, or STOP on an S7-300/400 without it; otherwise 0 is read."""
+    def _access_error(self, event: ErrorEvent) -> int:
+        """Nobody is there: 0 is read, and whoever knows the program's blocks does more."""
         self.access_errors += 1
-        if self.settings.family.classic and 122 not in self.settings.error_obs:
-            raise missing_ob(122, f"{what} cannot be reached")
         return 0
 
 
@@ -272,5 +271,5 @@ def missing_ob(number: int, why: str) -> DiagnosticError:
         "FB7408",
         f"{why}, and the CPU stops because OB{number} is missing",
         None,
-        f"add OB{number} to the project; it may be empty",
+        f"add OB{number} to the project; it may be empty. fbgen generate writes it (error_obs)",
     )

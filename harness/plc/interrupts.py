@@ -33,6 +33,11 @@ class Interrupts:
         self._life = 0
         self._events: dict[int, Event] = {}
 
+    @property
+    def priority_class(self) -> int:
+        """That of the interrupt that runs, 0 for none."""
+        return self._class
+
     def begin(self) -> None:
         """The CPU goes to RUN: their grids begin, the first run is one interval away."""
         self.end()

@@ -10,6 +10,7 @@ from enum import Enum
 from fbgen.diagnostics import error
 from harness.engine.organization import ObSettings
 from harness.kernel import NS_PER_MS, NS_PER_US
+from harness.plc.error_events import ImageErrors
 
 
 class CpuFamily(Enum):
@@ -26,6 +27,11 @@ class CpuFamily(Enum):
     def classic(self) -> bool:
         """True for S7-300 and S7-400, programmed with STEP 7 V5."""
         return self in (CpuFamily.S7_300, CpuFamily.S7_400)
+
+    @property
+    def image_errors(self) -> ImageErrors:
+        """When OB85 is called for the process image, unless the project says otherwise."""
+        return ImageErrors.EACH if self is CpuFamily.S7_400 else ImageErrors.NONE
 
     @property
     def consistent_instructions(self) -> bool:
@@ -47,9 +53,10 @@ class CpuSettings:
     `cycle_ns` is the minimum cycle time; `execution_ns` with up to `execution_jitter_ns` more is
     how long the program runs until the outputs are written. `instruction_ns` is the time of one
     DPRD_DAT or DPWR_DAT, `peripheral_ns` that of one direct access. `tear_probability` is the
-    chance that the master's cycle falls into a transfer that can be torn. `error_obs` are the
-    organization blocks for errors that the project has. `remanent_marker_bytes` of the bit memory
-    survive a warm restart. `obs` has numbers and periods of organization blocks.
+    chance that the master's cycle falls into a transfer that can be torn. `image_errors` says when
+    a station that fails in the process image calls OB85; None is the default of the family.
+    `remanent_marker_bytes` of the bit memory survive a warm restart. `obs` has numbers and periods
+    of organization blocks.
     """
 
     family: CpuFamily = CpuFamily.S7_1500
@@ -61,7 +68,7 @@ class CpuSettings:
     instruction_ns: int = 20 * NS_PER_US
     peripheral_ns: int = 2 * NS_PER_US
     tear_probability: float = 0.0
-    error_obs: frozenset[int] = frozenset({85, 86, 122})
+    image_errors: ImageErrors | None = None
     memory_bytes: int = 1024
     remanent_marker_bytes: int = 0
     obs: ObSettings = field(default_factory=ObSettings)

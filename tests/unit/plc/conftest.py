@@ -38,10 +38,12 @@ class ScriptedEngine:
         self.environment = environment
         self.bodies: dict[str, Callable[[], None]] = {}
         self.runs: list[tuple[float, str]] = []
+        self.starts: dict[str, list[bytes]] = {}
         self.resets: list[bool] = []
 
-    def run_block(self, name: str) -> None:
+    def run_block(self, name: str, start: bytes = b"") -> None:
         self.runs.append((self.environment.now_ns / NS_PER_MS, name))
+        self.starts.setdefault(name, []).append(start)
         self.bodies.get(name, lambda: None)()
 
     def reset(self, warm: bool) -> None:

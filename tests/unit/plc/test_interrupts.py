@@ -125,28 +125,6 @@ def test_ob80_keeps_a_cpu_in_run_whose_scan_takes_too_long(make_rig):
     assert [name for _, name in rig.engine.runs] == ["Main", "OB80"]
 
 
-@pytest.mark.parametrize("family", [CpuFamily.S7_300, CpuFamily.S7_1500])
-def test_ob86_runs_when_a_slave_fails_and_when_it_is_back(make_rig, family):
-    rig = make_rig(text=ob("Main", "OB86"), family=family, error_obs=frozenset({85})).start()
-    rig.slave.power_off()
-    rig.run_ms(20)
-    assert [name for _, name in rig.engine.runs].count("OB86") == 1
-    rig.slave.power_on(5)
-    rig.run_ms(100)
-    assert [name for _, name in rig.engine.runs].count("OB86") == 2
-    assert rig.cpu.mode is CpuMode.RUN
-
-
-def test_ob122_runs_at_an_access_to_nothing_and_the_access_goes_on(make_rig, classic):
-    rig = make_rig(text=ob("Main", "OB122"), family=classic, error_obs=frozenset({85, 86}))
-    values: list[int] = []
-    rig.body(lambda: values.append(rig.cpu.read_peripheral(700, 1)))
-    rig.start()
-    assert [name for _, name in rig.engine.runs] == ["Main", "OB122", "Main", "OB122"]
-    assert values == [0, 0]
-    assert rig.cpu.access_errors == 2
-
-
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
