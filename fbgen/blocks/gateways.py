@@ -54,6 +54,7 @@ class GatewayView:
     """A gateway with everything its blocks need."""
 
     name: str
+    profibus_address: SclText
     access: str
     layout_id: str
     identifiers: str
@@ -108,6 +109,7 @@ def gateway_view(
     timeout_ms = reply_timeout_ms(plant, entry, reply_max) if chosen is None else float(chosen)
     return GatewayView(
         name=gateway.name,
+        profibus_address=SclText(str(gateway.profibus_address), place),
         access=gateway.access,
         layout_id=layout.name,
         identifiers=layout.identifiers.hex(" ").upper(),

@@ -20,6 +20,8 @@ _CLASSIC_TIMER = ": TON"
 
 _WITH_STARTUP_BLOCKS = ("tia", "step7")
 """Dialects of PLCs that may keep data over a restart, and have OB100 to say so."""
+ERROR_BLOCKS = ("OB82", "OB85", "OB86", "OB122")
+"""The organization blocks without which an error event takes an S7-300/400 to STOP."""
 _LONGEST_TRIP_TEXT = 40
 _COMMANDS_IN_A_ROW = 8
 """Telegrams of drives after which the status poll has its turn, while more of them wait."""
@@ -82,6 +84,9 @@ def plan_blocks(plant: Plant, catalog: Catalog) -> BlockPlan:
     specs = [*_types(gateways, sequences), *_blocks(gateways, sequences), *_data(gateways)]
     if plant.dialect in _WITH_STARTUP_BLOCKS:
         specs.append(_block("TOS_Restart"))
+    if plant.has_error_blocks:
+        specs.append(BlockSpec("TOS_Errors", "db", "data/TOS_Errors.db.jinja"))
+        specs += [_block(name) for name in ERROR_BLOCKS]
     return BlockPlan(tuple(specs), context, tuple(_eeprom_writes(plant, catalog)))
 
 

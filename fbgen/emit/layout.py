@@ -3,6 +3,7 @@
 * tia: one external source for each block, data block and type.
 * step7: one source with everything in the order in which it compiles, and the symbol table. One
   source needs no compile control file, and no name in it is used before it is there.
+* tia and step7: error blocks in sources of their own: who has such blocks leaves them alone.
 * iec: one file with everything, in the order in which it compiles.
 * twincat: one object for each block and data type, and a list of the global variables.
 * plcopen: the text of iec in one project.
@@ -11,6 +12,7 @@
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 
 from fbgen.emit.container_origins import origins_of_lines
@@ -39,8 +41,36 @@ def laid_out(units: Sequence[ast.File], plant: Plant) -> tuple[GeneratedFile, ..
         units = with_copies(units)
     converted = convert(units, plant.language, schedule)
     layout = plant.files or FILE_LAYOUTS[plant.dialect][0]
-    files = _LAYOUTS[plant.dialect, layout](converted, plant)
-    return (_symbols(units, plant), *files) if plant.dialect == "step7" else files
+    errors = [file for file in converted if _is_error_block(file)]
+    files = _LAYOUTS[plant.dialect, layout](
+        [file for file in converted if file not in errors], plant
+    )
+    if plant.dialect == "step7":
+        files = (_symbols(units, plant), *files)
+        errors = [_by_its_number(file) for file in errors]
+    if errors and layout == "one":
+        files += _one_text(errors, plant, "_error_obs.scl")
+    elif errors:
+        files += _one_file_a_unit(errors, plant, ".scl")
+    return files
+
+
+def _by_its_number(file: ast.File) -> ast.File:
+    """Its blocks without quotes: OB86 is no symbol to STEP 7."""
+    units = tuple(
+        replace(unit, name=replace(unit.name, quoted=False))
+        if isinstance(unit, ast.Block)
+        else unit
+        for unit in file.units
+    )
+    return replace(file, units=units)
+
+
+def _is_error_block(file: ast.File) -> bool:
+    return any(
+        isinstance(unit, ast.Block) and unit.kind is ast.BlockKind.ORGANIZATION_BLOCK
+        for unit in file.units
+    )
 
 
 def _symbols(units: Sequence[ast.File], plant: Plant) -> GeneratedFile:

@@ -25,7 +25,7 @@ def symbol_table(units: Sequence[ast.Unit], plant: Plant) -> str:
 
     Raises DiagnosticError FB5011 where the range is too small.
     """
-    named = [unit for unit in units if isinstance(unit, Unit)]
+    named = [unit for unit in units if isinstance(unit, Unit) and not _has_its_number(unit)]
     addresses = _addresses(named, plant)
     return "".join(
         f'"{unit.name.name:<24}","{addresses[unit.name.name]}   ",'
@@ -56,6 +56,11 @@ def _addresses(units: Sequence[Unit], plant: Plant) -> dict[str, str]:
 
 def _room(numbers: BlockNumbers) -> int:
     return numbers.last - numbers.first + 1
+
+
+def _has_its_number(unit: Unit) -> bool:
+    """Organization blocks are called by their numbers."""
+    return isinstance(unit, ast.Block) and unit.kind is ast.BlockKind.ORGANIZATION_BLOCK
 
 
 def _kind(unit: Unit) -> str:

@@ -38,6 +38,11 @@ prefix: TOS_
 # For dialect step7: the numbers that FBs, FCs, DBs and UDTs may have.
 block_numbers: {first: 200, last: 399}
 
+# For s7-300 and s7-400: without OB82, OB85, OB86 and OB122 a lost gateway takes the CPU to STOP.
+#   generate  fbgen writes them, in sources of their own; they note what happened in TOS_Errors
+#   mine      the project has its own: nothing is written that could overwrite them
+error_obs: generate
+
 # Time between two calls of TOS_Main in milliseconds.
 cycle_time_ms: 10
 

@@ -89,7 +89,8 @@ class Plant(Located):
     """A plant file. Sequences are ids of the catalogue, generated for every drive they fit.
 
     `prefix` is how the names of blocks begin; `files` says whether each stands in a file of its
-    own, None what is usual for the dialect.
+    own, None what is usual for the dialect. `error_obs` says whether the organization blocks for
+    errors that an S7-300 or S7-400 needs are generated, or whether the project has its own.
     """
 
     version: Literal[1]
@@ -101,6 +102,7 @@ class Plant(Located):
     prefix: str = USUAL_PREFIX
     files: FileLayout | None = None
     block_numbers: BlockNumbers = Field(default_factory=BlockNumbers)
+    error_obs: Literal["generate", "mine"] = "generate"
     sequences: tuple[str, ...] = ()
     gateways: tuple[PlantGateway, ...] = Field(min_length=1)
 
@@ -113,6 +115,11 @@ class Plant(Located):
     def language(self) -> str:
         """The dialect of the language in which its text is written."""
         return LANGUAGES[self.dialect]
+
+    @property
+    def has_error_blocks(self) -> bool:
+        """Whether OB82, OB85, OB86 and OB122 are generated."""
+        return self.family.classic and self.error_obs == "generate"
 
     @property
     def drives(self) -> tuple[PlantDrive, ...]:

@@ -126,6 +126,7 @@ def _varied(plant: Plant, variation: Variation, catalog: Catalog) -> Plant:
             ("dialect", variation.dialect),
             ("plc", variation.plc),
             ("prefix", variation.prefix),
+            ("error_obs", variation.error_obs),
         )
         if value is not None
     }

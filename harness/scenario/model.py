@@ -265,6 +265,9 @@ class Variation(Located):
     options: dict[SnakeName, ScalarValue] = Field(
         default_factory=dict, description="Options of all gateways, by the catalogue's names"
     )
+    error_obs: Literal["generate", "mine"] | None = Field(
+        default=None, description="Whether the error blocks of an S7-300/400 are generated"
+    )
 
 
 class Scenario(Located):

@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterator
 from itertools import pairwise
 
+from fbgen.blocks.plan import ERROR_BLOCKS
 from fbgen.diagnostics import Diagnostic
 from fbgen.emit.lint.emitted import EmittedText
 from fbgen.lang import ast
@@ -69,11 +70,16 @@ def names_not_too_long(emitted: EmittedText) -> Iterator[Diagnostic]:
 
 
 def no_block_of_the_user(emitted: EmittedText) -> Iterator[Diagnostic]:
-    """FB5044: no organization block and no Main: importing it would overwrite the user's own."""
+    """FB5044: no organization block and no Main: importing it would overwrite the user's own.
+
+    The error blocks are excepted, which the plant file leaves out where there are others.
+    """
     for unit in emitted.file.units:
         if not isinstance(unit, ast.Block):
             continue
         is_ob = unit.kind is ast.BlockKind.ORGANIZATION_BLOCK
+        if unit.name.name in ERROR_BLOCKS:
+            continue
         if is_ob or unit.name.name.casefold() in _NAMES_OF_THE_USER:
             yield Diagnostic(
                 "FB5044",

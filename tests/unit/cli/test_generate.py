@@ -120,6 +120,7 @@ def test_step7_gets_one_source_and_the_symbol_table_in_front_of_it(
     assert [Path(line).name for line in run.out.splitlines()] == [
         "manual_example.sdf",
         "manual_example.scl",
+        "manual_example_error_obs.scl",
     ]
     assert fbgen("check", str(out), "--dialect", "step7").status == 0
     table = (out / "manual_example.sdf").read_bytes()

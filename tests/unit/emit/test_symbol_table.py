@@ -20,7 +20,7 @@ def generated(example: str) -> tuple[GeneratedFile, GeneratedFile]:
     """Symbol table and source of an example."""
     catalog = load_catalog()
     plant = in_dialect(load_plant(EXAMPLES / example / "plant.yaml", catalog), "step7", catalog)
-    table, source = generate(plant, catalog).files
+    table, source, _ = generate(plant, catalog).files
     return table, source
 
 
