@@ -41,10 +41,9 @@ def laid_out(units: Sequence[ast.File], plant: Plant) -> tuple[GeneratedFile, ..
         units = with_copies(units)
     converted = convert(units, plant.language, schedule)
     layout = plant.files or FILE_LAYOUTS[plant.dialect][0]
+    blocks = [file for file in converted if not _is_error_block(file)]
     errors = [file for file in converted if _is_error_block(file)]
-    files = _LAYOUTS[plant.dialect, layout](
-        [file for file in converted if file not in errors], plant
-    )
+    files = _LAYOUTS[plant.dialect, layout](blocks, plant)
     if plant.dialect == "step7":
         files = (_symbols(units, plant), *files)
         errors = [_by_its_number(file) for file in errors]
