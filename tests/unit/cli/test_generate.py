@@ -213,8 +213,12 @@ def test_what_diff_prints_is_what_patch_applies(fbgen: Fbgen, plant: Path) -> No
     [
         ("tia", "one", {"manual_example.scl"}),
         ("tia", "per_block", {"TOS_Main.scl", "TOS_Plant.db", "typeTosDrive.udt"}),
-        ("step7", "one", {"manual_example.scl", "manual_example.sdf"}),
-        ("step7", "per_block", {"TOS_Main.scl", "TOS_Plant.scl", "manual_example.sdf"}),
+        (
+            "step7",
+            "one",
+            {"manual_example.scl", "manual_example_error_obs.scl", "manual_example.sdf"},
+        ),
+        ("step7", "per_block", {"TOS_Main.scl", "OB86.scl", "TOS_Plant.scl", "manual_example.sdf"}),
         ("iec", "one", {"manual_example.st"}),
         ("iec", "per_block", {"TOS_Main.st", "typeTosDrive.st", "manual_example.st"}),
         ("twincat", "per_block", {"TOS_Main.TcPOU", "typeTosDrive.TcDUT"}),
