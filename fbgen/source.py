@@ -5,18 +5,28 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
+TEMPLATE = "template"
+"""What the origin of a template line is called."""
+
 
 @dataclass(frozen=True, slots=True)
 class Origin:
     """Where a piece of generated text came from: a template line, or an entry of the catalogue.
 
     `what` names the thing for a person, `file` and `line` the place, `source` the manual section.
+    A value that was worked out from several entries has the others as `inputs`.
     """
 
     what: str
     file: str
     line: int
     source: str = ""
+    inputs: tuple["Origin", ...] = ()
+
+    @property
+    def is_template(self) -> bool:
+        """Whether it is a line of a template, and no value."""
+        return self.what == TEMPLATE
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,9 +4,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from fbgen.blocks.literals import SclText, byte, milliseconds, real
-from fbgen.catalog import Catalog, CyclicField, Gateway, Layout, Sequence, origin
+from fbgen.catalog import Catalog, CyclicField, Drive, Gateway, Layout, Sequence, origin
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import Plant, PlantDrive, PlantGateway
+from fbgen.source import Origin
 
 _MEMBERS = {
     "control": "control",
@@ -107,6 +108,7 @@ def gateway_view(
     reply_max = max(item.times.reply_max.ms for item in series)
     chosen = gateway.parameters.timeout_ms
     timeout_ms = reply_timeout_ms(plant, entry, reply_max) if chosen is None else float(chosen)
+    times = origin(f"gateway {gateway.name}", gateway, inputs=_times_of_the_line(entry, series))
     return GatewayView(
         name=gateway.name,
         profibus_address=SclText(str(gateway.profibus_address), place),
@@ -121,9 +123,9 @@ def gateway_view(
         laddr_out=_laddr(plant, gateway, gateway.output_address),
         handshake=SclText("TRUE" if gateway.options.get("handshake", True) else "FALSE", place),
         status_poll=gateway.status_poll,
-        timeout=milliseconds(timeout_ms, place),
+        timeout=milliseconds(timeout_ms, times if chosen is None else place),
         retries=SclText(str(gateway.parameters.retries), place),
-        gap=milliseconds(silent_gap_ms(plant, entry, reply_max), place),
+        gap=milliseconds(silent_gap_ms(plant, entry, reply_max), times),
         longest_telegram_ms=_longest_telegram_ms(plant, timeout_ms, sequences),
         drive_zero=SclText("TRUE" if any(not item.inv_no for item in gateway.drives) else "FALSE"),
         drives=tuple(_drive(item) for item in gateway.drives),
@@ -172,6 +174,17 @@ def silent_gap_ms(plant: Plant, gateway: Gateway, reply_max_ms: float) -> float:
     times = gateway.times
     sent_ms = times.trigger_poll.ms + times.processing.ms + _frame_ms(gateway)
     return 2 * plant.cycle_time_ms + sent_ms + reply_max_ms
+
+
+def _times_of_the_line(entry: Gateway, series: Iterable[Drive]) -> Iterator[Origin | None]:
+    """The entries that times of a line are worked out from."""
+    for name in ("processing", "trigger_poll"):
+        time = getattr(entry.times, name)
+        yield origin(f"{entry.id} {name}", time, time.source or "")
+    yield origin(f"{entry.id} subnetwork", entry.subnetwork, entry.subnetwork.source or "")
+    for drive in series:
+        limit = drive.times.reply_max
+        yield origin(f"{drive.id} reply_max", limit, limit.source or "")
 
 
 def _longest_telegram_ms(plant: Plant, poll_ms: float, sequences: Iterable[Sequence]) -> float:

@@ -8,8 +8,9 @@ from fbgen.blocks.gateways import GatewayView, gateway_view, missing_fields
 from fbgen.blocks.literals import SclText, byte, comno, milliseconds, one_line, source_text, word
 from fbgen.blocks.names import name_conflicts
 from fbgen.blocks.sequences import SequenceView, sequence_view
-from fbgen.blocks.words import WordView
+from fbgen.blocks.words import WordView, bits_origin
 from fbgen.catalog import Catalog, ComNo, Drive, Gateway, Trip, WriteStep, origin
+from fbgen.catalog.sourced import Duration
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.plant import Plant
 
@@ -270,11 +271,15 @@ def _drive_context(drive: Drive, catalog: Catalog) -> dict[str, object]:
         },
         "drive_command": WordView(drive.command_word, drive.id),
         "drive_status": WordView(drive.word(drive.comno(drive.link.status).word or ""), drive.id),
-        "reset_silence": milliseconds(drive.times.reset_silence.ms, origin("reset_silence", drive)),
+        "reset_silence": _duration(drive.times.reset_silence, f"{drive.id} reset_silence"),
         "trips": [_trip(trip) for trip in drive.trips],
         "spacer": {"first": comno(trip), "second": comno(status)},
         "scaling": _scaling(drive.comno(drive.link.setpoint), drive),
     }
+
+
+def _duration(time: Duration, name: str) -> SclText:
+    return milliseconds(time.ms, origin(name, time, time.source or ""))
 
 
 def _trip(trip: Trip) -> dict[str, SclText]:
@@ -287,13 +292,15 @@ def _trip(trip: Trip) -> dict[str, SclText]:
 
 def _line_context(drive: Drive, gateways: tuple[GatewayView, ...]) -> dict[str, object]:
     bits = drive.command_word
-    place = origin(f"word {bits.name} of {drive.id}", bits, bits.source or "")
+    place = bits_origin(drive.id, bits, _EMERGENCY_STOP)
     telegram_ms = max(item.longest_telegram_ms for item in gateways)
     drives = max(len(item.drives) for item in gateways)
     return {
         "commands_in_a_row": _COMMANDS_IN_A_ROW,
         "emergency_stop": word(bits.encode(_EMERGENCY_STOP), place),
-        "longest_wait_comment": SclText(f"{drives} x {telegram_ms:.0f} ms at most"),
+        "longest_wait_comment": SclText(
+            f"{drives} x {telegram_ms:.0f} ms at most", gateways[0].timeout.origin
+        ),
     }
 
 

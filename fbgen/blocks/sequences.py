@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from fbgen.blocks.literals import NOTHING, SclText, comno, milliseconds, one_line, real, word
+from fbgen.blocks.words import bits_origin
 from fbgen.catalog import (
     BranchStep,
     Catalog,
@@ -252,6 +253,9 @@ class _Steps:
             parameter = next(p for p in self.sequence.parameters if p.name == step.parameter)
             return [SclText(line, place) for line in self._sent(parameter)]
         bits = self.drive.word(target.word or "")
+        names = (*(step.bits or ()), *step.bits_from)
+        of_bits = bits_origin(self.drive.id, bits, names) if names else None
+        place = origin(f"step of {self.sequence.id}", step, self.sequence.source or "", [of_bits])
         lines = [SclText(f"#channel.request.data := {word(bits.encode(step.bits or ()))};", place)]
         for bit, name in step.bits_from.items():
             mask = word(bits.encode([bit]))

@@ -1,9 +1,11 @@
 """Control and status words as templates see them: masks and shifts by the catalogue's names."""
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
 from fbgen.blocks.literals import SclText, word
 from fbgen.catalog import Word, origin
+from fbgen.source import Origin
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,9 +20,7 @@ class WordView:
         value = 0
         for name in names:
             value |= self.entry.field(name).mask
-        field = self.entry.field(names[0])
-        source = self.entry.source_of(field)
-        return word(value, origin(f"{self.device}.{self.entry.name} {names[0]}", field, source))
+        return word(value, bits_origin(self.device, self.entry, names))
 
     def shift(self, name: str) -> SclText:
         """By how many places the field stands left of bit 0."""
@@ -34,5 +34,18 @@ class WordView:
 
     def masked(self, value: int, *names: str) -> SclText:
         """A value of the whole word without the named fields."""
-        keep = int(self.complement(*names).text[3:], 16)
-        return word(value & keep, origin(f"{self.device}.{self.entry.name}", self.entry))
+        complement = self.complement(*names)
+        keep = int(complement.text[3:], 16)
+        what = f"{self.device}.{self.entry.name}"
+        source = self.entry.source or ""
+        return word(value & keep, origin(what, self.entry, source, [complement.origin]))
+
+
+def bits_origin(device: str, entry: Word, names: Iterable[str]) -> Origin | None:
+    """Where a value made of these bits is from: the first of them, with the others as inputs."""
+    first, *others = (
+        origin(f"{device}.{entry.name} {name}", field, entry.source_of(field))
+        for name in names
+        for field in (entry.field(name),)
+    )
+    return replace(first, inputs=tuple(item for item in others if item)) if first else None

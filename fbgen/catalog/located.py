@@ -124,10 +124,18 @@ def _item_spans(value: object) -> dict[int | str, Span]:
     return {}
 
 
-def origin(what: str, model: Located, source: str = "") -> Origin | None:
-    """The origin mark of a model: its name for a person, its file and line, its manual section."""
+def origin(
+    what: str, model: Located, source: str = "", inputs: Iterable[Origin | None] = ()
+) -> Origin | None:
+    """The origin mark of a model: its name for a person, its file and line, its manual section.
+
+    `inputs` are the entries that a value was worked out from, too.
+    """
     span = model.span
-    return Origin(what, span.source.name, span.line, source) if span is not None else None
+    if span is None:
+        return None
+    known = tuple(dict.fromkeys(item for item in inputs if item is not None))
+    return Origin(what, span.source.name, span.line, source, known)
 
 
 Model = TypeVar("Model", bound=Located)

@@ -21,7 +21,7 @@ from fbgen.diagnostics import DiagnosticError, error
 from fbgen.emit.marks import OriginTable, is_marked, without_marks
 from fbgen.emit.sandbox import TemplateSandbox
 from fbgen.resources import shipped
-from fbgen.source import Origin, Source, Span
+from fbgen.source import TEMPLATE, Origin, Source, Span
 
 _TAG = re.compile(r"\{#.*?#\}|\{%.*?%\}|\{\{.*?\}\}", re.DOTALL)
 
@@ -40,7 +40,7 @@ class LineMarks(Extension):
             content = line.lstrip()
             at = start + len(line) - len(content)
             if content and at not in inside and not content.startswith(("{%", "{#")):
-                template = Origin("template", place, number)
+                template = Origin(TEMPLATE, place, number)
                 indent = line[: len(line) - len(content)]
                 lines[number - 1] = f"{indent}{table.line_mark(template)}{content}"
             start += len(line) + 1

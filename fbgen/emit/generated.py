@@ -4,19 +4,19 @@ from dataclasses import dataclass
 
 from fbgen.diagnostics import Diagnostic
 from fbgen.emit.block_list import GeneratedBlock
-from fbgen.source import Origin
+from fbgen.lang.printer import LineOrigins
 
 
 @dataclass(frozen=True, slots=True)
 class GeneratedFile:
-    """One file: its name, its text (ASCII, LF), and one origin or None for each of its lines.
+    """One file: its name, its text (ASCII, LF), and the origins of each of its lines.
 
     `line_end` is what stands on disk for LF. `is_program` is False for what is no PLC text.
     """
 
     name: str
     text: str
-    origins: tuple[Origin | None, ...]
+    origins: tuple[LineOrigins, ...]
     line_end: str = "\n"
     is_program: bool = True
 

@@ -18,6 +18,7 @@ from fbgen.emit.folder import (
     read_content,
 )
 from fbgen.emit.generated import GeneratedSet
+from fbgen.emit.origin_map import ORIGIN_MAP, origin_map
 from fbgen.writing import replace_file
 
 CHANGED_BLOCKS = "fbgen-changed-blocks.txt"
@@ -46,9 +47,9 @@ def write_set(generated: GeneratedSet, folder: Path, *, force: bool = False) -> 
             before = read_content(folder / CHANGED_BLOCKS) or _CHANGED_BLOCKS_HEADING.encode()
             entry = _entry(found, generated.inputs_hash).encode("ascii")
             replace_file(folder / CHANGED_BLOCKS, before + entry)
-        content = file_list(generated)
-        if read_content(folder / FILE_LIST) != content:
-            replace_file(folder / FILE_LIST, content)
+        if origins := origin_map(generated.files):
+            _keep(folder / ORIGIN_MAP, origins)
+        _keep(folder / FILE_LIST, file_list(generated))
     except OSError as problem:
         raise not_writable(folder, problem) from None
     return found
@@ -67,6 +68,11 @@ def _write(found: FolderChanges, folder: Path) -> None:
     for name in found.removed:
         if name not in early:
             (folder / name).unlink()
+
+
+def _keep(path: Path, content: bytes) -> None:
+    if read_content(path) != content:
+        replace_file(path, content)
 
 
 def _entry(found: FolderChanges, inputs: str) -> str:

@@ -39,7 +39,8 @@ def generated_program(plan: Plant, catalog: Catalog) -> Program:
 def _origins(file: GeneratedFile) -> tuple[tuple[int, Origin | None], ...]:
     places: list[tuple[int, Origin | None]] = []
     offset = 0
-    for line, origin in zip(file.text.splitlines(keepends=True), file.origins, strict=False):
-        places.append((offset, origin))
+    for line, origins in zip(file.text.splitlines(keepends=True), file.origins, strict=False):
+        values = [origin for origin in origins if not origin.is_template]
+        places.append((offset, next(iter((*values, *origins)), None)))
         offset += len(line)
     return tuple(places)

@@ -1,7 +1,7 @@
 """Syntax tree to text: one canonical layout per dialect, comments kept.
 
     printed = print_file(parse(source, "tia"))
-    printed.text, printed.origins        # one origin, or None, for each line
+    printed.text, printed.origins        # the origins of each line, its template line first
     printed.places                       # the place in the source, or None, for each line
 
 Printing what was read from a printed text gives that text again. What a dialect spells in another
@@ -15,10 +15,11 @@ from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
 from fbgen.lang.ast import File
 from fbgen.lang.depth import room_for_depth
 from fbgen.lang.dialects import dialect_named
+from fbgen.lang.printer.line_origins import LineOrigins
 from fbgen.lang.printer.units import UnitPrinter
-from fbgen.source import Origin, Source, Span
+from fbgen.source import Source, Span
 
-__all__ = ["PrintedText", "print_file", "print_generated"]
+__all__ = ["LineOrigins", "PrintedText", "print_file", "print_generated"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +30,7 @@ class PrintedText:
     """
 
     text: str
-    origins: tuple[Origin | None, ...]
+    origins: tuple[LineOrigins, ...]
     places: tuple[Span | None, ...]
 
 
@@ -57,11 +58,13 @@ def _beyond_ascii(printed: PrintedText, name: str) -> list[Diagnostic]:
     source = Source(f"generated from {name}", printed.text)
     findings: list[Diagnostic] = []
     offset = 0
-    for line, origin in zip(printed.text.splitlines(keepends=True), printed.origins, strict=False):
+    for line, known in zip(printed.text.splitlines(keepends=True), printed.origins, strict=False):
         foreign = next((at for at, char in enumerate(line) if not char.isascii()), None)
         if foreign is not None:
             char = line[foreign]
-            notes = (Note(f"from {origin.what}, {origin.file}:{origin.line}"),) if origin else ()
+            notes = tuple(
+                Note(f"from {origin.what}, {origin.file}:{origin.line}") for origin in known[-1:]
+            )
             findings.append(
                 Diagnostic(
                     "FB3040",

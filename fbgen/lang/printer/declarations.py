@@ -19,6 +19,10 @@ from fbgen.lang.printer.derived_types import TypePrinter
 from fbgen.source import Span
 
 
+def _last(place: Span) -> Span:
+    return place._replace(start=max(place.start, place.end - 1))
+
+
 class DeclarationPrinter(TypePrinter):
     """Writes what is declared."""
 
@@ -35,7 +39,7 @@ class DeclarationPrinter(TypePrinter):
             self.declaration(declaration)
         self.lines.trivia(section.closing)
         self.lines.level -= 1
-        self.lines.add(end, start, section.trailing)
+        self.lines.add(end, _last(section.span), section.trailing)
 
     def label_section(self, section: LabelSection) -> None:
         """LABEL ... END_LABEL."""
@@ -47,7 +51,7 @@ class DeclarationPrinter(TypePrinter):
             self.lines.add(f"{', '.join(map(self.name, section.names))};", section.span)
         self.lines.trivia(section.closing)
         self.lines.level -= 1
-        self.lines.add("END_LABEL", start, section.trailing)
+        self.lines.add("END_LABEL", _last(section.span), section.trailing)
 
     def declaration(self, declaration: Declaration) -> None:
         """One declaration; a structure takes several lines."""
@@ -96,7 +100,7 @@ class DeclarationPrinter(TypePrinter):
             self.declaration(field)
         self.lines.trivia(inner.closing)
         self.lines.level -= 1
-        self.lines.add(f"END_{word}{after}", place._replace(end=place.start), trailing)
+        self.lines.add(f"END_{word}{after}", _last(place), trailing)
 
 
 def _declared(name: DeclaredName) -> str:

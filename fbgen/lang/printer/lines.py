@@ -1,10 +1,9 @@
 """Lines as they are printed: indentation, comments, the origin of each line."""
 
-from bisect import bisect_right
-
 from fbgen.lang.ast import Trivia, TriviaKind, TriviaList
 from fbgen.lang.dialects.dialect import Dialect, Feature
-from fbgen.source import Origin, Span
+from fbgen.lang.printer.line_origins import LineOrigins, line_origins
+from fbgen.source import Span
 
 WIDTH = 100
 """Columns that a line may have before it is broken where it can be."""
@@ -21,6 +20,7 @@ class Lines:
         self._line_comments = dialect.has(Feature.LINE_COMMENTS)
         self._lines: list[str] = []
         self._places: list[Span | None] = []
+        self._together: list[int] = []
 
     def text(self) -> str:
         """All lines, each with its LF."""
@@ -30,9 +30,13 @@ class Lines:
         """What each line was made from."""
         return tuple(self._places)
 
-    def origins(self) -> tuple[Origin | None, ...]:
+    def origins(self) -> tuple[LineOrigins, ...]:
         """Where each line came from."""
-        return tuple(_origin(place) for place in self._places)
+        found: list[LineOrigins] = []
+        for count in self._together:
+            at = len(found)
+            found += line_origins(self._lines[at : at + count], self._places[at])
+        return tuple(found)
 
     def indentation(self) -> str:
         """What stands in front of a line at this level."""
@@ -42,7 +46,10 @@ class Lines:
         """One line, or several if `text` has line ends, with the comment that ends the last."""
         if trailing is not None:
             text += _COMMENT_GAP + self.comment(trailing)
+            if place is not None and place.end <= trailing.span.start:
+                place = place.to(trailing.span)
         first, *rest = text.split("\n")
+        self._together.append(1 + len(rest))
         self._append(self.indentation() + first, place)
         for line in rest:
             self._append(line, place)
@@ -50,6 +57,7 @@ class Lines:
     def blank(self) -> None:
         """One empty line, unless there is one or the text begins."""
         if self._lines and self._lines[-1]:
+            self._together.append(1)
             self._append("", None)
 
     def trivia(self, trivia: TriviaList) -> None:
@@ -82,22 +90,3 @@ def inline_comment(trivia: Trivia) -> str:
     if trivia.kind is TriviaKind.LINE_COMMENT:
         return block_comment(trivia.text[2:])
     return trivia.text
-
-
-def _origin(place: Span | None) -> Origin | None:
-    """Where a piece came from: the first origin inside it that is another file's, else its own.
-
-    So a line that shows a value of the catalogue leads to the catalogue, any other one to its line
-    in the template.
-    """
-    if place is None or not place.source.origins:
-        return None
-    origins = place.source.origins
-    own = place.origin
-    at = bisect_right(origins, place.start, key=lambda item: item[0])
-    while at < len(origins) and origins[at][0] < place.end:
-        origin = origins[at][1]
-        if origin is not None and (own is None or origin.file != own.file):
-            return origin
-        at += 1
-    return own

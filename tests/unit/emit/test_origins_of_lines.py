@@ -24,7 +24,11 @@ def lines(dialect: str) -> list[tuple[str, Origin | None]]:
         if file.is_program:
             texts = file.text.splitlines()
             assert len(file.origins) == len(texts)
-            found += zip(texts, file.origins, strict=True)
+            values = (
+                next((one for one in reversed(known)), None) if known else None
+                for known in file.origins
+            )
+            found += zip(texts, values, strict=True)
     return found
 
 

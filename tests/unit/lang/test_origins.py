@@ -6,9 +6,9 @@ from trees import found_in
 from fbgen.lang.origins import mark, strip_marks
 from fbgen.lang.parser import parse
 from fbgen.lang.printer import print_file
-from fbgen.source import Origin, Source
+from fbgen.source import TEMPLATE, Origin, Source
 
-_LINE = [Origin(f"template line {n}", "pump.jinja", n) for n in range(1, 6)]
+_LINE = [Origin(TEMPLATE, "pump.jinja", n) for n in range(1, 6)]
 _VALUE = Origin("ComNo FA01", "vf-s11.yaml", 40, "manual, section 7")
 
 
@@ -46,8 +46,8 @@ def test_each_printed_line_knows_where_it_came_from() -> None:
     text, places = strip_marks(rendered, [*_LINE, _VALUE])
     printed = print_file(parse(Source("B.scl", text, places), "tia"))
     origins = dict(zip(printed.text.splitlines(), printed.origins, strict=True))
-    assert origins['FUNCTION_BLOCK "B"'] == _LINE[0]
-    assert origins["      a : Word;"] == _LINE[1]
-    assert origins["   IF TRUE THEN"] == _LINE[2]
-    assert origins["      #a := 16#FA01;"] == _VALUE
-    assert origins["   END_IF;"] == _LINE[4]
+    assert origins['FUNCTION_BLOCK "B"'] == (_LINE[0],)
+    assert origins["      a : Word;"] == (_LINE[1],)
+    assert origins["   IF TRUE THEN"] == (_LINE[2],)
+    assert origins["      #a := 16#FA01;"] == (_LINE[3], _VALUE)
+    assert origins["   END_IF;"] == (_LINE[4],)

@@ -1,0 +1,80 @@
+"""Where printed lines are from: their line of the template, and the values that stand in them."""
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Sequence
+
+from fbgen.source import Origin, Span
+
+LineOrigins = tuple[Origin, ...]
+"""The line of the template first, then each value in its order. Empty for a text of a person."""
+
+_WORD = re.compile(r"\w+")
+
+
+def line_origins(lines: Sequence[str], place: Span | None) -> list[LineOrigins]:
+    """The origins of lines that were printed together from one place.
+
+    Of several lines each has the values whose text stands in it, and all those whose text stands in
+    none, because the dialect spells it otherwise.
+    """
+    if place is None or not place.source.origins:
+        return [() for _ in lines]
+    pieces = list(_pieces(place))
+    values = [(text, origin) for text, origin in pieces if not origin.is_template]
+    if len(lines) == 1:
+        first = next((origin for _, origin in pieces if origin.is_template), None)
+        return [_unique((*((first,) if first else ()), *(origin for _, origin in values)))]
+    found: list[LineOrigins] = []
+    for line, home in zip(lines, _homes(lines, pieces), strict=True):
+        inside = (
+            origin
+            for text, origin in values
+            if text in line or not any(text in other for other in lines)
+        )
+        found.append(_unique((*home, *inside)))
+    return found
+
+
+def _pieces(place: Span) -> Iterator[tuple[str, Origin]]:
+    """Each piece of the place with its text; in front of them the line of the template that the
+    first one stands in."""
+    source = place.source
+    origins = source.origins
+    at = max(0, bisect_right(origins, place.start, key=lambda item: item[0]) - 1)
+    back = at
+    while back >= 0:
+        origin = origins[back][1]
+        if origin is not None and origin.is_template:
+            yield "", origin
+            break
+        back -= 1
+    while at < len(origins) and (origins[at][0] < place.end or at == back):
+        start, origin = origins[at]
+        end = origins[at + 1][0] if at + 1 < len(origins) else len(source.text)
+        at += 1
+        if origin is not None:
+            yield source.text[max(start, place.start) : min(end, max(place.end, start))], origin
+
+
+def _homes(lines: Sequence[str], pieces: Sequence[tuple[str, Origin]]) -> Iterator[LineOrigins]:
+    """The line of the template for each of the printed ones: the first one from the last one's on
+    that has most words in common with it."""
+    known: list[tuple[set[str], Origin]] = []
+    for text, origin in pieces:
+        if origin.is_template and not (known and known[-1][1] is origin):
+            known.append((set(), origin))
+        if known:
+            known[-1][0].update(_WORD.findall(text))
+    at = 0
+    for line in lines:
+        words = set(_WORD.findall(line))
+        common = [len(words & theirs) for theirs, _ in known[at:]]
+        best = max(common, default=0)
+        if best:
+            at += common.index(best)
+        yield (known[at][1],) if known else ()
+
+
+def _unique(origins: Iterable[Origin]) -> LineOrigins:
+    return tuple(dict.fromkeys(origins))
