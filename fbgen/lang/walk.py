@@ -28,15 +28,25 @@ def walk(root: object) -> Iterator[object]:
 
 def side_by_side(first: object, second: object) -> Iterator[tuple[object, object]]:
     """The nodes of two trees, each with the one in its place. Where they differ in kind or number
-    nothing below is looked at."""
+    nothing below is looked at; empty lines do not count."""
     waiting = [(first, second)]
     while waiting:
         one, other = waiting.pop()
         if type(one) is not type(other):
             continue
         if isinstance(one, tuple) and isinstance(other, tuple) and type(one) is tuple:
+            if len(one) != len(other):
+                one, other = _without_blank_lines(one), _without_blank_lines(other)
             if len(one) == len(other):
                 waiting += zip(one, other, strict=True)
         elif (parts := _PARTS.get(type(one))) is not None:
             yield one, other
             waiting += [(getattr(one, name), getattr(other, name)) for name in parts]
+
+
+def _without_blank_lines(items: tuple[object, ...]) -> tuple[object, ...]:
+    return tuple(
+        item
+        for item in items
+        if not (isinstance(item, ast.Trivia) and item.kind is ast.TriviaKind.BLANK_LINE)
+    )
