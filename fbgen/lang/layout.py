@@ -10,8 +10,7 @@ of data types"; rows of arrays are inferred from "Format of ARRAY".
 
 `PC`, for the dialects iec and twincat, where only unions show it: numbers are little endian, a BOOL
 is one byte, every type starts at a multiple of its size (at most 8), a structure at a multiple of
-its largest part. STRING[n] is n + 1 bytes with a zero behind the text. DATE and DATE_AND_TIME count
-seconds since 1970-01-01 in 32 bits.
+its largest part. STRING[n] is n + 1 bytes with a zero behind the text.
 Sources: CODESYS help, "Data types" and "Alignment"; TwinCAT 3 help, "Alignment".
 """
 
@@ -19,8 +18,6 @@ from dataclasses import dataclass
 
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.types import (
-    DATE,
-    DATE_AND_TIME,
     ArrayType,
     BlockType,
     Elementary,
@@ -121,7 +118,7 @@ class Sizes:
     def _elementary_bits(self, kind: Elementary) -> int:
         if self.is_s7:
             return kind.bits
-        return 32 if kind in (DATE, DATE_AND_TIME) else max(kind.bits, 8)
+        return max(kind.bits, 8)
 
     def _stride(self, element: Type) -> int:
         return _up(self.size_bits(element), self.alignment(element))

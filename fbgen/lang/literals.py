@@ -79,7 +79,7 @@ _UNITS = tuple(_UNIT_NS)
 _ESCAPED = {"$": "$", "'": "'", '"': '"', "L": "\n", "N": "\n", "P": "\f", "R": "\r", "T": "\t"}
 _BROKEN = re.compile(r"\$>\s*\$<")
 """Where a string of STEP 7 ends in one line and goes on in another."""
-_FIRST_DAY = date(1990, 1, 1)
+_FIRST_DAY = date(1970, 1, 1)
 _MAX_DIGITS = 4000
 _COUNTER_DIGITS = 3
 _POINTER = re.compile(
@@ -110,7 +110,7 @@ def _typed(written: str, rest: str) -> LiteralValue:
     if prefix in _DURATIONS:
         return LiteralValue(LiteralKind.DURATION, _duration(rest), _DURATIONS[prefix])
     if prefix in _DATES:
-        return LiteralValue(LiteralKind.DATE, _days(rest), _DATES[prefix])
+        return LiteralValue(LiteralKind.DATE, _midnight(rest), _DATES[prefix])
     if prefix in _TIMES_OF_DAY:
         return LiteralValue(LiteralKind.TIME_OF_DAY, _clock(rest), _TIMES_OF_DAY[prefix])
     if prefix in _DATES_AND_TIMES:
@@ -265,12 +265,13 @@ def _duration(text: str) -> int:
     return sign * total
 
 
-def _days(text: str) -> int:
-    """Days since 1990-01-01."""
+def _midnight(text: str) -> int:
+    """Nanoseconds from 1970-01-01 to the beginning of a day."""
     match = _DATE.match(text)
     if match:
         try:
-            return (date(*(int(part) for part in match.groups())) - _FIRST_DAY).days
+            day = date(*(int(part) for part in match.groups()))
+            return (day - _FIRST_DAY).days * _UNIT_NS["d"]
         except ValueError:
             pass
     raise BadLiteralError(f"'{text}' is not a date", "dates look like D#2024-02-29")
@@ -294,8 +295,7 @@ def _date_and_time(text: str) -> int:
         raise BadLiteralError(
             f"'{text}' is not a date and time", "they look like DT#2024-02-29-23:59:59"
         )
-    days = _days("-".join(parts[:3])) + (_FIRST_DAY - date(1970, 1, 1)).days
-    return days * _UNIT_NS["d"] + _clock(parts[3])
+    return _midnight("-".join(parts[:3])) + _clock(parts[3])
 
 
 def _string(text: str, wide: bool) -> str:

@@ -3,8 +3,8 @@
 At run time a value is a plain Python object: BOOL a `bool`; bit strings, integers, TIME and dates
 an `int`; REAL and LREAL a `float` (REAL already rounded to 32 bit); CHAR and STRING a `str` of
 characters below 256, WCHAR and WSTRING a `str`. TIME counts milliseconds in 32 bit, LTIME
-nanoseconds in 64 bit (both signed), DATE days since 1990-01-01, TIME_OF_DAY milliseconds since
-midnight, DATE_AND_TIME and LDT nanoseconds since 1970-01-01.
+nanoseconds in 64 bit (both signed), TIME_OF_DAY milliseconds since midnight. What DATE,
+DATE_AND_TIME, LDT and LDATE count, and from when on, stands in `fbgen.lang.dates`.
 Sources: IEC 61131-3 third edition, table 10; TIA Portal help, "Overview of the valid data types".
 """
 
@@ -138,6 +138,9 @@ TIME_OF_DAY = Elementary("TIME_OF_DAY", Family.DATE, 32)
 LTIME_OF_DAY = Elementary("LTIME_OF_DAY", Family.DATE, 64)
 DATE_AND_TIME = Elementary("DATE_AND_TIME", Family.DATE, 64)
 LDT = Elementary("LDT", Family.DATE, 64)
+LDATE = Elementary("LDATE", Family.DATE, 64)
+PC_DATE = Elementary("DATE", Family.DATE, 32)
+PC_DATE_AND_TIME = Elementary("DATE_AND_TIME", Family.DATE, 32)
 CHAR = Elementary("CHAR", Family.CHAR, 8)
 WCHAR = Elementary("WCHAR", Family.CHAR, 16)
 VOID = Elementary("VOID", Family.VOID, 0)
@@ -154,10 +157,10 @@ ELEMENTARY: dict[str, Elementary] = {
     for kind in (
         *(BOOL, BYTE, WORD, DWORD, LWORD, SINT, INT, DINT, LINT, USINT, UINT, UDINT, ULINT),
         *(REAL, LREAL, TIME, LTIME, S5TIME, DATE, TIME_OF_DAY, LTIME_OF_DAY),
-        *(DATE_AND_TIME, LDT, CHAR, WCHAR, VOID),
+        *(DATE_AND_TIME, LDT, LDATE, CHAR, WCHAR, VOID),
     )
 }
-"""By canonical name; `ALIASES` has the other spellings."""
+"""By canonical name; `ALIASES` has the other spellings. DATE and DATE_AND_TIME are those of S7."""
 
 ALIASES: dict[str, str] = {
     "TOD": "TIME_OF_DAY",

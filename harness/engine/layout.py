@@ -13,7 +13,6 @@ from struct import pack, unpack
 
 from fbgen.lang.layout import Sizes
 from fbgen.lang.types import (
-    DATE,
     DATE_AND_TIME,
     ArrayType,
     Elementary,
@@ -27,9 +26,6 @@ from fbgen.lang.types import (
 from harness.engine.interface import Value
 
 _EPOCH = datetime(1970, 1, 1, tzinfo=UTC)
-_DAYS_TO_1990 = 7305
-_S_PER_DAY = 86_400
-_NS_PER_S = 1_000_000_000
 _LATIN = "latin-1"
 
 
@@ -104,10 +100,6 @@ class Layout(Sizes):
         number = int(value)
         if kind == DATE_AND_TIME and self.is_s7:
             return _date_and_time_bytes(number)
-        if kind == DATE_AND_TIME:
-            number //= _NS_PER_S
-        elif kind == DATE and not self.is_s7:
-            number = (number + _DAYS_TO_1990) * _S_PER_DAY
         size = self.size_bytes(kind)
         number &= (1 << 8 * size) - 1
         return number.to_bytes(size, "big" if self.is_s7 else "little")
@@ -141,12 +133,7 @@ class Layout(Sizes):
             return data.decode(self._wide if kind.bits == 16 else _LATIN, "surrogatepass")
         if kind == DATE_AND_TIME and self.is_s7:
             return _date_and_time(data)
-        number = int.from_bytes(data, "big" if self.is_s7 else "little", signed=kind.is_signed)
-        if kind == DATE_AND_TIME:
-            return number * _NS_PER_S
-        if kind == DATE and not self.is_s7:
-            return max(number // _S_PER_DAY - _DAYS_TO_1990, 0)
-        return number
+        return int.from_bytes(data, "big" if self.is_s7 else "little", signed=kind.is_signed)
 
 
 S7 = Layout(is_s7=True)

@@ -9,6 +9,13 @@ from collections.abc import Mapping
 from datetime import date, timedelta
 
 from fbgen.lang.ast import LiteralKind
+from fbgen.lang.dates import (
+    DAYS,
+    NS_PER_DAY,
+    count_of,
+    counted_in,
+    instant_of,
+)
 from fbgen.lang.literals import BadLiteralError, LiteralValue, duration_text, read_literal
 from fbgen.lang.types import (
     LTIME,
@@ -30,6 +37,7 @@ LITERALS = {
     "TIME": (LiteralKind.DURATION, "T#2s or T#1m30s"),
     "LTIME": (LiteralKind.DURATION, "LT#2s or LT#1m30s"),
     "DATE": (LiteralKind.DATE, "D#2024-02-29"),
+    "LDATE": (LiteralKind.DATE, "LDATE#2024-02-29"),
     "TIME_OF_DAY": (LiteralKind.TIME_OF_DAY, "TOD#23:59:59"),
     "LTIME_OF_DAY": (LiteralKind.TIME_OF_DAY, "LTOD#23:59:59"),
     "DATE_AND_TIME": (LiteralKind.DATE_AND_TIME, "DT#2024-02-29-23:59:59"),
@@ -37,8 +45,8 @@ LITERALS = {
 }
 """Types whose values need their prefix: the kind of literal, and an example."""
 
-_FIRST_DAY = date(1990, 1, 1)
 _EPOCH = date(1970, 1, 1)
+_PREFIXES = {"DATE": "D", "LDATE": "LDATE", "DATE_AND_TIME": "DT", "LDT": "LDT"}
 _TRUTHS = {"true": True, "false": False, "1": True, "0": False}
 _ESCAPES = {"$": "$$", "'": "$'", "\n": "$L", "\r": "$R", "\t": "$T", "\f": "$P"}
 
@@ -88,6 +96,8 @@ def _number(kind: Elementary, text: str) -> int | float:
     if wanted := LITERALS.get(kind.name):
         if literal.kind is not wanted[0] or not isinstance(value, int) or sign < 0:
             raise WrongSpellingError(f"write it as the PLC does, such as {wanted[1]}")
+        if counted_in(kind):
+            return count_of(kind, value)
         return value // NS_PER_MS if counts_ms(kind) else value
     if literal.kind is LiteralKind.INTEGER or (
         literal.kind is LiteralKind.REAL and kind.family is Family.REAL
@@ -166,14 +176,12 @@ def _whole(kind: Type, value: int) -> str:
 
 
 def _instant(kind: Elementary, value: int) -> str:
-    if kind.name == "DATE":
-        return f"D#{_FIRST_DAY + timedelta(days=value)}"
-    if kind.name in ("TIME_OF_DAY", "LTIME_OF_DAY"):
+    if not counted_in(kind):
         ns = value * (NS_PER_MS if counts_ms(kind) else 1)
         return f"{'TOD' if counts_ms(kind) else 'LTOD'}#{_clock(ns)}"
-    days, ns = divmod(value, 86_400 * NS_PER_S)
-    prefix = "LDT" if kind.name == "LDT" else "DT"
-    return f"{prefix}#{_EPOCH + timedelta(days=days)}-{_clock(ns)}"
+    days, ns = divmod(instant_of(kind, value), NS_PER_DAY)
+    text = f"{_PREFIXES[kind.name]}#{_EPOCH + timedelta(days=days)}"
+    return text if kind in DAYS else f"{text}-{_clock(ns)}"
 
 
 def _clock(ns: int) -> str:

@@ -36,7 +36,7 @@ def _type(program: Program, spec: ast.TypeSpec, text: str) -> Type:
 
 def _named(program: Program, spec: ast.NamedType) -> Type:
     key = spec.name.casefold()
-    found = program.structures.get(key) or elementary_type(spec.name)
+    found = program.structures.get(key) or elementary_type(spec.name, program.dialect)
     if found is None and spec.name.upper() == "DTL":
         found = DTL
     if found is None:

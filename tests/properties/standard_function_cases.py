@@ -28,12 +28,10 @@ from fbgen.lang.checker.standard_functions import (
     TEXT_CONVERSIONS,
     UNSIGNED_BCD,
 )
+from fbgen.lang.dates import counted_in, exists_in
 from fbgen.lang.types import (
     BOOL,
-    DATE,
-    DATE_AND_TIME,
     ELEMENTARY,
-    LDT,
     LREAL,
     LTIME_OF_DAY,
     REAL,
@@ -66,6 +64,11 @@ class Case:
         """The name of the block that makes the call."""
         kinds = (*self.arguments, self.result)
         return "_".join([self.name, *(kind.name.split("[")[0] for kind in kinds), *self.names])
+
+    def exists_in(self, dialect: str) -> bool:
+        """False for types that the dialect does not have."""
+        kinds = (*self.arguments, self.result)
+        return all(isinstance(kind, StringType) or exists_in(kind, dialect) for kind in kinds)
 
     def text(self, dialect: str) -> str:
         """A function block with the arguments as inputs and the result as output `y`."""
@@ -201,7 +204,7 @@ def values(kind: Kind) -> st.SearchStrategy[Value]:
         strategy = st.integers(0, 86_399_999)
     elif kind == LTIME_OF_DAY:
         strategy = st.integers(0, 86_399_999_999_999)
-    elif kind in (DATE, DATE_AND_TIME, LDT):
+    elif counted_in(kind):
         strategy = st.integers(0, kind.maximum)
     else:
         small = st.integers(max(kind.minimum, -300), min(kind.maximum, 3000))

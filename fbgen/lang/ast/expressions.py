@@ -28,8 +28,8 @@ class Literal:
     """A constant as written in `text`, with its `value`.
 
     `value`: bool, int, float or str (without quotes, escapes resolved); durations in nanoseconds;
-    dates in days since 1990-01-01, times of day in nanoseconds since midnight, date and time in
-    nanoseconds since 1970-01-01. `type_name` is the prefix of `WORD#16#FF` or `T#5s` as a
+    dates, and dates with a time, in nanoseconds since 1970-01-01, times of day in nanoseconds since
+    midnight. `type_name` is the prefix of `WORD#16#FF` or `T#5s` as a
     canonical type name ("WORD", "TIME"), else "". `base` is 2, 8, 10 or 16. For `Colour#red` the
     value is "red" and the type name "Colour", both as written. A pointer (`P#M0.0`, type name
     "POINTER") or area (`P#DB1.DBX0.0 BYTE 10`, "ANY") has its text behind `P#`, in upper case with

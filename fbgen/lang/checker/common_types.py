@@ -9,10 +9,8 @@ from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import common_type, widens
 from fbgen.lang.checker.function_signatures import FAMILIES, WITH_TEXT, Common, Function
 from fbgen.lang.checker.literals import fitted, is_untyped, settled_bits
+from fbgen.lang.dates import DAYS, STAMPS
 from fbgen.lang.types import (
-    DATE,
-    DATE_AND_TIME,
-    LDT,
     LREAL,
     REAL,
     UDINT,
@@ -93,7 +91,7 @@ def _within(ctx: Context, function: Function, kind: Type) -> Type | None:
         text = StringType(wide=kind.bits == 16)
         return text if widens(kind, text, ctx.rules) else None
     if common is Common.DAYS:
-        return kind if kind in (DATE, DATE_AND_TIME, LDT) else None
+        return kind if kind in (*DAYS, *STAMPS) else None
     if kind.family in FAMILIES[common] and not (common is Common.SWAPPED and kind.bits < 16):
         return kind
     if common is Common.SHIFTED and kind.is_integer and ctx.rules.shifts_integers:

@@ -5,6 +5,7 @@ BCD form with the time base in bits 13 and 12 ("Format of S5TIME").
 """
 
 import math
+from datetime import date, timedelta
 
 from fbgen.lang import ast
 from fbgen.lang.checked import Constant, Convert, Expression
@@ -19,6 +20,18 @@ from fbgen.lang.checker.literals import (
     erroneous,
     fitted,
     holds_untyped,
+)
+from fbgen.lang.dates import (
+    DAYS,
+    NS_PER_DAY,
+    STAMPS,
+    count_of,
+    counted_in,
+    exists_in,
+    instant_of,
+    is_in_range,
+    limits_ns,
+    of_dialect,
 )
 from fbgen.lang.types import (
     BOOL,
@@ -39,6 +52,7 @@ from fbgen.lang.types import (
 )
 
 _NS_PER_MS = 1_000_000
+_EPOCH = date(1970, 1, 1)
 _S5_BASES = ((0, 10), (1, 100), (2, 1000), (3, 10_000))
 _COUNTED_IN_MS = (TIME, TIME_OF_DAY)
 _UNPREFIXED = {
@@ -117,27 +131,46 @@ def _counted(ctx: Context, node: ast.Literal, value: int) -> Expression:
     if node.type_name == "DTL":
         return Convert(node.span, Constant(node.span, value, LDT), DTL)
     target = ELEMENTARY.get(node.type_name) if node.type_name else _UNPREFIXED[node.kind]
-    if target is None:
+    if target is None or not exists_in(target, ctx.rules.dialect):
         return _unknown_type(ctx, node)
+    target = of_dialect(target, ctx.rules.dialect)
     if target == S5TIME:
         return _s5time(ctx, node, value)
+    if counted_in(target):
+        return _date(ctx, node, target, value)
     count = value
     if target in _COUNTED_IN_MS:
         count, rest = divmod(abs(value), _NS_PER_MS)
         count = count if value >= 0 else -count
         if rest:
-            ctx.findings.warning(
-                "FB4105",
-                f"{target.name} counts whole milliseconds: the rest of {node.text} is lost",
-                node.span,
-                f"write whole milliseconds, or use L{target.name}",
-            )
+            _warn_of_rest(ctx, node, target, "milliseconds")
     if not target.minimum <= count <= target.maximum:
-        advice = f"use a shorter time, or L{target.name}"
-        if target == DATE:
-            advice = "a DATE lies between 1990-01-01 and 2169-06-06 here: take the first for none"
-        return _refuse(ctx, node, target.name, advice)
+        return _refuse(ctx, node, target.name, f"use a shorter time, or L{target.name}")
     return Constant(node.span, count, target)
+
+
+def _date(ctx: Context, node: ast.Literal, target: Elementary, instant_ns: int) -> Expression:
+    """A date, or a date with a time, as the type counts it."""
+    if not is_in_range(target, instant_ns):
+        first, last = (str(_EPOCH + timedelta(days=one // NS_PER_DAY)) for one in limits_ns(target))
+        help_text = f"{target.name} lies between {first} and {last} here"
+        if target in DAYS:
+            help_text += ": take the first for none"
+        return _refuse(ctx, node, target.name, help_text)
+    count = count_of(target, instant_ns)
+    if instant_of(target, count) != instant_ns:
+        _warn_of_rest(ctx, node, target, "seconds")
+    return Constant(node.span, count, target)
+
+
+def _warn_of_rest(ctx: Context, node: ast.Literal, target: Elementary, unit: str) -> None:
+    wider = "LDT" if target in STAMPS else f"L{target.name}"
+    ctx.findings.warning(
+        "FB4105",
+        f"{target.name} counts whole {unit}: the rest of {node.text} is lost",
+        node.span,
+        f"write whole {unit}, or use {wider}",
+    )
 
 
 def _s5time(ctx: Context, node: ast.Literal, value: int) -> Expression:

@@ -17,10 +17,7 @@ from fbgen.lang.checker.stamps import as_stamp, in_parts
 from fbgen.lang.checker.standard_functions import STANDARD_FUNCTIONS, TEXT_CONVERSIONS
 from fbgen.lang.types import (
     BOOL,
-    DATE,
-    DATE_AND_TIME,
     DTL,
-    LDT,
     LREAL,
     LTIME,
     LTIME_OF_DAY,
@@ -129,13 +126,6 @@ def _by(*kinds: Elementary) -> Callable[[Span, Expression], Expression]:
     return convert
 
 
-def _at_midnight(name: str, time: Elementary, stamp: Elementary) -> _Steps:
-    def convert(span: Span, operand: Expression) -> Expression:
-        return StandardCall(span, name, (operand, Constant(span, 0, time)), stamp)
-
-    return convert
-
-
 _IN_STEPS: dict[tuple[Type, Type], _Steps] = {
     (BOOL, REAL): _by(USINT, REAL),
     (BOOL, LREAL): _by(USINT, LREAL),
@@ -145,8 +135,6 @@ _IN_STEPS: dict[tuple[Type, Type], _Steps] = {
     (TIME_OF_DAY, TIME): _by(UDINT, TIME),
     (LTIME, LTIME_OF_DAY): _by(ULINT, LTIME_OF_DAY),
     (LTIME_OF_DAY, LTIME): _by(ULINT, LTIME),
-    (DATE, DATE_AND_TIME): _at_midnight("CONCAT_DATE_TOD", TIME_OF_DAY, DATE_AND_TIME),
-    (DATE, LDT): _at_midnight("CONCAT_DATE_LTOD", LTIME_OF_DAY, LDT),
 }
 """Conversions that are made of others."""
 

@@ -10,9 +10,9 @@ What a `Convert` does, for each pair of families (both engines follow this table
   rounded once. REAL to LREAL: the same.
 * TIME counts milliseconds, LTIME nanoseconds: to and from a number as that count; TIME to LTIME
   times 1,000,000, back divided and cut towards zero. TIME_OF_DAY counts milliseconds,
-  LTIME_OF_DAY nanoseconds, DATE days: numbers likewise.
-* DATE_AND_TIME and LDT to DATE, TIME_OF_DAY, LTIME_OF_DAY: the part. (Both are nanoseconds since
-  1970-01-01, DATE is days since 1990-01-01: 7305 days later.)
+  LTIME_OF_DAY nanoseconds: numbers likewise, and what `fbgen.lang.dates` says of dates.
+* DATE_AND_TIME and LDT to DATE, LDATE, TIME_OF_DAY, LTIME_OF_DAY: the part. LDATE to DATE, and
+  what counts seconds to what counts nanoseconds and back: the same instant.
 * DTL to LDT: the instant, whatever the WEEKDAY; parts that are no date stop the program (FB6032).
   LDT to DTL: its parts.
 * CHAR and WCHAR to a number: the code; back: the character. CHAR to STRING: that one character.
@@ -34,6 +34,7 @@ the other dialects: see `rules`; ties to even: conformance rule of the project f
 from functools import cache
 
 from fbgen.lang.checker.rules import RULES, Rules, without_iec_check
+from fbgen.lang.dates import STAMPS
 from fbgen.lang.types import (
     ALIASES,
     BOOL,
@@ -46,6 +47,7 @@ from fbgen.lang.types import (
     DWORD,
     ELEMENTARY,
     INT,
+    LDATE,
     LDT,
     LINT,
     LREAL,
@@ -53,6 +55,8 @@ from fbgen.lang.types import (
     LTIME_OF_DAY,
     LWORD,
     NUMBER_TYPES,
+    PC_DATE,
+    PC_DATE_AND_TIME,
     REAL,
     S5TIME,
     SINT,
@@ -88,6 +92,8 @@ _WIDENING: dict[Elementary, tuple[Elementary, ...]] = {
     TIME: (LTIME,),
     TIME_OF_DAY: (LTIME_OF_DAY,),
     DATE_AND_TIME: (LDT,),
+    PC_DATE_AND_TIME: (LDT,),
+    PC_DATE: (LDATE,),
 }
 _INTEGERS = (SINT, USINT, INT, UINT, DINT, UDINT, LINT, ULINT)
 _BITS = (BYTE, WORD, DWORD, LWORD)
@@ -290,10 +296,10 @@ def is_convertible(source: Type, target: Type) -> bool:
     if Family.VOID in pair:
         return False
     if Family.DATE in pair and Family.DATE == source.family == target.family:
-        stamps = (DATE_AND_TIME, LDT)
-        parts = (DATE, TIME_OF_DAY, LTIME_OF_DAY, *stamps)
         times = (TIME_OF_DAY, LTIME_OF_DAY)
-        return (source in stamps and target in parts) or (source in times and target in times)
+        if source in times:
+            return target in times
+        return source in STAMPS or target not in times
     plain = (*_COUNTS, Family.BOOL, Family.REAL)
     if source.family in plain and target.family in plain:
         return pair not in ((Family.BOOL, Family.REAL), (Family.REAL, Family.BOOL))

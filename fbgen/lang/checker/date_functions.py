@@ -3,10 +3,14 @@
 Sources: IEC 61131-3 third edition, tables 35 and 36; STEP 7 help for the S5TIME.
 """
 
+from dataclasses import replace
+
 from fbgen.lang.checker.function_signatures import COMMON, WHOLE_NUMBER, Common, Function
+from fbgen.lang.dates import of_dialect
 from fbgen.lang.types import (
     DATE,
     DATE_AND_TIME,
+    LDATE,
     LDT,
     LTIME,
     LTIME_OF_DAY,
@@ -36,7 +40,7 @@ CALENDAR_FUNCTIONS = (
     Function("TIME_TO_S5TIME", (("IN", TIME),), S5TIME),
 )
 
-DATE_ARITHMETIC: dict[tuple[str, Elementary, Elementary], tuple[str, Elementary]] = {
+_ON_S7: dict[tuple[str, Elementary, Elementary], tuple[str, Elementary]] = {
     ("+", TIME_OF_DAY, TIME): ("ADD_TOD_TIME", TIME_OF_DAY),
     ("+", LTIME_OF_DAY, LTIME): ("ADD_LTOD_LTIME", LTIME_OF_DAY),
     ("+", DATE_AND_TIME, TIME): ("ADD_DT_TIME", DATE_AND_TIME),
@@ -51,10 +55,25 @@ DATE_ARITHMETIC: dict[tuple[str, Elementary, Elementary], tuple[str, Elementary]
     ("-", DATE_AND_TIME, DATE_AND_TIME): ("SUB_DT_DT", TIME),
     ("-", LDT, LDT): ("SUB_LDT_LDT", LTIME),
 }
+
+DATE_ARITHMETIC: dict[tuple[str, Elementary, Elementary], tuple[str, Elementary]] = {
+    **_ON_S7,
+    **{
+        (symbol, of_dialect(left, "iec"), of_dialect(right, "iec")): (name, of_dialect(kind, "iec"))
+        for (symbol, left, right), (name, kind) in _ON_S7.items()
+    },
+    ("-", LDATE, LDATE): ("SUB_LDT_LDT", LTIME),
+}
 """Dates and times of different types: the standard function that calculates, and its result."""
 
 DATE_FUNCTIONS: dict[str, Function] = {
     name: Function(name, (("IN1", left), ("IN2", right)), result)
-    for (_, left, right), (name, result) in DATE_ARITHMETIC.items()
+    for (_, left, right), (name, result) in _ON_S7.items()
 }
 """Dates and times of day with durations: by name, and what + and - on these types become."""
+
+
+def function_of_dialect(function: Function, dialect: str) -> Function:
+    """The function with the dates that the dialect has."""
+    parameters = tuple((name, of_dialect(kind, dialect)) for name, kind in function.parameters)
+    return replace(function, parameters=parameters, result=of_dialect(function.result, dialect))

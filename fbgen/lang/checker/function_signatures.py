@@ -24,7 +24,7 @@ class Common(Enum):
     SWAPPED = "WORD, DWORD or LWORD"
     COUNTED = "an integer or bit string"
     UNSIGNED = "an unsigned integer"
-    DAYS = "DATE, DATE_AND_TIME or LDT"
+    DAYS = "DATE, LDATE, DATE_AND_TIME or LDT"
     ORDERED = "a number, bit string, time, date or text"
     ANY = "any elementary type or text"
     TEXT = "STRING or WSTRING"

@@ -12,8 +12,10 @@ from typing import TYPE_CHECKING
 
 from fbgen.lang import ast
 from fbgen.lang.checked import Block, Variable, VariableKind
+from fbgen.lang.checker.findings import Findings
 from fbgen.lang.layout import holds_values
 from fbgen.lang.types import ArrayType, BlockType, StructType, Type
+from fbgen.nearest import nearest
 
 if TYPE_CHECKING:
     from fbgen.lang.checker.library import Library
@@ -31,10 +33,15 @@ def is_optimized(header: tuple[ast.HeaderItem, ...]) -> bool:
 class MemoryUse:
     """Collects what the text does with memory while it is checked."""
 
-    __slots__ = ("_addressed", "_any_block", "_given", "_numbers", "_overlaid", "optimized")
+    __slots__ = (
+        *("_addressed", "_any_block", "_declared", "_given", "_names", "_numbers", "_overlaid"),
+        "optimized",
+    )
 
     def __init__(self, numbers: Mapping[str, int]) -> None:
+        self._names = tuple(numbers)
         self._given = {name.casefold(): number for name, number in numbers.items()}
+        self._declared: dict[str, str] = {}
         self._numbers: dict[int, Variable] = {}
         self._addressed: set[Variable] = set()
         self._overlaid: set[Variable] = set()
@@ -44,12 +51,24 @@ class MemoryUse:
     def declare(self, variable: Variable, optimized: bool) -> None:
         """A data block; it has a number if somebody gives it one."""
         key = variable.name.casefold()
+        self._declared[key] = variable.name
         match = _NUMBERED.fullmatch(key)
         number = self._given.get(key, int(match.group(1)) if match else None)
         if number is not None:
             self._numbers.setdefault(number, variable)
         if optimized:
             self.optimized.add(variable)
+
+    def report_strangers(self, findings: Findings) -> None:
+        """FB4062: a number is given to a data block that is in none of the files."""
+        for name in self._names:
+            if name.casefold() not in self._declared:
+                findings.error(
+                    "FB4062",
+                    f"a number is given to '{name}', which is no data block",
+                    None,
+                    nearest(name, self._declared.values()),
+                )
 
     def overlay(self, variable: Variable, root: Variable) -> None:
         """A variable lies over another one."""

@@ -112,6 +112,7 @@ def _check(files: Sequence[ast.File], library: Library) -> tuple[Program, Librar
     library.declare_constants()
     library.types.all_user_types()
     library.declare_globals()
+    library.memory.report_strangers(library.findings)
     blocks = library.all_blocks()
     library.objects.check_blocks()
     bodies: dict[Block, tuple[Statement, ...]] = {}

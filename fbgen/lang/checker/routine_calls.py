@@ -31,6 +31,7 @@ from fbgen.lang.checker.routines import Direction, Parameter, Routine, routine_n
 from fbgen.lang.checker.routines.signature import ANYTHING, NUMBER, SAME, WHOLE
 from fbgen.lang.checker.standard_blocks import standard_block
 from fbgen.lang.checker.targets import check_target
+from fbgen.lang.dates import of_dialect
 from fbgen.lang.types import (
     COUNTER,
     INT,
@@ -341,13 +342,18 @@ def _wrong_way(ctx: Context, parameter: Parameter, argument: ast.Argument, where
     return True
 
 
+def _types(ctx: Context, parameter: Parameter) -> tuple[Type, ...]:
+    """The types among the words of a parameter, as the dialect has them."""
+    return tuple(of_dialect(kind, ctx.rules.dialect) for kind in parameter.types)
+
+
 def _input(
     ctx: Context, parameter: Parameter, node: ast.Expression, where: str, found: _Arguments
 ) -> Expression:
     word = parameter.words[0]
     if word in _NUMBERED:
         return _numbered(ctx, node, word, where)
-    types = parameter.types
+    types = _types(ctx, parameter)
     hint = types[0] if types else found.same if word == SAME else None
     value = check_expression(ctx, node, hint)
     if value.type == ERRONEOUS:
@@ -382,7 +388,7 @@ def _suits(word: str, kind: Type) -> bool:
 
 
 def _of_types(ctx: Context, value: Expression, parameter: Parameter, where: str) -> Expression:
-    types = parameter.types
+    types = _types(ctx, parameter)
     kind = value.type
     if isinstance(kind, StringType) and any(
         isinstance(one, StringType) and one.wide == kind.wide for one in types
@@ -419,10 +425,10 @@ def _output(
     place = check_target(ctx, argument.value, where)
     if place is None:
         return None
-    word, kind = parameter.words[0], place.type
+    word, kind, types = parameter.words[0], place.type, _types(ctx, parameter)
     if word not in (SAME, ANYTHING, WHOLE, NUMBER):
         fits = _is_structure(kind, parameter) or any(
-            _fits_place(one, kind, parameter) for one in parameter.types
+            _fits_place(one, kind, parameter) for one in types
         )
         given = " or ".join(parameter.words)
     elif word == SAME:
@@ -432,8 +438,8 @@ def _output(
         fits, given = _suits(word, kind), _WORDS.get(word, "a value")
     if fits:
         return place
-    if parameter.direction is Direction.OUTPUT and len(parameter.types) == 1:
-        behind = converted_output(ctx, argument.value.span, parameter.types[0], place)
+    if parameter.direction is Direction.OUTPUT and len(types) == 1:
+        behind = converted_output(ctx, argument.value.span, types[0], place)
         if behind is not None:
             return behind
     _refuse_place(ctx, argument, where, given, kind)

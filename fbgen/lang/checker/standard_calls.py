@@ -18,6 +18,7 @@ from fbgen.lang.checker.conversion_calls import conversion_types, convert_to_typ
 from fbgen.lang.checker.conversions import (
     elementary_named,
 )
+from fbgen.lang.checker.date_functions import function_of_dialect
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.function_signatures import (
     COMMON,
@@ -48,6 +49,7 @@ from fbgen.lang.checker.standard_functions import (
     TEXT_PARAMETERS,
     UNSIGNED_BCD,
 )
+from fbgen.lang.dates import of_dialect
 from fbgen.lang.types import (
     BOOL,
     DATE,
@@ -221,6 +223,7 @@ def _has_else(node: ast.Call) -> bool:
 def _call_function(
     ctx: Context, node: ast.Call, function: Function, expected: Type | None
 ) -> Expression:
+    function = function_of_dialect(function, ctx.rules.dialect)
     arguments = _arguments(ctx, node, function.name, _extended(function, node))
     if arguments is None:
         return erroneous(node.span)
@@ -401,6 +404,7 @@ _SPECIAL: dict[str, Callable[[Context, ast.Call, str, Type | None], Expression]]
 def _conversion(
     ctx: Context, node: ast.Call, key: str, source: Type | None, target: Type
 ) -> Expression:
+    source, target = of_dialect(source, ctx.rules.dialect), of_dialect(target, ctx.rules.dialect)
     arguments = _arguments(ctx, node, key, (("IN", COMMON),))
     if arguments is None:
         return erroneous(node.span)

@@ -32,7 +32,9 @@ _NUMBERS = (
     *("SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT", "ULINT"),
     *("REAL", "LREAL", "BOOL", "BYTE", "WORD", "DWORD", "LWORD"),
 )
-_TIMES = (*("TIME", "LTIME", "DATE", "TIME_OF_DAY", "LTIME_OF_DAY", "DATE_AND_TIME", "LDT"),)
+_TIMES = (
+    *("TIME", "LTIME", "DATE", "TIME_OF_DAY", "LTIME_OF_DAY", "DATE_AND_TIME", "LDT", "LDATE"),
+)
 TEXT_CONVERSIONS: dict[str, tuple[str, str]] = {
     **{
         f"{source}_TO_{target}": (source, target)

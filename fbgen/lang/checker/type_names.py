@@ -19,6 +19,7 @@ from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.namespaces import namespace_help
 from fbgen.lang.checker.references import reference_type
 from fbgen.lang.checker.system_types import system_type
+from fbgen.lang.dates import exists_in, of_dialect
 from fbgen.lang.layout import holds_blocks, holds_values
 from fbgen.lang.types import (
     ALIASES,
@@ -77,10 +78,13 @@ def type_of_anything(library: "Library", node: ast.TypeSpec) -> ReferenceType | 
     return _ANYTHING[key] if key in _OF_DIALECT.get(library.rules.dialect, ()) else None
 
 
-def elementary_type(name: str) -> Elementary | None:
-    """The elementary type with that name, whatever its case and spelling."""
+def elementary_type(name: str, dialect: str) -> Elementary | None:
+    """The elementary type with that name in a dialect, whatever its case and spelling."""
     key = name.upper()
-    return HARDWARE_TYPES.get(key) or ELEMENTARY.get(ALIASES.get(key, key))
+    kind = HARDWARE_TYPES.get(key) or ELEMENTARY.get(ALIASES.get(key, key))
+    if kind is None or not exists_in(kind, dialect):
+        return None
+    return of_dialect(kind, dialect)
 
 
 class TypeResolver:
@@ -112,7 +116,7 @@ class TypeResolver:
     def is_known(self, name: str) -> bool:
         """True for the name of a type, of the text or not."""
         return (
-            elementary_type(name) is not None
+            elementary_type(name, self._library.rules.dialect) is not None
             or name.casefold() in self._declared
             or codesys_type(self._library.rules.dialect, name) is not None
             or self._library.block_type(name) is not None
@@ -206,7 +210,7 @@ class TypeResolver:
 
     def named(self, ctx: Context, name: str, span: Span, quoted: bool = False) -> Resolved:
         """What a type's name means."""
-        elementary = None if quoted else elementary_type(name)
+        elementary = None if quoted else elementary_type(name, self._library.rules.dialect)
         if elementary is not None:
             return Resolved(elementary)
         key = name.casefold()
@@ -264,7 +268,9 @@ class TypeResolver:
 
     def report_unknown(self, name: str, span: Span) -> None:
         """Report the name of a type, a base or an interface that no file has."""
-        on_s7 = self._library.rules.dialect in ("tia", "step7")
+        dialect = self._library.rules.dialect
+        on_s7 = dialect in ("tia", "step7")
+        elementary = [one.name for one in ELEMENTARY.values() if exists_in(one, dialect)]
         advise = type_help if on_s7 else library_help
         self._library.findings.unknown(
             "FB4003",
@@ -272,7 +278,7 @@ class TypeResolver:
             span,
             lambda: (
                 namespace_help(self._library.namespaces, name)
-                or advise(name, [*self.names(), *self._library.type_names(), *ELEMENTARY, "STRING"])
+                or advise(name, [*self.names(), *self._library.type_names(), *elementary, "STRING"])
             ),
         )
 

@@ -16,6 +16,7 @@ from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.ast import File
 from fbgen.lang.conversion.crossed_limits import with_same_limits
 from fbgen.lang.conversion.falling_edges import with_own_falling_edges
+from fbgen.lang.conversion.first_dates import with_same_dates
 from fbgen.lang.conversion.from_step7 import from_step7
 from fbgen.lang.conversion.handed_on import with_copies
 from fbgen.lang.conversion.iec_to_tia import iec_to_tia
@@ -84,6 +85,7 @@ def convert(files: Sequence[File], target: str, schedule: Schedule | None = None
     if refused.all:
         raise DiagnosticError(refused.all)
     result = with_same_limits(with_own_falling_edges(files, target), target, refused)
+    result = with_same_dates(result, target, refused)
     if refused.all:
         raise DiagnosticError(refused.all)
     for first, second in pairwise(dialects):

@@ -3,10 +3,7 @@
 from fbgen.lang.checked import Convert
 from fbgen.lang.types import (
     BOOL,
-    DATE,
-    DATE_AND_TIME,
     DWORD,
-    LDT,
     LREAL,
     LTIME,
     LTIME_OF_DAY,
@@ -23,7 +20,8 @@ from fbgen.lang.types import (
     Type,
 )
 from harness.engine.compiled.code import Code, Level
-from harness.engine.compiled.library.dates import DAYS_TO_1990, NS_PER_DAY, NS_PER_MS
+from harness.engine.compiled.instants import count, instant
+from harness.engine.compiled.library.dates import COUNTS, NS_PER_DAY, NS_PER_MS
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import is_counted, limits, masked, wrapped
 
@@ -35,7 +33,6 @@ _BIT_COPIES = {
     (LREAL, LWORD): "_bits_of_long_real",
     (LWORD, LREAL): "_long_real_of_bits",
 }
-_STAMPS = (DATE_AND_TIME, LDT)
 _TO_NANOSECONDS = ((TIME, LTIME), (TIME_OF_DAY, LTIME_OF_DAY))
 
 
@@ -151,28 +148,25 @@ def _counted(procedure: Procedure, code: Code, source: Elementary, target: Eleme
         largest = max(abs(code.low), abs(code.high)) // NS_PER_MS
         low = -largest if source.is_signed else 0
         return _call("_cut_to_ms", code, source)._replace(low=low, high=largest)
-    if source in _STAMPS and target not in _STAMPS and target.family is Family.DATE:
-        return _part_of_stamp(_in_range(procedure, code, source), target)
+    if source in COUNTS and target.family is Family.DATE:
+        return _part_of(instant(_in_range(procedure, code, source), source), target)
     if source.bits < target.bits:
         return _in_range(procedure, code, source)
     # Going to a narrower type, only the low bits count, so nothing is wrapped before.
     return code
 
 
-def _part_of_stamp(code: Code, target: Elementary) -> Code:
-    if target == DATE:
-        text = f"{code.at(Level.PRODUCT)} // {NS_PER_DAY} - {DAYS_TO_1990}"
-        low, high = -DAYS_TO_1990, code.high // NS_PER_DAY
-        level = Level.SUM
-    else:
-        text = f"{code.at(Level.PRODUCT)} % {NS_PER_DAY}"
-        low, high = 0, NS_PER_DAY - 1
-        level = Level.PRODUCT
-        if target == TIME_OF_DAY:
-            text = f"{text} // {NS_PER_MS}"
-            high //= NS_PER_MS
+def _part_of(code: Code, target: Elementary) -> Code:
+    """A date, or the time of day, out of an instant."""
+    if target in COUNTS:
+        return count(code, target)
+    text = f"{code.at(Level.PRODUCT)} % {NS_PER_DAY}"
+    low, high = 0, NS_PER_DAY - 1
+    if target == TIME_OF_DAY:
+        text = f"{text} // {NS_PER_MS}"
+        high //= NS_PER_MS
     return code._replace(
-        text=text, level=level, low=low, high=high, depth=code.depth + 2, simple=False
+        text=text, level=Level.PRODUCT, low=low, high=high, depth=code.depth + 2, simple=False
     )
 
 

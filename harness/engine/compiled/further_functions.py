@@ -4,13 +4,17 @@ Names and parameters: `fbgen.lang.checker.standard_functions`.
 """
 
 from fbgen.lang.checked import StandardCall
-from fbgen.lang.types import DATE, REAL, Elementary, Family
+from fbgen.lang.types import REAL, Elementary, Family
 from harness.engine.compiled.code import Code, Level
 from harness.engine.compiled.function_code import Writer, all_of, called, failing
+from harness.engine.compiled.instants import count, instant
 from harness.engine.compiled.library import reals
+from harness.engine.compiled.library.dates import COUNTS, NS_PER_MS, OF_UNITS
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits
 
+_UNBOUNDED = (-(1 << 70), 1 << 70)
+"""Where a result is enclosed that can be of any size before it is wrapped around."""
 _SIGNS = {"GT": ">", "GE": ">=", "EQ": "==", "LE": "<=", "LT": "<"}
 
 
@@ -100,9 +104,35 @@ def _byte_order(procedure: Procedure, node: StandardCall, codes: list[Code]) -> 
 
 
 def _weekday(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
-    is_date = node.arguments[0].type == DATE
-    function = "_weekday_of_days" if is_date else "_weekday_of_stamp"
-    return called(function, node, codes).within(0, 6)
+    stamp = instant(codes[0], node.arguments[0].type)
+    return called("_weekday_of_stamp", node, [stamp]).within(0, 6)
+
+
+def _with_unit(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    """Calculations in the unit of the first operand; the result is not wrapped around yet."""
+    kind = node.arguments[0].type
+    assert isinstance(kind, Elementary)
+    code = called(f"_{node.name.lower()}", node, codes, COUNTS[kind][1])
+    return code.within(*_UNBOUNDED)
+
+
+def _date_with_time(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    """CONCAT_DATE_TOD and CONCAT_DATE_LTOD."""
+    day, time = instant(codes[0], node.arguments[0].type), codes[1]
+    tick = NS_PER_MS if node.name == "CONCAT_DATE_TOD" else 1
+    text = f"{day.at(Level.SUM)} + {time.at(Level.PRODUCT)} * {tick}"
+    both = all_of([day, time], text, Level.SUM, 2).within(*_UNBOUNDED)
+    assert isinstance(node.type, Elementary)
+    return count(both, node.type)
+
+
+def _date_of_parts(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
+    kind = node.type
+    assert isinstance(kind, Elementary)
+    counted = (*COUNTS[kind], kind.maximum)
+    parts = ", ".join(code.text for code in codes)
+    code = all_of(codes, f"_{node.name.lower()}({counted}, {parts})")
+    return failing(procedure, node, code.within(*limits(kind)))
 
 
 def _multiplexed(procedure: Procedure, node: StandardCall, codes: list[Code]) -> Code:
@@ -135,9 +165,12 @@ WRITERS: dict[str, Writer] = {
         (
             *("BCD16_TO_INT", "INT_TO_BCD16", "BCD32_TO_DINT", "DINT_TO_BCD32"),
             *("S5TIME_TO_TIME", "TIME_TO_S5TIME"),
-            *("CONCAT_DATE", "CONCAT_TOD", "CONCAT_LTOD", "CONCAT_DT", "CONCAT_LDT"),
+            *("CONCAT_TOD", "CONCAT_LTOD"),
         ),
         _failing_library,
     ),
+    **dict.fromkeys(("CONCAT_DATE", "CONCAT_DT", "CONCAT_LDT"), _date_of_parts),
+    **dict.fromkeys(("CONCAT_DATE_TOD", "CONCAT_DATE_LTOD"), _date_with_time),
+    **dict.fromkeys(OF_UNITS, _with_unit),
 }
 """By canonical name."""

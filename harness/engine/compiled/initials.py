@@ -17,7 +17,7 @@ from fbgen.lang.types import (
     StructType,
     Type,
 )
-from harness.engine.compiled.library.dates import DAYS_TO_1990, NS_PER_DAY
+from harness.engine.compiled.library.dates import START_ON_S7
 from harness.engine.compiled.model import Model, Part, is_scalar
 
 
@@ -33,8 +33,8 @@ def default_scalar(kind: Type, dialect: str) -> Scalar:
             return 0.0
         if kind.family is Family.CHAR:
             return " " if s7 else "\0"
-        if s7 and kind == DATE_AND_TIME:
-            return DAYS_TO_1990 * NS_PER_DAY
+        if kind == DATE_AND_TIME:
+            return START_ON_S7
     return 0
 
 

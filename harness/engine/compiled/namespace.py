@@ -147,12 +147,11 @@ LIBRARY: dict[str, Any] = {
     "_norm_x": reals.normalized,
     "_scale_x": reals.scaled,
     "_scale_x_whole": reals.scaled_to_whole,
-    "_concat_date": calendar.concat_date,
+    "_concat_date": calendar.concat_stamp,
     "_concat_tod": calendar.ms_of,
     "_concat_ltod": calendar.concat_ltod,
     "_concat_dt": calendar.concat_stamp,
     "_concat_ldt": calendar.concat_stamp,
-    "_weekday_of_days": calendar.weekday_of_days,
     "_weekday_of_stamp": calendar.weekday_of_stamp,
     "_text_of_truth": texts.of_truth,
     "_text_to_truth": texts.to_truth,
@@ -180,6 +179,7 @@ LIBRARY: dict[str, Any] = {
     **{f"_in_order_{name}": function for name, function in wholes.CHAINS.items()},
     **{f"_show_{name.lower()}": function for name, function in time_texts.FUNCTIONS.items()},
     **{f"_{name.lower()}": function for name, function in dates.FUNCTIONS.items()},
+    **{f"_{name.lower()}": function for name, function in dates.OF_UNITS.items()},
 }
 """Everything that does not depend on the program."""
 

@@ -13,7 +13,9 @@ from harness.engine.compiled.conversions import cut
 from harness.engine.compiled.evaluation import Write, named, value
 from harness.engine.compiled.function_code import Writer, all_of, called, failing
 from harness.engine.compiled.further_functions import WRITERS
+from harness.engine.compiled.instants import instant
 from harness.engine.compiled.library import dates, reals, time_texts
+from harness.engine.compiled.library.dates import COUNTS
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import is_counted, limits, masked
 
@@ -216,7 +218,8 @@ def _number_and_text(procedure: Procedure, node: StandardCall, codes: list[Code]
     if source == BOOL:
         return cut(called("_text_of_truth", node, codes), 5, kind)
     if source.name in time_texts.FUNCTIONS:
-        return cut(called(f"_show_{source.name.lower()}", node, codes), 40, kind)
+        shown = [instant(codes[0], source)] if source in COUNTS else codes
+        return cut(called(f"_show_{source.name.lower()}", node, shown), 40, kind)
     return cut(called("str", node, codes), 20, kind)
 
 

@@ -40,6 +40,7 @@ from harness.engine.area_memories import AreaMemories
 from harness.engine.block_memory import BlockLayout
 from harness.engine.layout import layout_of
 from harness.engine.reference.behaviour import Behaviour
+from harness.engine.reference.calendar import first_on_s7
 from harness.engine.reference.memory import Memory, MemoryCell
 from harness.engine.reference.placed import ByteCell
 from harness.engine.reference.placed_pointers import PointerCell, Pointers
@@ -60,7 +61,6 @@ _WITH_MEMORY = (BlockKind.FUNCTION_BLOCK, BlockKind.PROGRAM, BlockKind.ORGANIZAT
 _FRAME_KINDS = (VariableKind.TEMP, VariableKind.RESULT)
 _PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT)
 _S7_DIALECTS = ("tia", "step7")
-_S7_FIRST_DATE_AND_TIME = 631_152_000_000_000_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -250,8 +250,8 @@ class Allocator:
             return 0.0
         if kind.family is Family.CHAR:
             return " " if on_s7 else "\0"
-        if kind == DATE_AND_TIME and on_s7:
-            return _S7_FIRST_DATE_AND_TIME
+        if kind == DATE_AND_TIME:
+            return first_on_s7()
         return 0
 
 

@@ -7,10 +7,17 @@ Sources as for `fbgen.lang.checker.routines.clock`; the units of DTL: TIA Portal
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from fbgen.lang.types import DATE_AND_TIME, StructType
+from fbgen.lang.types import DATE_AND_TIME, Elementary, StructType
 from harness.engine.faults import stop_requested
 from harness.engine.interface import Value
-from harness.engine.reference.calendar import NS_PER_MS, stamp_of_parts, stamp_parts, weekday
+from harness.engine.reference.calendar import (
+    NS_PER_MS,
+    count_of,
+    instant_of,
+    stamp_of_parts,
+    stamp_parts,
+    weekday,
+)
 from harness.engine.reference.routine_operands import Operands
 from harness.engine.services import Services
 
@@ -38,7 +45,8 @@ def _reading(output: str) -> Routine:
             return {output.casefold(): _as_structure(stamp_ns), "ret_val": 0}
         if kind == DATE_AND_TIME:
             stamp_ns -= stamp_ns % NS_PER_MS
-        return {output.casefold(): stamp_ns, "ret_val": 0}
+        assert isinstance(kind, Elementary)
+        return {output.casefold(): count_of(kind, stamp_ns), "ret_val": 0}
 
     return read
 
@@ -60,7 +68,7 @@ def _setting(name: str) -> Routine:
             except (ValueError, OverflowError):
                 return {"ret_val": _INVALID_DATE}
         else:
-            stamp_ns = operands.whole(name)
+            stamp_ns = instant_of(operands.kinds[name], operands.whole(name))
         clocked.services.calendar_ns = stamp_ns - clocked.now_ns
         return {"ret_val": 0}
 

@@ -13,10 +13,7 @@ from struct import pack, unpack
 
 from fbgen.lang.types import (
     CHAR,
-    DATE,
-    DATE_AND_TIME,
     DWORD,
-    LDT,
     LREAL,
     LTIME_OF_DAY,
     LWORD,
@@ -32,12 +29,10 @@ from fbgen.lang.types import (
 from fbgen.source import Span
 from harness.engine.faults import outside_subrange
 from harness.engine.reference.arithmetic import divided, rounded, whole, wrap
+from harness.engine.reference.calendar import NS_PER_DAY, count_of, instant_of, is_counted
 
 _SAME_BITS = {(REAL, DWORD): ">f", (DWORD, REAL): ">f", (LREAL, LWORD): ">d", (LWORD, LREAL): ">d"}
-_STAMPS = (DATE_AND_TIME, LDT)
 _NS_PER_MS = 1_000_000
-_NS_PER_DAY = 86_400 * 1_000_000_000
-_DAYS_1970_TO_1990 = 7305
 _NS_PER_TICK = {32: _NS_PER_MS, 64: 1}
 
 
@@ -96,8 +91,8 @@ def _counted(value: int, source: Elementary, target: Elementary, span: Span) -> 
     """From BOOL, whole numbers, bit strings, durations and dates."""
     if source.family is Family.DURATION and target.family is Family.DURATION:
         return wrap(target, _rescaled(value, source, target, span))
-    if source in _STAMPS and target.family is Family.DATE:
-        return _part_of_stamp(value, target)
+    if is_counted(source) and target.family is Family.DATE:
+        return _part_of_instant(instant_of(source, value), target)
     if source.family is Family.DATE and target.family is Family.DATE and source != target:
         return wrap(target, _rescaled(value, source, target, span))
     return _number(value, source, target)
@@ -109,15 +104,12 @@ def _rescaled(value: int, source: Elementary, target: Elementary, span: Span) ->
     return divided(nanoseconds, _NS_PER_TICK[target.bits], span)
 
 
-def _part_of_stamp(value: int, target: Elementary) -> int:
-    days, nanoseconds = divmod(value, _NS_PER_DAY)
-    if target == DATE:
-        return wrap(target, days - _DAYS_1970_TO_1990)
+def _part_of_instant(instant_ns: int, target: Elementary) -> int:
     if target == TIME_OF_DAY:
-        return nanoseconds // _NS_PER_MS
+        return instant_ns % NS_PER_DAY // _NS_PER_MS
     if target == LTIME_OF_DAY:
-        return nanoseconds
-    return value
+        return instant_ns % NS_PER_DAY
+    return wrap(target, count_of(target, instant_ns))
 
 
 def _number(value: int, source: Elementary, target: Elementary) -> Scalar:

@@ -11,13 +11,17 @@ from fbgen.lang.types import Elementary, Scalar
 from fbgen.source import Span
 from harness.engine.faults import not_decimal, value_out_of_range
 from harness.engine.reference.arithmetic import divided, wrap
-from harness.engine.reference.calendar import CALENDAR_FUNCTIONS
+from harness.engine.reference.calendar import (
+    CALENDAR_FUNCTIONS,
+    count_of,
+    instant_of,
+    unit_of,
+)
 from harness.engine.reference.functions import Function, Signature
 
 _NS_PER_MS = 1_000_000
 _MS_PER_DAY = 86_400_000
 _NS_PER_DAY = _MS_PER_DAY * _NS_PER_MS
-_DAYS_1970_TO_1990 = 7305
 S5_BASES_MS = (10, 100, 1_000, 10_000)
 
 
@@ -40,10 +44,34 @@ def _of_two(calculate: Callable[[int, int], int]) -> Function:
     return call
 
 
-def _stamp_difference(values: Sequence[Scalar], signature: Signature) -> Scalar:
-    """Nanoseconds to milliseconds, cut towards zero."""
+def _moved(sign: int) -> Function:
+    """A date and time, later or earlier by a TIME, whose part below the unit is cut off."""
+
+    def call(values: Sequence[Scalar], signature: Signature) -> Scalar:
+        stamp, time_ms = _two(values)
+        units = divided(time_ms * _NS_PER_MS, unit_of(signature.arguments[0]), signature.span)
+        return _result(signature, stamp + sign * units)
+
+    return call
+
+
+def _difference(values: Sequence[Scalar], signature: Signature) -> Scalar:
+    """Between two dates, with a time or without; nanoseconds to milliseconds cut towards zero."""
     later, earlier = _two(values)
-    return _result(signature, divided(later - earlier, _NS_PER_MS, signature.span))
+    distance_ns = (later - earlier) * unit_of(signature.arguments[0])
+    return _result(signature, divided(distance_ns, _NS_PER_MS, signature.span))
+
+
+def _with_time(tick_ns: int) -> Function:
+    """A date and a time of day that counts in `tick_ns`."""
+
+    def call(values: Sequence[Scalar], signature: Signature) -> Scalar:
+        count, time = _two(values)
+        instant_ns = instant_of(signature.arguments[0], count) + time * tick_ns
+        assert isinstance(signature.result, Elementary)
+        return _result(signature, count_of(signature.result, instant_ns))
+
+    return call
 
 
 def decimal_digits(value: int, span: Span) -> int:
@@ -80,23 +108,19 @@ DATE_FUNCTIONS: dict[str, Function] = {
     "SUB_TOD_TIME": _of_two(lambda day_ms, time_ms: (day_ms - time_ms) % _MS_PER_DAY),
     "ADD_LTOD_LTIME": _of_two(lambda day_ns, time_ns: (day_ns + time_ns) % _NS_PER_DAY),
     "SUB_LTOD_LTIME": _of_two(lambda day_ns, time_ns: (day_ns - time_ns) % _NS_PER_DAY),
-    "ADD_DT_TIME": _of_two(lambda stamp_ns, time_ms: stamp_ns + time_ms * _NS_PER_MS),
-    "SUB_DT_TIME": _of_two(lambda stamp_ns, time_ms: stamp_ns - time_ms * _NS_PER_MS),
+    "ADD_DT_TIME": _moved(1),
+    "SUB_DT_TIME": _moved(-1),
     "ADD_LDT_LTIME": _of_two(lambda stamp_ns, time_ns: stamp_ns + time_ns),
     "SUB_LDT_LTIME": _of_two(lambda stamp_ns, time_ns: stamp_ns - time_ns),
     "SUB_TOD_TOD": _of_two(lambda later_ms, earlier_ms: later_ms - earlier_ms),
     "SUB_LTOD_LTOD": _of_two(lambda later_ns, earlier_ns: later_ns - earlier_ns),
-    "SUB_DATE_DATE": _of_two(lambda later, earlier: (later - earlier) * _MS_PER_DAY),
-    "SUB_DT_DT": _stamp_difference,
+    "SUB_DATE_DATE": _difference,
+    "SUB_DT_DT": _difference,
     "SUB_LDT_LDT": _of_two(lambda later_ns, earlier_ns: later_ns - earlier_ns),
-    "CONCAT_DATE_TOD": _of_two(
-        lambda days, day_ms: (days + _DAYS_1970_TO_1990) * _NS_PER_DAY + day_ms * _NS_PER_MS
-    ),
+    "CONCAT_DATE_TOD": _with_time(_NS_PER_MS),
     "S5TIME_TO_TIME": _s5time_to_time,
     "TIME_TO_S5TIME": _time_to_s5time,
-    "CONCAT_DATE_LTOD": _of_two(
-        lambda days, day_ns: (days + _DAYS_1970_TO_1990) * _NS_PER_DAY + day_ns
-    ),
+    "CONCAT_DATE_LTOD": _with_time(1),
     **CALENDAR_FUNCTIONS,
 }
 """By canonical name."""

@@ -7,15 +7,19 @@ The standard leaves the form open; this is the one that can be read back as a li
 from collections.abc import Callable, Sequence
 
 from fbgen.lang.types import Scalar
-from harness.engine.reference.calendar import NS_PER_DAY, day_parts, time_parts
+from harness.engine.reference.calendar import (
+    NS_PER_DAY,
+    day_parts,
+    instant_of,
+    is_counted,
+    time_parts,
+)
 from harness.engine.reference.functions import Function, Signature
 
 _UNITS_NS = (
     *(("d", NS_PER_DAY), ("h", 3_600_000_000_000), ("m", 60_000_000_000), ("s", 1_000_000_000)),
     *(("ms", 1_000_000), ("us", 1_000), ("ns", 1)),
 )
-_FIRST_ORDINALS = {"DATE": 726_468, "STAMP": 719_163}
-"""Python's numbers of 1990-01-01 and 1970-01-01."""
 
 
 def _duration(prefix: str, nanoseconds: int, smallest: str) -> str:
@@ -27,8 +31,8 @@ def _duration(prefix: str, nanoseconds: int, smallest: str) -> str:
     return f"{prefix}#{'-' if nanoseconds < 0 else ''}{text or f'0{smallest}'}"
 
 
-def _day(ordinal: int) -> str:
-    parts = day_parts(ordinal)
+def _day(instant_ns: int) -> str:
+    parts = day_parts(instant_ns)
     return f"{parts['year']:04d}-{parts['month']:02d}-{parts['day']:02d}"
 
 
@@ -41,28 +45,27 @@ def _clock(nanoseconds: int) -> str:
     return f"{text}.{parts['millisecond']:03d}" if parts["millisecond"] else text
 
 
-def _stamp(prefix: str) -> Callable[[int], str]:
-    def show(stamp_ns: int) -> str:
-        days, rest_ns = divmod(stamp_ns, NS_PER_DAY)
-        return f"{prefix}#{_day(_FIRST_ORDINALS['STAMP'] + days)}-{_clock(rest_ns)}"
-
-    return show
+def _stamp(instant_ns: int) -> str:
+    return f"{_day(instant_ns)}-{_clock(instant_ns % NS_PER_DAY)}"
 
 
 _SHOWN: dict[str, Callable[[int], str]] = {
     "TIME": lambda ms: _duration("T", ms * 1_000_000, "ms"),
     "LTIME": lambda ns: _duration("LT", ns, "ns"),
-    "DATE": lambda days: f"D#{_day(_FIRST_ORDINALS['DATE'] + days)}",
     "TIME_OF_DAY": lambda ms: f"TOD#{_clock(ms * 1_000_000)}",
     "LTIME_OF_DAY": lambda ns: f"LTOD#{_clock(ns)}",
-    "DATE_AND_TIME": _stamp("DT"),
-    "LDT": _stamp("LDT"),
+    "DATE": lambda instant_ns: f"D#{_day(instant_ns)}",
+    "LDATE": lambda instant_ns: f"LDATE#{_day(instant_ns)}",
+    "DATE_AND_TIME": lambda instant_ns: f"DT#{_stamp(instant_ns)}",
+    "LDT": lambda instant_ns: f"LDT#{_stamp(instant_ns)}",
 }
+"""By the name of the type; dates come as nanoseconds since 1970."""
 
 
 def _texts(show: Callable[[int], str]) -> Function:
     def call(values: Sequence[Scalar], signature: Signature) -> Scalar:
-        return show(int(values[0]))
+        count, kind = int(values[0]), signature.arguments[0]
+        return show(instant_of(kind, count) if is_counted(kind) else count)
 
     return call
 

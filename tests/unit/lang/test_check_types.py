@@ -68,7 +68,7 @@ def constant_of(declarations: str, target: str, expression: str, dialect: str = 
         ("TIME", "T#1s500ms", 1500),
         ("LTIME", "T#1ms", 1_000_000),
         ("LTIME", "LTIME#5us", 5000),
-        ("DATE", "D#1990-01-02", 1),
+        ("DATE", "D#1970-01-02", 86_400),
         ("TOD", "TOD#00:00:01", 1000),
         ("WORD", "16#F0 AND WORD#16#3C", 0x30),
         ("BOOL", "5 > 3", True),

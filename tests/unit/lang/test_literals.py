@@ -70,8 +70,8 @@ def test_durations_are_nanoseconds(text: str, value: int, type_name: str) -> Non
 @pytest.mark.parametrize(
     ("text", "kind", "value", "type_name"),
     [
-        ("D#1990-01-02", LiteralKind.DATE, 1, "DATE"),
-        ("DATE#1989-12-31", LiteralKind.DATE, -1, "DATE"),
+        ("D#1970-01-02", LiteralKind.DATE, 86_400_000_000_000, "DATE"),
+        ("DATE#1969-12-31", LiteralKind.DATE, -86_400_000_000_000, "DATE"),
         ("TOD#01:00:00.5", LiteralKind.TIME_OF_DAY, _H + 500 * _MS, "TIME_OF_DAY"),
         ("LTOD#00:00:01", LiteralKind.TIME_OF_DAY, _S, "LTIME_OF_DAY"),
         ("DT#1970-01-01-00:00:01", LiteralKind.DATE_AND_TIME, _S, "DATE_AND_TIME"),

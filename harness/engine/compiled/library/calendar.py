@@ -5,7 +5,7 @@ have the same number of days. Source: the rules of the Gregorian calendar; IEC 6
 edition, table 36.
 """
 
-from harness.engine.compiled.library.dates import DAYS_TO_1990, NS_PER_DAY, NS_PER_MS
+from harness.engine.compiled.library.dates import NS_PER_DAY, NS_PER_MS
 from harness.engine.compiled.library.stops import NoSuchDate
 
 _ERA = 146_097
@@ -62,30 +62,22 @@ def time_of(milliseconds: int) -> tuple[int, int, int, int]:
     return seconds // 3600, seconds // 60 % 60, seconds % 60, millisecond
 
 
-def concat_date(year: int, month: int, day: int) -> int:
-    """CONCAT_DATE."""
-    days = days_of(year, month, day) - DAYS_TO_1990
-    if not 0 <= days <= 0xFFFF:
-        raise NoSuchDate(f"{year}-{month}-{day}")
-    return days
-
-
 def concat_ltod(hour: int, minute: int, second: int, millisecond: int) -> int:
     """CONCAT_LTOD."""
     return ms_of(hour, minute, second, millisecond) * NS_PER_MS
 
 
-def concat_stamp(year: int, month: int, day: int, *time: int) -> int:
-    """CONCAT_DT and CONCAT_LDT."""
-    stamp = days_of(year, month, day) * NS_PER_DAY + concat_ltod(*time)
-    if not 0 <= stamp < 1 << 64:
+def concat_stamp(counted: tuple[int, int, int], year: int, month: int, day: int, *time: int) -> int:
+    """CONCAT_DATE, CONCAT_DT, CONCAT_LDT.
+
+    `counted` are where the count of the result begins, its unit, and its largest value.
+    """
+    first, unit, last = counted
+    instant = days_of(year, month, day) * NS_PER_DAY + (concat_ltod(*time) if time else 0)
+    count = (instant - first) // unit
+    if not 0 <= count <= last:
         raise NoSuchDate(f"{year}-{month}-{day}")
-    return stamp
-
-
-def weekday_of_days(days: int) -> int:
-    """DAY_OF_WEEK of a DATE: 1990-01-01 was a Monday."""
-    return (days + 1) % 7
+    return count
 
 
 def weekday_of_stamp(stamp: int) -> int:

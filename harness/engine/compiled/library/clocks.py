@@ -6,9 +6,9 @@ Sources: TIA Portal help, "RD_SYS_T", "TIME_TCK", "RUNTIME", "DTL"; the controll
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from fbgen.lang.types import DATE_AND_TIME, StructType, Type
+from fbgen.lang.types import DATE_AND_TIME, Elementary, StructType, Type
 from harness.engine.compiled.library import calendar
-from harness.engine.compiled.library.dates import NS_PER_DAY, NS_PER_MS
+from harness.engine.compiled.library.dates import COUNTS, NS_PER_DAY, NS_PER_MS, instant_of
 from harness.engine.compiled.library.stops import NoSuchDate
 from harness.engine.services import Services
 
@@ -53,6 +53,9 @@ def _reader(output: str) -> _Clock:
             given = _dtl(stamp)
         elif kind == DATE_AND_TIME:
             given = stamp // NS_PER_MS * NS_PER_MS
+        elif isinstance(kind, Elementary):
+            first, unit = COUNTS[kind]
+            given = (stamp - first) // unit
         return {output.casefold(): given, "ret_val": 0}
 
     return read
@@ -62,9 +65,9 @@ def _writer(name: str) -> _Clock:
     def write(
         inputs: Mapping[str, Any], kinds: Mapping[str, Type], services: Services, now_ns: int
     ) -> Results:
-        given = inputs[name]
+        given, kind = inputs[name], kinds[name]
         try:
-            stamp = given if isinstance(given, int) else _of_dtl(given)
+            stamp = instant_of(kind, given) if isinstance(kind, Elementary) else _of_dtl(given)
         except NoSuchDate:
             return {"ret_val": _ERROR_DATE}
         services.calendar_ns = stamp - now_ns

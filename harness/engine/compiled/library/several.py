@@ -6,9 +6,9 @@ Sources: STEP 7 help, FC89, FC93, FC105, FC106; IEC 61131-3, table 36; TIA Porta
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from fbgen.lang.types import Type
+from fbgen.lang.types import Elementary, Type
 from harness.engine.compiled.library import calendar, characters
-from harness.engine.compiled.library.dates import DAYS_TO_1990, NS_PER_DAY, NS_PER_MS
+from harness.engine.compiled.library.dates import NS_PER_DAY, NS_PER_MS, instant_of
 from harness.engine.compiled.library.decimals import from_bcd, to_bcd
 from harness.engine.compiled.library.reals import quotient
 
@@ -57,8 +57,18 @@ def _time(milliseconds: int) -> Results:
     return dict(zip(_TIME_NAMES, calendar.time_of(milliseconds), strict=True))
 
 
+def _instant(inputs: Inputs, kinds: Kinds) -> int:
+    kind = kinds["IN"]
+    assert isinstance(kind, Elementary)
+    return instant_of(kind, inputs["IN"])
+
+
+def _split_date(inputs: Inputs, kinds: Kinds) -> Results:
+    return _date(_instant(inputs, kinds) // NS_PER_DAY)
+
+
 def _split_stamp(inputs: Inputs, kinds: Kinds) -> Results:
-    days, rest = divmod(inputs["IN"], NS_PER_DAY)
+    days, rest = divmod(_instant(inputs, kinds), NS_PER_DAY)
     return {**_date(days), **_time(rest // NS_PER_MS)}
 
 
@@ -83,7 +93,7 @@ CALCULATIONS: dict[str, Callable[[Inputs, Kinds], Results]] = {
     "DEMUX": _demux,
     "SEG": _seg,
     "BCDCPL": _complement,
-    "SPLIT_DATE": lambda inputs, _: _date(inputs["IN"] + DAYS_TO_1990),
+    "SPLIT_DATE": _split_date,
     "SPLIT_TOD": lambda inputs, _: _time(inputs["IN"]),
     "SPLIT_LTOD": lambda inputs, _: _time(inputs["IN"] // NS_PER_MS),
     "SPLIT_DT": _split_stamp,

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from harness.engine.compiled.library.calendar import day_of, time_of
-from harness.engine.compiled.library.dates import DAYS_TO_1990, NS_PER_DAY, NS_PER_MS
+from harness.engine.compiled.library.dates import NS_PER_DAY, NS_PER_MS
 
 _STEPS = (("ns", 1000), ("us", 1000), ("ms", 1000), ("s", 60), ("m", 60), ("h", 24))
 """The units from below, and how many of each make one of the next."""
@@ -42,10 +42,11 @@ def _stamp(stamp: int) -> str:
 FUNCTIONS: dict[str, Callable[[int], str]] = {
     "TIME": lambda count: _duration("T", count, _STEPS[2:]),
     "LTIME": lambda count: _duration("LT", count, _STEPS),
-    "DATE": lambda days: "D#" + _date(days + DAYS_TO_1990),
+    "DATE": lambda instant: "D#" + _date(instant // NS_PER_DAY),
+    "LDATE": lambda instant: "LDATE#" + _date(instant // NS_PER_DAY),
     "TIME_OF_DAY": lambda count: "TOD#" + _time_of_day(count * NS_PER_MS),
     "LTIME_OF_DAY": lambda count: "LTOD#" + _time_of_day(count),
     "DATE_AND_TIME": lambda stamp: "DT#" + _stamp(stamp),
     "LDT": lambda stamp: "LDT#" + _stamp(stamp),
 }
-"""By the name of the type."""
+"""By the name of the type; dates come as nanoseconds since 1970."""
