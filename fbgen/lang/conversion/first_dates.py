@@ -26,10 +26,10 @@ from fbgen.lang.ast import (
 )
 from fbgen.lang.checker.conversion_calls import conversion_types
 from fbgen.lang.checker.conversions import elementary_named
-from fbgen.lang.conversion.rewriting import Rewriter, Rule, replaced, rewritten
 from fbgen.lang.dates import NS_PER_S, instant_of, of_dialect
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.plant import BlockScope, PlantText, Scope
+from fbgen.lang.rewriting import Rewriter, Rule, replaced, rewritten
 from fbgen.lang.types import (
     DATE,
     DATE_AND_TIME,
