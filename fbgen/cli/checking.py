@@ -35,6 +35,10 @@ class Checked:
     findings: list[Diagnostic]
 
 
+_STRANGER = "FB4062"
+"""A number for a data block: each program says it that does not have the data block."""
+
+
 @dataclass(frozen=True, slots=True)
 class Settings:
     """How to check. `iec_check` None: as the CPU family has it, else as the dialect has it.
@@ -70,7 +74,17 @@ def check_programs(
     checked = list(programs)
     if len(found) == len(programs):
         checked = [part.program for part in found]
-    return checked, [*unread, *(one for part in found for one in part.findings)]
+    strangers = _of_no_program([part.findings for part in found])
+    rest = (one for part in found for one in part.findings if one.code != _STRANGER)
+    return checked, [*unread, *strangers, *rest]
+
+
+def _of_no_program(findings: Sequence[Sequence[Diagnostic]]) -> list[Diagnostic]:
+    """The numbers of data blocks that no program has."""
+    strangers = [[one for one in part if one.code == _STRANGER] for part in findings]
+    first, *others = strangers or [[]]
+    messages = [{one.message for one in part} for part in others]
+    return [one for one in first if all(one.message in known for known in messages)]
 
 
 def _unread_tables(settings: Settings) -> list[Diagnostic]:

@@ -128,3 +128,27 @@ def test_a_constant_that_is_no_plc_value_is_named(fbgen: Fbgen, block: str, comm
     run = fbgen(command, block, "--constant", "MAX_PUMPS=many")
     assert run.status == 1
     assert "error[FB3060]: constant 'MAX_PUMPS' has the value 'many', which is none" in run.err
+
+
+@pytest.mark.parametrize("command", ["check", "run"])
+def test_a_number_for_a_data_block_that_is_not_there_is_an_error(
+    fbgen: Fbgen, block: str, tags: str, command: str
+) -> None:
+    more = ("--cycles", "1") if command == "run" else ()
+    given = (*_CONSTANTS, "--tags", tags, *_NUMBER, "--db-number", "Exchnage=101")
+    run = fbgen(command, block, *more, *given)
+    assert run.status == 1
+    assert "error[FB4062]: a number is given to 'Exchnage', which is no data block" in run.err
+    assert "did you mean 'Exchange'?" in run.err
+
+
+def test_a_number_may_be_meant_for_another_program(
+    fbgen: Fbgen, block: str, tags: str, tmp_path: Path
+) -> None:
+    other = tmp_path / "other.st"
+    other.write_text("PROGRAM p\nVAR a : INT; END_VAR\na := 1;\nEND_PROGRAM\n", encoding="utf-8")
+    given = (*_CONSTANTS, "--tags", tags, *_NUMBER)
+    run = fbgen("check", block, str(other), *given)
+    assert (run.status, "FB4062" in run.err) == (0, False), run.err
+    again = fbgen("check", block, str(other), *given, "--db-number", "Nobody=3")
+    assert (again.status, again.err.count("error[FB4062]")) == (1, 1)
