@@ -1,6 +1,12 @@
 """What the devices are: the catalogue as a validated, frozen model."""
 
-from fbgen.catalog.catalog import Catalog, Replacement, load_catalog
+from fbgen.catalog.catalog import (
+    OWN_SEQUENCES,
+    Catalog,
+    Replacement,
+    load_catalog,
+    with_own_sequences,
+)
 from fbgen.catalog.drives import ComNo, Drive, Trip
 from fbgen.catalog.gateways import Gateway, Led, LedState, StatusCode
 from fbgen.catalog.layouts import AccessWay, CyclicField, Layout, PlacedIdentifier
@@ -46,6 +52,7 @@ __all__ = [
     "Led",
     "LedState",
     "Located",
+    "OWN_SEQUENCES",
     "Option",
     "OptionValue",
     "Parameter",
@@ -66,4 +73,5 @@ __all__ = [
     "origin",
     "parse_word",
     "validate",
+    "with_own_sequences",
 ]

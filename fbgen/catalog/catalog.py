@@ -1,7 +1,8 @@
 """The whole catalogue: drives, gateways, protocols and sequences, in layers.
 
 The shipped folder is the lowest layer. Folders of the user's own have the same structure; an
-entry with the id of a lower one replaces it, which `Catalog.replaced` tells.
+entry with the id of a lower one replaces it, which `Catalog.replaced` tells. Sequences that lie
+beside a plant file are the highest layer for that plant.
 """
 
 from collections.abc import Iterator, Mapping
@@ -30,6 +31,8 @@ KINDS: Mapping[str, type[Entry]] = MappingProxyType(
     {"drives": Drive, "gateways": Gateway, "protocols": Protocol, "sequences": Sequence}
 )
 """Folder name -> model of the files in it."""
+OWN_SEQUENCES = "sequences"
+"""The folder beside a plant file in which its own sequences lie."""
 
 EntryType = TypeVar("EntryType", Drive, Gateway, Protocol, Sequence)
 
@@ -110,6 +113,25 @@ def load_catalog(extra: Row[Path] = ()) -> Catalog:
 @cache
 def _shipped_catalog() -> Catalog:
     return _load([(shipped("catalog"), "catalog")])
+
+
+def with_own_sequences(catalog: Catalog, folder: Path) -> Catalog:
+    """The catalogue with the sequences in `folder`/sequences over it, if there are any.
+
+    Raises DiagnosticError with everything that is wrong in these files.
+    """
+    files = sorted((folder / OWN_SEQUENCES).glob("*.y*ml"))
+    if not files:
+        return catalog
+    layers = _Layers(sources=list(catalog.sources), replaced=list(catalog.replaced))
+    for kind in KINDS:
+        layers.entries[kind] |= getattr(catalog, kind)
+    for path in files:
+        _read(path, folder.as_posix(), path.relative_to(folder), layers)
+    layers.found += unresolved(_catalog(layers), layers.broken)
+    if layers.found:
+        raise DiagnosticError(layers.found)
+    return _catalog(layers)
 
 
 @dataclass(slots=True)

@@ -96,13 +96,13 @@ def generate(
     plant file does not read that, the usual PLC of the dialect takes its place. --prefix and
     --files take the place of what the plant file says.
     """
-    from fbgen.catalog import load_catalog
+    from fbgen.catalog import load_catalog, with_own_sequences
     from fbgen.emit.folder import compare
     from fbgen.emit.generator import generate as generate_text
     from fbgen.emit.writing import write_set
     from fbgen.plant import load_plant
 
-    known = load_catalog(catalog or ())
+    known = with_own_sequences(load_catalog(catalog or ()), plant.parent)
     wanted = _in_dialect(load_plant(plant, known), dialect, known)
     wanted = _changed(wanted, known, prefix=prefix, files=files)
     if block_numbers is not None:

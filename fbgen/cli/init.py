@@ -1,4 +1,4 @@
-"""`fbgen init`: a commented plant file to start from."""
+"""`fbgen init`: a commented plant file to start from, and a sequence of one's own."""
 
 from pathlib import Path
 from typing import Annotated
@@ -26,11 +26,17 @@ def init(
         bool, typer.Option("--force", help="Overwrite a plant file that is already there.")
     ] = False,
 ) -> None:
-    """Write a plant file in which every key is explained."""
-    from fbgen.cli.files import write_file
-    from fbgen.plant import write_commented_plant
+    """Write a plant file in which every key is explained, and beside it a sequence.
 
-    path = folder / PLANT_FILE
+    Sequences in the folder `sequences` beside a plant file are those of that plant.
+    """
+    from fbgen.catalog import OWN_SEQUENCES
+    from fbgen.cli.files import write_file
+    from fbgen.plant import OWN_SEQUENCE_FILE, write_commented_plant, write_own_sequence
+
+    path, sequence = folder / PLANT_FILE, folder / OWN_SEQUENCES / OWN_SEQUENCE_FILE
     write_file(path, write_commented_plant(), overwrite=force)
+    write_file(sequence, write_own_sequence(), overwrite=force)
     result(str(path))
+    result(str(sequence))
     say(f"edit it, then: fbgen generate {path} -o out")

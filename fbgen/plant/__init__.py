@@ -2,6 +2,7 @@
 
 from fbgen.plant.changing import changed, in_dialect, problems_of
 from fbgen.plant.commented import write_commented_plant
+from fbgen.plant.commented_sequence import OWN_SEQUENCE_FILE, write_own_sequence
 from fbgen.plant.families import (
     FAMILIES,
     FILE_LAYOUTS,
@@ -29,6 +30,7 @@ __all__ = [
     "FileLayout",
     "HIGHEST_BLOCK",
     "LANGUAGES",
+    "OWN_SEQUENCE_FILE",
     "Plant",
     "PlantDialect",
     "PlantDrive",
@@ -41,4 +43,5 @@ __all__ = [
     "read_plant",
     "with_prefix",
     "write_commented_plant",
+    "write_own_sequence",
 ]

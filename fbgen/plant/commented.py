@@ -56,6 +56,7 @@ sequences:
   - read_status
   - fault_reset
   - emergency_stop
+  # - start_and_wait  # one of your own: sequences/start_and_wait.yaml beside this file
 
 gateways:
   - name: gw1

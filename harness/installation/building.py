@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from fbgen.catalog import Catalog, Drive, OptionValue, load_catalog
+from fbgen.catalog import Catalog, Drive, OptionValue, load_catalog, with_own_sequences
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.nearest import nearest
 from fbgen.plant import Plant, PlantDrive, PlantGateway, load_plant, with_prefix
@@ -34,7 +34,7 @@ def plant(path: str | Path, setup: PlantSetup | None = None) -> Installation:
 
     Raises DiagnosticError as `load_plant`, `generate` and `build_plant`.
     """
-    catalog = load_catalog()
+    catalog = with_own_sequences(load_catalog(), Path(path).parent)
     return build_plant(load_plant(Path(path), catalog), catalog, setup or PlantSetup())
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from fbgen.catalog import Catalog, Drive
+from fbgen.catalog import Catalog, Drive, with_own_sequences
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
 from fbgen.nearest import nearest
 from fbgen.plant import Plant, in_dialect, load_plant, problems_of
@@ -43,6 +43,7 @@ class ScenarioCase:
         dialect = self.dialect or variation.dialect
         parts = [dialect, variation.plc, variation.layout, variation.access, variation.prefix]
         parts += [f"{name}={value}" for name, value in variation.options.items()]
+        parts += [f"error_obs={variation.error_obs}"] if variation.error_obs else []
         shown = ", ".join(part for part in parts if part)
         return f"[{shown}]" if shown else ""
 
@@ -83,7 +84,9 @@ def prepare(case: ScenarioCase, catalog: Catalog, seed: int | None = None) -> Sc
     plant.
     """
     scenario = case.scenario
-    plan = _varied(_plant_of(case, catalog), case.variation, catalog)
+    path = _plant_file(case)
+    catalog = with_own_sequences(catalog, path.parent)
+    plan = _varied(load_plant(path, catalog), case.variation, catalog)
     if case.dialect is not None:
         plan = in_dialect(plan, case.dialect, catalog)
     if found := list(_drive_problems(scenario, plan, catalog)):
@@ -94,7 +97,7 @@ def prepare(case: ScenarioCase, catalog: Catalog, seed: int | None = None) -> Sc
     return ScenarioRun(scenario, plant, catalog)
 
 
-def _plant_of(case: ScenarioCase, catalog: Catalog) -> Plant:
+def _plant_file(case: ScenarioCase) -> Path:
     path = Path(os.path.normpath(case.path.parent / case.scenario.plant))
     if not path.is_file():
         raise error(
@@ -103,7 +106,7 @@ def _plant_of(case: ScenarioCase, catalog: Catalog) -> Plant:
             case.scenario.span_of("plant"),
             "name it as seen from the folder of the scenario",
         )
-    return load_plant(path, catalog)
+    return path
 
 
 def _varied(plant: Plant, variation: Variation, catalog: Catalog) -> Plant:

@@ -15,8 +15,19 @@ ROOT = Path(__file__).parents[3]
 def test_init_writes_a_plant_file_that_is_valid(fbgen: Fbgen, tmp_path: Path) -> None:
     run = fbgen("init", str(tmp_path / "new" / "folder"))
     path = tmp_path / "new" / "folder" / "plant.yaml"
-    assert (run.status, run.out) == (0, f"{path}\n")
+    sequence = path.parent / "sequences" / "start_and_wait.yaml"
+    assert (run.status, run.out) == (0, f"{path}\n{sequence}\n")
     assert load_plant(path, load_catalog()).gateways
+
+
+def test_the_sequence_that_init_writes_becomes_a_block(fbgen: Fbgen, tmp_path: Path) -> None:
+    assert fbgen("init", str(tmp_path)).status == 0
+    path = tmp_path / "plant.yaml"
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace("# - start_and_wait", "- start_and_wait"), encoding="utf-8")
+    run = fbgen("generate", str(path), "-o", str(tmp_path / "out"))
+    assert (run.status, run.err.count("warning")) == (0, 0), run.err
+    assert (tmp_path / "out" / "TOS_Seq_start_and_wait.scl").is_file()
 
 
 def test_init_never_overwrites_without_force(fbgen: Fbgen, tmp_path: Path) -> None:
