@@ -96,6 +96,7 @@ def generate(
     plant file does not read that, the usual PLC of the dialect takes its place. --prefix and
     --files take the place of what the plant file says.
     """
+    from fbgen.artefacts import with_artefacts
     from fbgen.catalog import load_catalog, with_own_sequences
     from fbgen.emit.folder import compare
     from fbgen.emit.generator import generate as generate_text
@@ -107,7 +108,7 @@ def generate(
     wanted = _changed(wanted, known, prefix=prefix, files=files)
     if block_numbers is not None:
         wanted = _with_numbers(wanted, block_numbers)
-    generated = generate_text(wanted, known, templates or ())
+    generated = with_artefacts(generate_text(wanted, known, templates or ()), wanted, known)
     report(generated.warnings)
     dry = check or diff
     found = compare(generated, folder) if dry else write_set(generated, folder, force=force)

@@ -18,7 +18,8 @@ from fbgen.emit.generated import GeneratedSet
 from fbgen.writing import why_not_written
 
 FILE_LIST = "fbgen-files.json"
-_FILE_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\.(scl|udt|db|sdf|st|TcPOU|TcDUT|TcGVL|xml)")
+_SUFFIXES = "scl|udt|db|sdf|st|TcPOU|TcDUT|TcGVL|xml|csv|xlsx|md"
+_FILE_NAME = re.compile(rf"[A-Za-z][A-Za-z0-9_]*\.({_SUFFIXES})")
 """What fbgen calls its files; a list that names anything else is not followed."""
 
 
@@ -81,7 +82,7 @@ def compare(generated: GeneratedSet, folder: Path) -> FolderChanges:
 
     Raises DiagnosticError FB5021 where the folder cannot be read, FB5022 where its list cannot.
     """
-    texts = {file.name: file.data for file in generated.files}
+    texts = generated.contents
     last = _read_list(folder)
     known = last.files or {}
     present = {name: read_content(folder / name) for name in {*texts, *known}}
@@ -112,10 +113,8 @@ def compare(generated: GeneratedSet, folder: Path) -> FolderChanges:
 
 def file_list(generated: GeneratedSet) -> bytes:
     """The content of the list for this set."""
-    hashes = {
-        file.name: sha256(file.data).hexdigest()
-        for file in sorted(generated.files, key=lambda file: file.name)
-    }
+    contents = sorted(generated.contents.items())
+    hashes = {name: sha256(data).hexdigest() for name, data in contents}
     blocks = [block.as_json() for block in generated.blocks]
     content = {"inputs": generated.inputs_hash, "files": hashes, "blocks": blocks}
     return (json.dumps(content, indent=2) + "\n").encode("ascii")

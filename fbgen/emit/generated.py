@@ -4,6 +4,8 @@ from dataclasses import dataclass
 
 from fbgen.diagnostics import Diagnostic
 from fbgen.emit.block_list import GeneratedBlock
+from fbgen.lang import ast
+from fbgen.lang.checked import Program
 from fbgen.lang.printer import LineOrigins
 
 
@@ -27,12 +29,29 @@ class GeneratedFile:
 
 
 @dataclass(frozen=True, slots=True)
+class Artefact:
+    """A file beside the PLC text: lists for other tools, instructions for people."""
+
+    name: str
+    data: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class CanonicalProgram:
+    """What was generated before it got its dialect: the units in canonical SCL, and checked."""
+
+    units: tuple[ast.File, ...]
+    program: Program
+
+
+@dataclass(frozen=True, slots=True)
 class GeneratedSet:
     """All files of a plant in the order in which they are imported.
 
     `inputs_hash` stands for fbgen's version, the plant file, the catalogue entries and templates;
     each file with PLC text carries it. `warnings` are findings that did not stop the work, `blocks`
-    all units of the PLC program.
+    all units of the PLC program. `artefacts` are the files beside the PLC text, made from
+    `canonical` by `fbgen.artefacts`.
     """
 
     dialect: str
@@ -40,3 +59,11 @@ class GeneratedSet:
     inputs_hash: str
     warnings: tuple[Diagnostic, ...] = ()
     blocks: tuple[GeneratedBlock, ...] = ()
+    canonical: CanonicalProgram | None = None
+    artefacts: tuple[Artefact, ...] = ()
+
+    @property
+    def contents(self) -> dict[str, bytes]:
+        """The bytes of all files by their names, the PLC text in front."""
+        text = {file.name: file.data for file in self.files}
+        return text | {file.name: file.data for file in self.artefacts}

@@ -11,7 +11,7 @@ from fbgen.catalog import Catalog
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.emit.block_list import generated_block
 from fbgen.emit.environment import TemplateRenderer
-from fbgen.emit.generated import GeneratedSet
+from fbgen.emit.generated import CanonicalProgram, GeneratedSet
 from fbgen.emit.layout import laid_out
 from fbgen.emit.lint import lint
 from fbgen.emit.name_clashes import names_that_clash
@@ -36,7 +36,7 @@ def generate(plant: Plant, catalog: Catalog, templates: Sequence[Path] = ()) -> 
     names = [*names_that_do_not_fit(units, plant, catalog), *names_that_clash(units, plant)]
     if names:
         raise DiagnosticError(names)
-    check(
+    program = check(
         units, CANONICAL_DIALECT, rules=replace(rules_for(CANONICAL_DIALECT), iec_check_open=False)
     )
     files = laid_out(units, plant)
@@ -44,7 +44,8 @@ def generate(plant: Plant, catalog: Catalog, templates: Sequence[Path] = ()) -> 
     if found := [item for text in texts for item in lint(*text, plant.dialect, plant.plc)]:
         raise DiagnosticError(found)
     blocks = tuple(generated_block(unit, plant.prefix) for unit in rendered)
-    return GeneratedSet(plant.dialect, files, inputs_hash, plan.warnings, blocks)
+    canonical = CanonicalProgram(tuple(units), program)
+    return GeneratedSet(plant.dialect, files, inputs_hash, plan.warnings, blocks, canonical)
 
 
 def _render(

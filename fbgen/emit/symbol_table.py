@@ -26,7 +26,10 @@ def symbol_table(units: Sequence[ast.Unit], plant: Plant) -> str:
     Raises DiagnosticError FB5011 where the range is too small.
     """
     named = [unit for unit in units if isinstance(unit, Unit) and not _has_its_number(unit)]
-    addresses = _addresses(named, plant)
+    addresses = {
+        name: f"{kind}{number:>{9 - len(kind)}}"
+        for name, (kind, number) in numbers_of(units, plant).items()
+    }
     return "".join(
         f'"{unit.name.name:<24}","{addresses[unit.name.name]}   ",'
         f'"{_data_type(unit, addresses)} ","{_title(unit):<{_COMMENT}}"\n'
@@ -34,15 +37,19 @@ def symbol_table(units: Sequence[ast.Unit], plant: Plant) -> str:
     )
 
 
-def _addresses(units: Sequence[Unit], plant: Plant) -> dict[str, str]:
-    """`FB    200` and so on: each kind counts from the first number."""
+def numbers_of(units: Sequence[ast.Unit], plant: Plant) -> dict[str, tuple[str, int]]:
+    """Kind and number of each unit: each kind counts from the first number.
+
+    Raises DiagnosticError FB5011 where the range is too small.
+    """
     numbers = plant.block_numbers
     counts: Counter[str] = Counter()
-    addresses: dict[str, str] = {}
+    found: dict[str, tuple[str, int]] = {}
     for unit in units:
-        kind = _kind(unit)
-        addresses[unit.name.name] = f"{kind}{numbers.first + counts[kind]:>{9 - len(kind)}}"
-        counts[kind] += 1
+        if isinstance(unit, Unit) and not _has_its_number(unit):
+            kind = _kind(unit)
+            found[unit.name.name] = kind, numbers.first + counts[kind]
+            counts[kind] += 1
     for kind, count in counts.items():
         if count > _room(numbers):
             raise error(
@@ -51,7 +58,7 @@ def _addresses(units: Sequence[Unit], plant: Plant) -> dict[str, str]:
                 numbers.span_of("last"),
                 f"let block_numbers end at {numbers.first + count - 1} or later",
             )
-    return addresses
+    return found
 
 
 def _room(numbers: BlockNumbers) -> int:

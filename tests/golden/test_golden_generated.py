@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 import fbgen
+from fbgen.artefacts import with_artefacts
 from fbgen.catalog import load_catalog
 from fbgen.emit.generated import GeneratedSet
 from fbgen.emit.generator import generate
@@ -148,7 +149,10 @@ def test_another_process_with_other_surroundings_writes_the_same_bytes(
         command, env=environment, cwd=tmp_path, capture_output=True, text=True, check=False
     )
     assert run.returncode == 0, run.stderr
-    files = generated(FIVE_DRIVES).files
-    assert {file.name: file.data for file in files} == {
+    catalog = load_catalog()
+    files = with_artefacts(
+        generated(FIVE_DRIVES), read_plant(Source("plant.yaml", FIVE_DRIVES), catalog), catalog
+    )
+    assert files.contents == {
         path.name: path.read_bytes() for path in tmp_path.iterdir() if path.suffix != ".json"
     }

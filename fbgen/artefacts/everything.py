@@ -1,0 +1,24 @@
+"""All files beside the PLC text of a plant."""
+
+from dataclasses import replace
+
+from fbgen.artefacts.alarm_lists import alarm_lists
+from fbgen.artefacts.hmi_tags import hmi_tags
+from fbgen.artefacts.plc_tags import plc_tags
+from fbgen.artefacts.view import PlantLists
+from fbgen.artefacts.watch_tables import watch_tables
+from fbgen.catalog import Catalog
+from fbgen.emit.generated import GeneratedSet
+from fbgen.plant import Plant
+
+
+def with_artefacts(generated: GeneratedSet, plant: Plant, catalog: Catalog) -> GeneratedSet:
+    """What `fbgen.emit.generate` has made of a plant, with the files beside it."""
+    lists = PlantLists(plant, catalog, generated, "en")
+    found = [
+        *plc_tags(lists),
+        *hmi_tags(lists),
+        *alarm_lists(lists),
+        *watch_tables(lists),
+    ]
+    return replace(generated, artefacts=tuple(found))

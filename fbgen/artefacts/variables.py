@@ -1,0 +1,119 @@
+"""What a person can look at from outside: the variables of a data block, down to single values.
+
+They are taken from the checked program, so that a list names exactly what is in the PLC. Comments
+are those of the data types.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from fbgen.lang import ast
+from fbgen.lang.checked import Program
+from fbgen.lang.layout import S7_SIZES
+from fbgen.lang.types import Elementary, StringType, StructType, Type
+
+_SPELLING = {
+    "BOOL": "Bool",
+    "BYTE": "Byte",
+    "WORD": "Word",
+    "DWORD": "DWord",
+    "INT": "Int",
+    "DINT": "DInt",
+    "REAL": "Real",
+    "TIME": "Time",
+}
+"""Elementary types as TIA Portal spells them."""
+
+
+@dataclass(frozen=True, slots=True)
+class PlcVariable:
+    """A single value in a data block.
+
+    `path` are the names below the data block. `bit` is its first bit from the beginning of the
+    block where the block has the classic layout.
+    """
+
+    block: str
+    path: tuple[str, ...]
+    type: Type
+    comment: str
+    bit: int
+
+    @property
+    def name(self) -> str:
+        """As in an HMI, a watch list, and in IEC text: `TOS_Plant.gw1.line.online`."""
+        return ".".join((self.block, *self.path))
+
+    @property
+    def quoted(self) -> str:
+        """As a watch table of TIA Portal or STEP 7 wants it: `"TOS_Plant".gw1.line.online`."""
+        return ".".join((f'"{self.block}"', *self.path))
+
+    @property
+    def type_name(self) -> str:
+        """The type without the length of a text: `Bool`, `Word`, `String`."""
+        if isinstance(self.type, StringType):
+            return "String"
+        return _SPELLING[self.type.name]
+
+    @property
+    def size(self) -> int:
+        """Bytes, for a text the number of its characters."""
+        if isinstance(self.type, StringType):
+            return self.type.length
+        return S7_SIZES.size_bytes(self.type)
+
+    def address(self, number: int) -> str:
+        """The absolute address in data block `number` with the classic layout: `DB200.DBX4.1`."""
+        byte, bit = divmod(self.bit, 8)
+        if self.type_name == "Bool":
+            return f"DB{number}.DBX{byte}.{bit}"
+        width = {1: "B", 2: "W", 4: "D"}.get(self.size, "B") if self.is_number else "B"
+        return f"DB{number}.DB{width}{byte}"
+
+    @property
+    def is_number(self) -> bool:
+        """False for texts, which have no single address."""
+        return isinstance(self.type, Elementary)
+
+
+def variables(program: Program, units: Sequence[ast.File], block: str) -> tuple[PlcVariable, ...]:
+    """Every single value in a data block that is a structure, in the order of declaration."""
+    kind = program.globals[block.casefold()].type
+    assert isinstance(kind, StructType), "only data blocks with a structure of their own"
+    return tuple(_inside(kind, block, (), 0, _comments(units)))
+
+
+def _inside(
+    kind: StructType,
+    block: str,
+    path: tuple[str, ...],
+    start: int,
+    comments: Mapping[tuple[str, str], str],
+) -> Iterator[PlcVariable]:
+    for field, bit in S7_SIZES.placed(kind):
+        inner = (*path, field.name)
+        if isinstance(field.type, StructType):
+            yield from _inside(field.type, block, inner, start + bit, comments)
+        elif isinstance(field.type, Elementary | StringType):
+            comment = comments.get((kind.name.casefold(), field.name.casefold()), "")
+            yield PlcVariable(block, inner, field.type, comment, start + bit)
+
+
+def _comments(units: Sequence[ast.File]) -> dict[tuple[str, str], str]:
+    """The comments behind the parts of all data types, by type and part."""
+    found = {}
+    for file in units:
+        for unit in file.units:
+            if isinstance(unit, ast.TypeDeclaration) and isinstance(unit.type, ast.StructSpec):
+                for declaration in unit.type.fields:
+                    text = _text(declaration.trailing)
+                    for name in declaration.names:
+                        found[unit.name.name.casefold(), name.name.casefold()] = text
+    return found
+
+
+def _text(comment: ast.Trivia | None) -> str:
+    if comment is None:
+        return ""
+    return comment.text.removeprefix("//").removeprefix("(*").removesuffix("*)").strip()

@@ -1,0 +1,115 @@
+"""What every list is made from: the plant with its catalogue entries and the program of it."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from fbgen.artefacts.variables import PlcVariable, variables
+from fbgen.blocks.alarms import LINE_ALARMS, Alarm, drive_alarms
+from fbgen.catalog import Catalog
+from fbgen.emit.generated import CanonicalProgram, GeneratedSet
+from fbgen.emit.symbol_table import numbers_of
+from fbgen.plant import Plant, PlantDrive, PlantGateway, with_prefix
+
+
+@dataclass(frozen=True)
+class PlantLists:
+    """A plant, what was generated for it, and the language of texts for people."""
+
+    plant: Plant
+    catalog: Catalog
+    generated: GeneratedSet
+    language: str
+
+    @property
+    def canonical(self) -> CanonicalProgram:
+        """The program before it got its dialect."""
+        assert self.generated.canonical is not None, "generate() keeps it"
+        return self.generated.canonical
+
+    def name(self, usual: str) -> str:
+        """A block of the plant by its usual name."""
+        return with_prefix(usual, self.plant.prefix)
+
+    def file_name(self, part: str) -> str:
+        """The name of a list: `conveyor_alarms.csv`."""
+        return f"{self.plant.name}_{part}"
+
+    def in_words(self, english: str, german: str) -> str:
+        """A text in the language of the plant."""
+        return german if self.language == "de" else english
+
+    @cached_property
+    def variables(self) -> tuple[PlcVariable, ...]:
+        """Commands and states of all drives and lines."""
+        found = self.canonical
+        return variables(found.program, found.units, self.name("TOS_Plant"))
+
+    @cached_property
+    def numbers(self) -> dict[str, tuple[str, int]]:
+        """Kind and number of each unit where the dialect numbers them: `TOS_Main`: FC, 207."""
+        if self.plant.dialect != "step7":
+            return {}
+        units = [unit for file in self.canonical.units for unit in file.units]
+        return numbers_of(units, self.plant)
+
+    def address(self, variable: PlcVariable) -> str:
+        """The absolute address where there is one, else ""."""
+        numbered = self.numbers.get(variable.block)
+        return variable.address(numbered[1]) if numbered else ""
+
+    def variable(self, *path: str) -> PlcVariable:
+        """The variable at this path below the data block."""
+        return self._by_path[tuple(name.casefold() for name in path)]
+
+    @cached_property
+    def _by_path(self) -> dict[tuple[str, ...], PlcVariable]:
+        return {tuple(name.casefold() for name in one.path): one for one in self.variables}
+
+    @cached_property
+    def tag_names(self) -> dict[PlcVariable, str]:
+        """A name without dots for each variable, as an HMI wants it; each only once."""
+        given: dict[PlcVariable, str] = {}
+        taken: set[str] = set()
+        for variable in self.variables:
+            stem = name = variable.name.replace(".", "_")
+            count = 1
+            while name.casefold() in taken:
+                count += 1
+                name = f"{stem}_{count}"
+            taken.add(name.casefold())
+            given[variable] = name
+        return given
+
+    def alarms(self) -> Iterator["PlacedAlarm"]:
+        """All alarms of all lines and drives."""
+        of_drives = drive_alarms(self.plant.sequences)
+        for gateway in self.plant.gateways:
+            word = self.variable(gateway.name, "line", "alarms")
+            for alarm in LINE_ALARMS:
+                yield PlacedAlarm(alarm, word, gateway)
+            for drive in gateway.drives:
+                word = self.variable(gateway.name, drive.name, "alarms")
+                for alarm in of_drives:
+                    yield PlacedAlarm(alarm, word, gateway, drive)
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedAlarm:
+    """An alarm of a line, or of one of its drives, and the word in which its bit lies."""
+
+    alarm: Alarm
+    word: PlcVariable
+    gateway: PlantGateway
+    drive: PlantDrive | None = None
+
+    @property
+    def name(self) -> str:
+        """The owner and the cause: `gw1_pump_tripped`."""
+        owner = self.drive.name if self.drive else "line"
+        return f"{self.gateway.name}_{owner}_{self.alarm.name}"
+
+    def text(self, language: str) -> str:
+        """What the operator reads, with the owner's title, or its name, in front."""
+        owner = self.drive or self.gateway
+        return f"{' '.join((owner.title or owner.name).split())}: {self.alarm.text(language)}"

@@ -1,0 +1,87 @@
+"""What to watch while a plant is taken into service: a table for each gateway.
+
+For TIA Portal the table is SimaticML as Openness exports and imports it (`SW.WatchAndForceTables`;
+published exports of V18 and V21, which hold no more than a name where the rest is the default). For
+all tools there is the same as CSV: the column `Watch` can be pasted into a watch table.
+"""
+
+from collections.abc import Iterator
+from xml.sax.saxutils import escape
+
+from fbgen.artefacts.text_table import csv_table
+from fbgen.artefacts.variables import PlcVariable
+from fbgen.artefacts.view import PlantLists
+from fbgen.emit.generated import Artefact
+from fbgen.plant import PlantGateway
+
+_LINE = ("online", "ioError", "ioRetVal", "gatewayFault", "errorCount", "emergencyStop", "stopped")
+_CONTROL = ("enable", "interlock", "run", "reverse", "frequency", "reset")
+_STATE = ("ready", "running", "tripped", "inhibited", "status", "command", "trip")
+_POLLED = ("valid", "lost", "statusWord", "frequency", "current")
+_DRIVE = (
+    *(("control", name) for name in _CONTROL),
+    *(("state", name) for name in _STATE),
+    *(("polled", name) for name in _POLLED),
+    ("alarms",),
+)
+_FORMATS = {"Bool": "Bool", "Real": "Floating-point", "Int": "DEC", "Time": "Time", "String": "-"}
+
+
+def watch_tables(lists: PlantLists) -> list[Artefact]:
+    """The tables of the plant's dialect."""
+    found = [Artefact(lists.file_name("watch.csv"), csv_table(_rows(lists)))]
+    if lists.plant.dialect == "tia":
+        for gateway in lists.plant.gateways:
+            name = lists.file_name(f"watch_{gateway.name}")
+            found.append(Artefact(f"{name}.xml", _simatic_ml(lists, gateway).encode("ascii")))
+    return found
+
+
+def watched(lists: PlantLists, gateway: PlantGateway) -> Iterator[PlcVariable]:
+    """The variables of the line and its drives that show what goes on."""
+    for name in _LINE:
+        yield lists.variable(gateway.name, "line", name)
+    yield lists.variable(gateway.name, "line", "alarms")
+    for drive in gateway.drives:
+        for path in _DRIVE:
+            yield lists.variable(gateway.name, drive.name, *path)
+
+
+def _rows(lists: PlantLists) -> list[list[str]]:
+    quoted = lists.plant.dialect in ("tia", "step7")
+    rows = [["Watch", "Address", "Display format", "Comment"]]
+    for gateway in lists.plant.gateways:
+        for variable in watched(lists, gateway):
+            rows.append(
+                [
+                    variable.quoted if quoted else variable.name,
+                    lists.address(variable),
+                    _FORMATS.get(variable.type_name, "HEX"),
+                    variable.comment,
+                ]
+            )
+    return rows
+
+
+def _simatic_ml(lists: PlantLists, gateway: PlantGateway) -> str:
+    entries = "".join(
+        f'      <SW.WatchAndForceTables.PlcWatchTableEntry ID="{number:X}" '
+        'CompositionName="Entries">\n'
+        "        <AttributeList>\n"
+        f"          <Name>{escape(variable.quoted)}</Name>\n"
+        "        </AttributeList>\n"
+        "      </SW.WatchAndForceTables.PlcWatchTableEntry>\n"
+        for number, variable in enumerate(watched(lists, gateway), start=1)
+    )
+    return (
+        '<?xml version="1.0" encoding="utf-8"?>\n'
+        "<Document>\n"
+        '  <Engineering version="V17" />\n'
+        '  <SW.WatchAndForceTables.PlcWatchTable ID="0">\n'
+        "    <AttributeList>\n"
+        f"      <Name>{lists.file_name(f'watch_{gateway.name}')}</Name>\n"
+        "    </AttributeList>\n"
+        f"    <ObjectList>\n{entries}    </ObjectList>\n"
+        "  </SW.WatchAndForceTables.PlcWatchTable>\n"
+        "</Document>\n"
+    )
