@@ -85,6 +85,8 @@ def convert(
     source = dialect or dialect_of(paths)
     destination = Destination(to.value, output, text)
     trees = _converted(paths, source, destination.dialect, check=check)
+    if destination.container == "text":
+        trees = _without_names_of_lists(trees, destination.dialect)
     contents = encoded_files(trees, destination, len(paths))
     if check and destination.container != "text":
         _raise_any(mistakes_in_files(contents, destination.dialect))
@@ -121,6 +123,16 @@ def _converted(
     finally:
         progress.end()
     return converted
+
+
+def _without_names_of_lists(trees: "Sequence[File]", dialect: str) -> "Sequence[File]":
+    from fbgen.lang.conversion.list_names import without_list_names
+    from fbgen.lang.lowering.findings import Findings
+
+    findings = Findings(dialect)
+    written = without_list_names(trees, findings)
+    _raise_any(findings.all)
+    return written
 
 
 def _read(paths: "Sequence[Path]", dialect: str, progress: "Progress") -> "list[File]":

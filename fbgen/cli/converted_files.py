@@ -12,7 +12,7 @@ from fbgen.lang.ast import File
 from fbgen.lang.containers import NewFile, new_files
 
 _XML_SUFFIXES = {".xml": "plcopen"} | dict.fromkeys(
-    (".tcpou", ".tcdut", ".tcgvl", ".tcio"), "twincat"
+    (".tcpou", ".tcdut", ".tcgvl", ".tcio", ".tctto"), "twincat"
 )
 _STEM = "converted"
 

@@ -8,9 +8,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from fbgen.diagnostics import Diagnostic, Note, Severity
-from fbgen.lang.ast import File
+from fbgen.lang.ast import File, Globals
 from fbgen.lang.checker import check_reporting
 from fbgen.lang.containers.document import document_of
+from fbgen.lang.containers.twincat import with_list_names
 from fbgen.lang.parser import parse_recovering
 from fbgen.lang.printer import PrintedText, print_file
 from fbgen.source import Source, Span
@@ -26,7 +27,11 @@ def mistakes_in(files: Sequence[File], dialect: str) -> list[Diagnostic]:
         again.append(tree)
         found += errors_among(findings)
     if not found:
-        found = errors_among(check_reporting(again, dialect)[1])
+        named = [
+            with_list_names(tree, [one.name for one in file.units if isinstance(one, Globals)])
+            for tree, file in zip(again, files, strict=True)
+        ]
+        found = errors_among(check_reporting(named, dialect)[1])
     return [_mistake(one, printed, dialect) for one in found]
 
 

@@ -89,8 +89,8 @@ def written_whole(
     written = []
     for file in files:
         scope = _Scope(known, findings, (), "")
-        units = scope.units(file.units)
-        written.append(ast.File(file.source, file.dialect, units, file.closing))
+        units, behind = scope.units(file.units)
+        written.append(ast.File(file.source, file.dialect, units, (*behind, *file.closing)))
     return written, known
 
 
@@ -130,19 +130,32 @@ class _Scope:
         self.around = around
         self.namespace = namespace
 
-    def units(self, units: Sequence[ast.Unit]) -> tuple[ast.Unit, ...]:
-        """The units of this namespace with whole names, those of namespaces in it among them."""
+    def units(self, units: Sequence[ast.Unit]) -> tuple[tuple[ast.Unit, ...], ast.TriviaList]:
+        """The units of this namespace with whole names, those of namespaces in it among them.
+
+        Comments of what is gone go to the unit behind it; the second part is what has none.
+        """
         usings = [unit for unit in units if isinstance(unit, ast.Using)]
         inside = self.within(self.namespace, usings)
         found: list[ast.Unit] = []
+        waiting: ast.TriviaList = ()
         for unit in units:
             if isinstance(unit, ast.Namespace):
-                found += inside._nested(unit)
-            elif not isinstance(unit, ast.Using):
-                found.append(inside._whole(unit))
-        return tuple(found)
+                inner, behind = inside._nested(unit)
+                waiting += unit.leading
+                if inner:
+                    inner = (_with_comments(inner[0], waiting), *inner[1:])
+                    waiting = ()
+                found += inner
+                waiting += (*behind, *unit.closing)
+            elif isinstance(unit, ast.Using):
+                waiting += (*unit.leading, *((unit.trailing,) if unit.trailing else ()))
+            else:
+                found.append(_with_comments(inside._whole(unit), waiting))
+                waiting = ()
+        return tuple(found), waiting
 
-    def _nested(self, node: ast.Namespace) -> tuple[ast.Unit, ...]:
+    def _nested(self, node: ast.Namespace) -> tuple[tuple[ast.Unit, ...], ast.TriviaList]:
         *outer, _ = _prefixes(joined(self.namespace, node.name))
         around = self.around
         for name in outer:
@@ -229,6 +242,15 @@ class _Scope:
                 f"only {where} can use it: take something PUBLIC, or remove INTERNAL",
                 (Note("it is declared here", element.span),),
             )
+
+
+def _with_comments(unit: ast.Unit, comments: ast.TriviaList) -> ast.Unit:
+    if not comments:
+        return unit
+    if isinstance(unit, ast.Globals):
+        section = replaced(unit.section, leading=(*comments, *unit.section.leading))
+        return replaced(unit, section=section)
+    return replaced(unit, leading=(*comments, *unit.leading))
 
 
 class _Writer(Rewriter):

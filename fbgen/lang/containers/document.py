@@ -111,7 +111,7 @@ def _xml_document(path: Path, source: Source, dialect: str, encoding: Encoding) 
                     "FB3018",
                     f"<{root.tag}> holds no code that can be read",
                     Span(source, root.start, root.inner_start),
-                    "TwinCAT's .TcPOU, .TcDUT, .TcGVL and .TcIO are read, and PLCopen TC6 XML",
+                    "PLCopen TC6 XML is read, and TwinCAT's .TcPOU, .TcDUT, .TcGVL, .TcIO, .TcTTO",
                 )
             ]
         )

@@ -2,16 +2,27 @@
 
 Types, interfaces and tasks are elements; they are said as text, and the statements stand between
 them as they are. Where CODESYS adds the declaration of a block as text, that is read. Source:
-PLCopen, "XML Formats for IEC 61131-3", version 2.01, and its schema; exports of CODESYS for
-`interfaceasplaintext`, `method`, `property` and `globalvars`.
+PLCopen, "XML Formats for IEC 61131-3", version 2.01, and its schema; exports of CODESYS, which put
+blocks, types and interfaces into the data of the application, for what they add: see
+`codesys_data`.
 """
 
 import re
-from collections.abc import Iterator
 
 from fbgen.diagnostics import Diagnostic
 from fbgen.lang.ast import Accessor, Action, Block, File, Method, Property
 from fbgen.lang.containers import code_parts
+from fbgen.lang.containers.codesys_data import (
+    added,
+    attributes,
+    bases,
+    children,
+    members_of_interface,
+    modifiers,
+    plain_text,
+    project_parts,
+    sections_of_list,
+)
 from fbgen.lang.containers.embedded import Assembly
 from fbgen.lang.containers.places import CodeOf, Slot
 from fbgen.lang.containers.plcopen_declarations import DeclarationReader
@@ -30,37 +41,18 @@ def read_project(root: Element, dialect: str) -> CodeInXml | None:
     if types is None and instances is None and root.child("addData") is None:
         return None
     reader = _Reader(root, dialect)
-    if types is not None:
-        for data_type in _children(types, "dataTypes", "dataType"):
-            reader.data_type(data_type)
-    for variables in _globals(root, instances):
+    parts = project_parts(root)
+    for data_type in parts.types:
+        reader.data_type(data_type)
+    for variables in parts.globals:
         reader.global_variables(variables)
-    if types is not None:
-        for pou in _children(types, "pous", "pou"):
-            reader.pou(pou)
-    if instances is not None:
-        for configuration in _children(instances, "configurations", "configuration"):
-            reader.configuration(configuration)
+    for interface in parts.interfaces:
+        reader.interface(interface)
+    for pou in parts.pous:
+        reader.pou(pou)
+    for configuration in parts.configurations:
+        reader.configuration(configuration)
     return CodeInXml(reader.text.source(), reader.slots, reader.findings, reader.list_names)
-
-
-def _children(parent: Element, group: str, tag: str) -> Iterator[Element]:
-    for one in parent.named(group):
-        yield from one.named(tag)
-
-
-def _added(element: Element, *tags: str) -> Iterator[Element]:
-    """What vendors add to an element."""
-    for data in _children(element, "addData", "data"):
-        yield from data.named(*tags)
-
-
-def _globals(root: Element, instances: Element | None) -> Iterator[Element]:
-    yield from _added(root, "globalVars")
-    if instances is not None:
-        for configuration in _children(instances, "configurations", "configuration"):
-            for resource in configuration.named("resource"):
-                yield from _added(resource, "globalVars")
 
 
 class _Reader:
@@ -72,19 +64,44 @@ class _Reader:
         self._dialect = dialect
         self._declarations = DeclarationReader(self.text)
         self._blocks = 0
+        self._programs: set[str] = set()
 
     def data_type(self, item: Element) -> None:
+        self._attributes(item)
         self.text.add("TYPE\n")
         self._declarations.documentation(item)
         self.text.add_attribute(item, "name")
+        self._bases(item)
         self.text.add(" : ")
         self._declarations.type_of(item.child("baseType"), item)
         self._declarations.initial(item)
         self.text.add(";\nEND_TYPE\n")
 
     def global_variables(self, item: Element) -> None:
-        self.list_names.append(item.get("name"))
-        self._declarations.section("VAR_GLOBAL", item)
+        for section in sections_of_list(item):
+            self.list_names.append(item.get("name"))
+            self._attributes(item)
+            self._declarations.section("VAR_GLOBAL", section)
+
+    def interface(self, item: Element) -> None:
+        if (plain := plain_text(item)) is not None:
+            self.text.add_content(plain)
+            self.text.add("\n")
+        else:
+            self._declarations.documentation(item)
+            self.text.add("INTERFACE ")
+            self.text.add_attribute(item, "name")
+            self._bases(item)
+            self.text.add("\n")
+        for member in members_of_interface(item):
+            word = member.tag.upper()
+            self._head(member, word)
+            if member.tag == "Property":
+                for accessor in member.named("GetAccessor", "SetAccessor"):
+                    self.text.add(f"{accessor.tag.removesuffix('Accessor').upper()}\n")
+                    self.text.add(f"END_{accessor.tag.removesuffix('Accessor').upper()}\n")
+            self.text.add(f"END_{word}\n")
+        self.text.add("END_INTERFACE\n")
 
     # --- blocks -------------------------------------------------------------------------------
 
@@ -92,13 +109,14 @@ class _Reader:
         number = self._blocks
         self._blocks += 1
         word = _KINDS.get(item.get("pouType"), "FUNCTION_BLOCK")
+        self._programs.add(item.get("name").casefold())
         self._declarations.documentation(item)
         self._head(item, word)
         position = 0
-        for action in _children(item, "actions", "action"):
+        for action in children(item, "actions", "action"):
             self._action(action, number, position)
             position += 1
-        for member in _added(item, "Method", "Property"):
+        for member in added(item, "Method", "Property"):
             self._member(member, number, position)
             position += 1
         self._bodies(item, item.get("name"), lambda file: self._text(_block(file, number)))
@@ -106,12 +124,14 @@ class _Reader:
 
     def _head(self, item: Element, word: str) -> None:
         interface = item.child("interface")
-        if interface is not None and (plain := _plain_text(interface)) is not None:
+        if (plain := plain_text(item)) is not None:
             self.text.add_content(plain)
             self.text.add("\n")
             return
-        self.text.add(f"{word} ")
+        self._attributes(item)
+        self.text.add(" ".join((word, *modifiers(item), "")))
         self.text.add_attribute(item, "name")
+        self._bases(item)
         result = interface.child("returnType") if interface is not None else None
         if result is not None:
             self.text.add(" : ")
@@ -119,6 +139,14 @@ class _Reader:
         self.text.add("\n")
         if interface is not None:
             self._declarations.sections(interface)
+
+    def _attributes(self, item: Element) -> None:
+        for attribute in attributes(item):
+            self.text.add(f"{attribute}\n")
+
+    def _bases(self, item: Element) -> None:
+        for word, names in bases(item).items():
+            self.text.add(f" {word} {', '.join(names)}")
 
     def _action(self, item: Element, number: int, position: int) -> None:
         self.text.add("ACTION ")
@@ -141,13 +169,11 @@ class _Reader:
         word = item.tag.removesuffix("Accessor").upper()
         self.text.add(f"{word}\n")
         interface = item.child("interface")
-        if interface is not None:
-            plain = _plain_text(interface)
-            if plain is not None:
-                self.text.add_content(plain)
-                self.text.add("\n")
-            else:
-                self._declarations.sections(interface)
+        if (plain := plain_text(item)) is not None:
+            self.text.add_content(plain)
+            self.text.add("\n")
+        elif interface is not None:
+            self._declarations.sections(interface)
 
         def code(file: File) -> str:
             member = _block(file, number).members[position]
@@ -180,15 +206,18 @@ class _Reader:
     # --- configurations -----------------------------------------------------------------------
 
     def configuration(self, item: Element) -> None:
+        is_codesys = self._dialect == "twincat"
         self.text.add("CONFIGURATION ")
-        self.text.add_attribute(item, "name")
+        self._name(item)
         self.text.add("\n")
-        self._declarations.sections(item)
+        if not is_codesys:
+            self._declarations.sections(item)
         for resource in item.named("resource"):
             self.text.add("RESOURCE ")
-            self.text.add_attribute(resource, "name")
+            self._name(resource)
             self.text.add(" ON PLC\n")
-            self._declarations.sections(resource)
+            if not is_codesys:
+                self._declarations.sections(resource)
             for task in resource.named("task"):
                 self._task(task)
             for task in resource.named("task"):
@@ -199,9 +228,17 @@ class _Reader:
             self.text.add("END_RESOURCE\n")
         self.text.add("END_CONFIGURATION\n")
 
+    def _name(self, item: Element) -> None:
+        """A name of CODESYS may have blanks and signs."""
+        name = item.get("name")
+        if name.isidentifier():
+            self.text.add_attribute(item, "name")
+        else:
+            self.text.add(re.sub(r"\W", "_", f"_{name}" if name[:1].isdigit() else name) or "PLC")
+
     def _task(self, item: Element) -> None:
         self.text.add("TASK ")
-        self.text.add_attribute(item, "name")
+        self._name(item)
         self.text.add("(")
         for attribute, word in (("single", "SINGLE"), ("interval", "INTERVAL")):
             if item.get(attribute):
@@ -214,21 +251,18 @@ class _Reader:
         self.text.add(f"PRIORITY := {item.get('priority') or 0});\n")
 
     def _instance(self, item: Element, task: Element | None) -> None:
+        """A program; CODESYS gives its name only, and has programs of libraries among them."""
+        kind = "typeName" if item.get("typeName") else "name"
+        if self._dialect == "twincat" and item.get(kind).casefold() not in self._programs:
+            return
         self.text.add("PROGRAM ")
-        self.text.add_attribute(item, "name")
+        self._name(item)
         if task is not None:
             self.text.add(" WITH ")
-            self.text.add_attribute(task, "name")
+            self._name(task)
         self.text.add(" : ")
-        self.text.add_attribute(item, "typeName")
+        self.text.add_attribute(item, kind)
         self.text.add(";\n")
-
-
-def _plain_text(interface: Element) -> Element | None:
-    """The declaration as CODESYS adds it in its own words."""
-    for plain in _added(interface, "InterfaceAsPlainText"):
-        return next(iter(plain.children), plain)
-    return None
 
 
 def _block(file: File, number: int) -> Block:

@@ -26,6 +26,7 @@ XML_SUFFIXES: Mapping[str, str] = MappingProxyType(
         ".tcdut": "twincat",
         ".tcgvl": "twincat",
         ".tcio": "twincat",
+        ".tctto": "twincat",
         ".xml": "iec",
     }
 )

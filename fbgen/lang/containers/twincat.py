@@ -1,4 +1,4 @@
-"""TwinCAT files: `.TcPOU`, `.TcDUT`, `.TcGVL` and `.TcIO`, one object each.
+"""TwinCAT files: `.TcPOU`, `.TcDUT`, `.TcGVL`, `.TcIO` and `.TcTTO`, one object each.
 
 A POU's declaration, its statements and each of its methods, properties and actions are elements of
 their own. They are put together as one text, in the order declaration, members, statements, so that
@@ -13,6 +13,7 @@ from fbgen.lang.ast import Accessor, Action, Block, File, Globals, Interface, Pr
 from fbgen.lang.containers import code_parts
 from fbgen.lang.containers.embedded import Assembly, EmbeddedSource, content
 from fbgen.lang.containers.places import CodeOf, Slot
+from fbgen.lang.containers.twincat_tasks import write_task
 from fbgen.lang.containers.xml_tree import Element
 from fbgen.lang.dialects import dialect_named
 from fbgen.lang.lexer import tokenize
@@ -20,7 +21,7 @@ from fbgen.lang.other_languages import foreign_body
 from fbgen.source import Source, Span
 
 ROOT = "TcPlcObject"
-_OBJECTS = ("POU", "Itf", "DUT", "GVL")
+_OBJECTS = ("POU", "Itf", "DUT", "GVL", "Task")
 _MEMBERS = ("Method", "Property", "Action")
 _HEADS = ("FUNCTION_BLOCK", "FUNCTION", "PROGRAM", "INTERFACE")
 
@@ -44,6 +45,8 @@ def read_object(root: Element, dialect: str) -> CodeInXml | None:
     reader = _Reader(item.source, dialect)
     if item.tag in ("POU", "Itf"):
         reader.block(item)
+    elif item.tag == "Task":
+        write_task(reader.assembly, item)
     else:
         reader.declarations(item)
     code = CodeInXml(reader.assembly.source(), reader.slots, reader.findings)

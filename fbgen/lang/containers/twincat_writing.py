@@ -1,4 +1,4 @@
-"""TwinCAT objects from trees: `.TcPOU`, `.TcDUT`, `.TcGVL` and `.TcIO`.
+"""TwinCAT objects from trees: `.TcPOU`, `.TcDUT`, `.TcGVL`, `.TcIO` and `.TcTTO`.
 
 Ids come from the names, so that the same trees give the same files. Source: files that TwinCAT XAE
 writes, in published projects: attributes, their order, and CRLF at the ends of lines.
@@ -14,6 +14,7 @@ from fbgen.lang.ast import (
     Block,
     BlockKind,
     BlockMember,
+    Configuration,
     File,
     Globals,
     Interface,
@@ -23,10 +24,11 @@ from fbgen.lang.ast import (
 )
 from fbgen.lang.containers import code_parts
 from fbgen.lang.containers.places import cdata
+from fbgen.lang.containers.twincat_tasks import is_of_tasks, task_objects
 from fbgen.source import Span
 
 _KINDS = (BlockKind.FUNCTION_BLOCK, BlockKind.FUNCTION, BlockKind.PROGRAM)
-_SUFFIXES = {"POU": ".TcPOU", "Itf": ".TcIO", "DUT": ".TcDUT", "GVL": ".TcGVL"}
+_SUFFIXES = {"POU": ".TcPOU", "Itf": ".TcIO", "DUT": ".TcDUT", "GVL": ".TcGVL", "Task": ".TcTTO"}
 
 
 def objects(files: Sequence[File], stem: str) -> Iterator[tuple[str, str]]:
@@ -44,6 +46,9 @@ def objects(files: Sequence[File], stem: str) -> Iterator[tuple[str, str]]:
         for unit in file.units:
             if isinstance(unit, Globals):
                 lists.setdefault(unit.name or stem, []).append(unit)
+            elif isinstance(unit, Configuration):
+                for name, inside in task_objects(unit):
+                    yield _file("Task", name, inside)
             else:
                 yield _object(unit, file.dialect)
     dialect = files[0].dialect if files else "twincat"
@@ -65,6 +70,8 @@ def no_place(container: str, span: Span) -> Diagnostic:
 def _fits(unit: Unit) -> bool:
     if isinstance(unit, Block):
         return unit.kind in _KINDS
+    if isinstance(unit, Configuration):
+        return is_of_tasks(unit)
     return isinstance(unit, Interface | TypeDeclaration | Globals)
 
 

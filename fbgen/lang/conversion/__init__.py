@@ -14,6 +14,7 @@ from typing import TypeAlias
 
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.ast import File
+from fbgen.lang.conversion.between_iec import iec_to_twincat, twincat_to_iec
 from fbgen.lang.conversion.crossed_limits import with_same_limits
 from fbgen.lang.conversion.falling_edges import with_own_falling_edges
 from fbgen.lang.conversion.first_dates import with_same_dates
@@ -37,6 +38,8 @@ _STEPS: dict[tuple[str, str], Step] = {
     ("tia", "iec"): lambda files, _, schedule: [lower_files(files, "iec", schedule)],
     ("iec", "tia"): lambda files, findings, _: iec_to_tia(files, findings),
     ("twincat", "tia"): lambda files, findings, _: iec_to_tia(files, findings),
+    ("iec", "twincat"): lambda files, findings, _: iec_to_twincat(files, findings),
+    ("twincat", "iec"): lambda files, findings, _: twincat_to_iec(files, findings),
     ("tia", "twincat"): lambda files, _, schedule: [lower_files(files, "twincat", schedule)],
 }
 

@@ -2,7 +2,8 @@
 
 Source: Beckhoff Information System, "TwinCAT 3 PLC", programming reference; CODESYS online help,
 "Programming reference". CLASS, NAMESPACE and USING of the standard's third edition are unknown
-there, namespaces are those of libraries.
+there, namespaces are those of libraries. Tasks stand in files and exports of their own; as text
+they are a CONFIGURATION, which the tools themselves do not read.
 """
 
 from fbgen.lang.dialects.dialect import Dialect, Feature
@@ -35,6 +36,7 @@ TWINCAT = Dialect(
             Feature.VAR_CONSTANT,
             Feature.EMPTY_ARGUMENTS,
             Feature.OBJECTS,
+            Feature.CONFIGURATIONS,
         }
     ),
     advice={
@@ -49,7 +51,6 @@ TWINCAT = Dialect(
         Feature.LABEL_SECTIONS: "leave it out, labels need no declaration",
         Feature.CLASSES: "write a FUNCTION_BLOCK",
         Feature.NAMESPACES: "put the blocks into a library; its name is their namespace",
-        Feature.CONFIGURATIONS: "tasks are set in the project",
         Feature.GOTO: "write JMP",
         Feature.PERIPHERAL: "declare a variable AT the address, without ':P'",
         Feature.DB_ADDRESSES: "declare a variable and use its name",

@@ -218,7 +218,7 @@ def test_formatting_plcopen_keeps_everything_but_the_statements() -> None:
     [
         ("FB3016_document_type.xml", (2, 1)),
         ("FB3017_network.TcPOU", (7, 7)),
-        ("FB3018_task.TcPOU", (2, 1)),
+        ("FB3018_texts.TcPOU", (2, 1)),
     ],
 )
 def test_a_file_that_cannot_be_read_says_where(name: str, place: tuple[int, int]) -> None:
