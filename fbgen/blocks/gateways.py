@@ -26,6 +26,9 @@ _INPUTS = {"status": 2, **_TELEGRAM}
 """The fields of both directions with their lengths in bytes, as the members are declared."""
 
 
+_BUS_CYCLE_MS = 5
+
+
 @dataclass(frozen=True, slots=True)
 class FieldView:
     """A field of the cyclic data. `parts` are the addresses to access, the high byte first."""
@@ -70,6 +73,7 @@ class GatewayView:
     timeout: SclText
     retries: SclText
     gap: SclText
+    apart: SclText
     longest_telegram_ms: float
     drive_zero: SclText
     drives: tuple[DriveView, ...]
@@ -126,6 +130,7 @@ def gateway_view(
         timeout=milliseconds(timeout_ms, times if chosen is None else place),
         retries=SclText(str(gateway.parameters.retries), place),
         gap=milliseconds(silent_gap_ms(plant, entry, reply_max), times),
+        apart=milliseconds(apart_ms(entry, reply_max), times),
         longest_telegram_ms=_longest_telegram_ms(plant, timeout_ms, sequences),
         drive_zero=SclText("TRUE" if any(not item.inv_no for item in gateway.drives) else "FALSE"),
         drives=tuple(_drive(item) for item in gateway.drives),
@@ -185,6 +190,16 @@ def _times_of_the_line(entry: Gateway, series: Iterable[Drive]) -> Iterator[Orig
     for drive in series:
         limit = drive.times.reply_max
         yield origin(f"{drive.id} reply_max", limit, limit.source or "")
+
+
+def apart_ms(gateway: Gateway, reply_max_ms: float) -> float:
+    """How long after a telegram the PLC may send one to another drive of the same line.
+
+    On the line they must be the reply time apart, that of the slowest series. A bus cycle and the
+    grid on which the gateway may look at the trigger shift each of them. Source: TOSPBDP001 manual
+    v1.1, 9; the bus cycle of 5 ms is a reserve.
+    """
+    return reply_max_ms + gateway.times.trigger_poll.ms + _BUS_CYCLE_MS
 
 
 def _longest_telegram_ms(plant: Plant, poll_ms: float, sequences: Iterable[Sequence]) -> float:

@@ -80,7 +80,8 @@ def plan_blocks(plant: Plant, catalog: Catalog) -> BlockPlan:
     context = _plant_context(plant, gateways, sequences)
     context |= _gateway_context(catalog.gateway(plant.gateways[0].type))
     context |= _drive_context(drives[0], catalog)
-    context["times"] = {"timeout": gateways[0].timeout, "gap": gateways[0].gap}
+    first = gateways[0]
+    context["times"] = {"timeout": first.timeout, "gap": first.gap, "apart": first.apart}
     context["line"] = _line_context(drives[0], gateways)
     specs = [*_types(gateways, sequences), *_blocks(gateways, sequences), *_data(gateways)]
     if plant.dialect in _WITH_STARTUP_BLOCKS:
@@ -294,6 +295,7 @@ def _line_context(drive: Drive, gateways: tuple[GatewayView, ...]) -> dict[str, 
     bits = drive.command_word
     place = bits_origin(drive.id, bits, _EMERGENCY_STOP)
     telegram_ms = max(item.longest_telegram_ms for item in gateways)
+    reply = drive.times.reply_max
     drives = max(len(item.drives) for item in gateways)
     return {
         "commands_in_a_row": _COMMANDS_IN_A_ROW,
@@ -301,6 +303,7 @@ def _line_context(drive: Drive, gateways: tuple[GatewayView, ...]) -> dict[str, 
         "longest_wait_comment": SclText(
             f"{drives} x {telegram_ms:.0f} ms at most", gateways[0].timeout.origin
         ),
+        "apart_source": source_text(reply, (reply.source or "").split(";")[0]),
     }
 
 

@@ -21,7 +21,7 @@ from harness.installation.plant import Installation
 from harness.installation.programs import generated_program
 from harness.installation.setup import DriveConditions, PlantSetup
 from harness.kernel import NS_PER_MS, Kernel
-from harness.line import Line, Topology
+from harness.line import Line, Spacing, Topology
 from harness.plc import Cpu, CpuFamily, CpuSettings, Mounting
 
 BAUD_RATE_19200 = 4
@@ -54,10 +54,15 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     gateways: dict[str, Tospbdp001] = {}
     stations: dict[str, Station] = {}
     drives: dict[str, Inverter] = {}
+    spacing: dict[str, Spacing] = {}
     for entry in plan.gateways:
         line = lines[entry.name] = Line(kernel, _topology(catalog, entry))
         gateway = gateways[entry.name] = _gateway(kernel, catalog, entry, line)
         station = stations[entry.name] = _station(master, entry, gateway, setup)
+        reply_ns = {
+            item.inv_no: catalog.drive(item.series).times.reply_max.ns for item in entry.drives
+        }
+        spacing[entry.name] = Spacing(line, gateway.port, reply_ns)
         by_image = entry.access == "process_image"
         cpu.mount(Mounting(station, by_image, entry.hardware_identifier))
         for item in entry.drives:
@@ -68,7 +73,9 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     else:
         program = read_program(setup.sources, plan.language)
     cpu.load(program, engine_named(setup.engine))
-    return Installation(plan, catalog, kernel, cpu, master, gateways, stations, lines, drives)
+    return Installation(
+        plan, catalog, kernel, cpu, master, gateways, stations, lines, drives, spacing
+    )
 
 
 def _cpu_settings(plan: Plant, times: CpuSettings) -> CpuSettings:

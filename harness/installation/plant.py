@@ -9,7 +9,7 @@ from harness.drives import Inverter
 from harness.fieldbus import DpMaster, Station
 from harness.gateways.tospbdp001 import Tospbdp001
 from harness.kernel import Kernel
-from harness.line import Line
+from harness.line import Line, Spacing
 from harness.plc import Cpu
 from harness.report.telegrams import TelegramRecorder
 
@@ -19,7 +19,8 @@ class Installation:
     """Everything that was built from one plant file.
 
     Gateways, stations (the gateways as the master sees them) and lines go by the gateway's name,
-    drives by their own. `plan` is the plant file.
+    drives by their own. `plan` is the plant file. `spacing` notes telegrams to different drives
+    that follow each other too closely.
     """
 
     plan: Plant
@@ -31,6 +32,7 @@ class Installation:
     stations: Mapping[str, Station]
     lines: Mapping[str, Line]
     drives: Mapping[str, Inverter]
+    spacing: Mapping[str, Spacing]
 
     def start(self) -> None:
         """Switch the gateways on and start the CPU; drives have their supply already."""

@@ -10,6 +10,7 @@ from harness.line.serial_format import (
     Parity,
     SerialFormat,
 )
+from harness.line.spacing import Spacing, TooClose
 from harness.line.transmission import Reception, Transmission
 
 __all__ = [
@@ -28,6 +29,8 @@ __all__ = [
     "Reception",
     "Role",
     "SerialFormat",
+    "Spacing",
+    "TooClose",
     "Topology",
     "Transmission",
 ]

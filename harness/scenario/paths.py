@@ -82,7 +82,7 @@ _GATEWAY: Mapping[str, tuple[ValueKind, Callable[[Tospbdp001], Found]]] = Mappin
         "overwritten": (COUNT, lambda gateway: gateway.overwritten),
     }
 )
-GATEWAY_ITEMS = (*_GATEWAY, "status", "outputs", "inputs")
+GATEWAY_ITEMS = (*_GATEWAY, "status", "outputs", "inputs", "too_close")
 """What a gateway has, beside its lamps."""
 _LIGHT = choice_kind(tuple(str(light.value) for light in Light))
 _CPU_MODE = choice_kind(tuple(mode.name for mode in CpuMode))
@@ -176,6 +176,9 @@ class Paths:
         if item == "outputs":
             length = gateway.settings.layout.output_length
             return Readable(octets_kind(length), lambda: gateway.slave.outputs)
+        if item == "too_close":
+            spacing = self._plant.spacing[gateway.name]
+            return Readable(COUNT, lambda: len(spacing.too_close))
         if item == "inputs":
             length = gateway.settings.layout.input_length
             return Readable(octets_kind(length), lambda: gateway.slave.inputs)

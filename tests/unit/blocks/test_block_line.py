@@ -4,6 +4,8 @@ Sources: TOSPBDP001 manual v1.1, 9 (one telegram at a time); VF-AS1 RS485 manual
 (emergency stop, bit 12, always enabled).
 """
 
+from itertools import pairwise
+
 import pytest
 
 from harness import LoadedProgram
@@ -190,3 +192,54 @@ def test_no_command_from_before_a_loss_is_sent_after_it(program: LoadedProgram, 
     assert bench.sent == ["0B 50 FA00 C400", "05 47 FC90 0000"]
     assert [bench.reply(number) for number in range(1, 6)] == [(False, True, 0x8404)] * 5
     assert bench.block.online
+
+
+@pytest.mark.fact("tos.t.gap")
+@pytest.mark.parametrize("apart_ms", [0, 80, 120])
+def test_another_drive_waits_for_the_time_that_lies_between_drives(
+    program: LoadedProgram, apart_ms: int
+) -> None:
+    bench = LineBench(program, apart=apart_ms)
+    bench.cycles_to_reply = 1
+    for number in (1, 2, 3):
+        bench.run(number)
+    bench.until(lambda: bench.reply(3) == DONE)
+    assert [text[:2] for text in bench.sent] == ["0B", "0C", "0D"]
+    distances = [after - before for before, after in pairwise(bench.times)]
+    natural_ms = 4 * CYCLE_MS
+    assert all(max(apart_ms, natural_ms) <= one <= max(apart_ms, natural_ms) + 2 * CYCLE_MS
+               for one in distances), distances  # fmt: skip
+
+
+def test_the_same_drive_does_not_wait(program: LoadedProgram) -> None:
+    bench = LineBench(program, apart=500)
+    bench.cycles_to_reply = 1
+    bench.ask(1, WRITE, 0xFA01, 1)
+    bench.until(lambda: bench.reply(1) == DONE)
+    bench.ask(1, WRITE, 0xFA01, 2)
+    bench.until(lambda: bench.reply(1) == DONE)
+    before, after = bench.times[0], bench.times[-1]
+    assert after - before < 200
+
+
+def test_a_command_that_comes_while_a_poll_waits_goes_first(program: LoadedProgram) -> None:
+    bench = LineBench(program, apart=200)
+    bench.cycles_to_reply = 1
+    bench.run(2)
+    bench.until(lambda: bench.reply(2) == DONE)
+    bench.ask(POLL, READ, 0xFC90)
+    bench.cycles(3)
+    bench.run(3)
+    bench.until(lambda: bench.reply(POLL) == DONE)
+    assert [text[:5] for text in bench.sent] == ["0C 50", "0D 50", "0B 47"]
+
+
+def test_the_broadcast_of_an_emergency_stop_does_not_wait(program: LoadedProgram) -> None:
+    bench = LineBench(program, apart=500)
+    bench.cycles_to_reply = 1
+    bench.run(2)
+    bench.until(lambda: bench.reply(2) == DONE)
+    sent_at = bench.times[-1]
+    bench.call(emergencyStop=True)
+    bench.until(lambda: bench.sent[-1] == BROADCAST)
+    assert bench.times[-1] - sent_at < 200
