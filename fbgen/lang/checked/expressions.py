@@ -280,6 +280,29 @@ class Attempt:
     type: Type
 
 
+@node
+class Substituted:
+    """The value of a place; zero or empty where the place cannot be reached.
+
+    That is noted in `memory`, a DWORD, unless that has noted something already. What goes wrong in
+    a block that is called on the way to the place stops the program as ever.
+    """
+
+    span: Span
+    place: Place
+    memory: VariableRef
+    type: Type
+
+
+@node
+class TakenError:
+    """The ERROR_ID that is noted in `memory`, which is then empty; 0 if there is none."""
+
+    span: Span
+    memory: VariableRef
+    type: Elementary
+
+
 WORKS = "ENO"
 """The output of a `RoutineCall` that says whether it works."""
 
@@ -321,4 +344,6 @@ Expression: TypeAlias = (
     | SystemCall
     | RoutineCall
     | Attempt
+    | Substituted
+    | TakenError
 )

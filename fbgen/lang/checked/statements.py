@@ -9,6 +9,7 @@ from fbgen.lang.checked.expressions import (
     Place,
     RoutineCall,
     SystemCall,
+    VariableRef,
 )
 from fbgen.lang.checked.variables import AnyBlock, Variable
 from fbgen.source import Span
@@ -140,6 +141,19 @@ class Try:
 
 
 @node
+class Guarded:
+    """A statement that is left where a place in it cannot be reached; as far as it came is done.
+
+    That is noted in `memory`, a DWORD, unless that has noted something already. What goes wrong in
+    a block that is called stops the program as ever.
+    """
+
+    span: Span
+    statement: Assignment | Evaluate | InstanceCall
+    memory: VariableRef
+
+
+@node
 class Exit:
     """Leave the innermost loop."""
 
@@ -200,6 +214,7 @@ Statement: TypeAlias = (
     | While
     | Repeat
     | Try
+    | Guarded
     | Exit
     | Continue
     | Return

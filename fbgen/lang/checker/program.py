@@ -17,6 +17,7 @@ from fbgen.lang.checker.enabling import begin_enabled
 from fbgen.lang.checker.findings import Findings
 from fbgen.lang.checker.jumps import check_jumps
 from fbgen.lang.checker.library import Library
+from fbgen.lang.checker.local_errors import with_local_errors
 from fbgen.lang.checker.pointed_memory import lay_out_what_is_pointed_to
 from fbgen.lang.checker.recursion import report_recursive_calls
 from fbgen.lang.checker.rules import Rules, rules_for
@@ -51,7 +52,7 @@ def check(
         raise DiagnosticError(
             findings.keeping_from_running(tuple(one.source.name for one in files))
         )
-    return program
+    return with_local_errors(program)
 
 
 def check_reporting(
@@ -82,7 +83,7 @@ def check_reporting(
     found = findings.in_order(tuple(file.source.name for file in files))
     if unread:
         return None, [one for one in found if not parts.follows(one)]
-    return (None if findings.keeps_from_running else program), list(found)
+    return (None if findings.keeps_from_running else with_local_errors(program)), list(found)
 
 
 @contextmanager

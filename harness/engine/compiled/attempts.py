@@ -75,7 +75,7 @@ def _attempt(procedure: Procedure, node: Attempt) -> Code:
             parts = [value(procedure, one) for one in operand.arguments]
             limited = ", ".join((flag.text, *(one.text for one in parts)))
             code = all_of(parts, f"_attempt_limit({limited})", more_depth=2)
-        text = f"_attempt({flag.text}, lambda: {code.text}, {_nothing(node.type)})"
+        text = f"_attempt({flag.text}, lambda: {code.text}, {nothing_text(node.type)})"
     return Code(text, low=low, high=high, depth=code.depth + 2, safe=False, pure=False)
 
 
@@ -106,7 +106,8 @@ def _exact(procedure: Procedure, operand: Unary | Binary | Convert | StandardCal
     return expression(procedure, operand)
 
 
-def _nothing(kind: Type) -> str:
+def nothing_text(kind: Type) -> str:
+    """The Python text of zero, FALSE or the empty text."""
     if not isinstance(kind, Elementary):
         return "''"
     if kind.family is Family.BOOL:

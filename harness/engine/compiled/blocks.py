@@ -9,6 +9,7 @@ from fbgen.lang.types import ArrayType, StructInitial, StructType
 from harness.engine.compiled import (
     attempts,
     calls,
+    local_errors,
     operators,
     places,
     references,
@@ -36,7 +37,10 @@ from harness.engine.interface import Value
 from harness.engine.layout import S7
 from harness.engine.start_information import start_places
 
-for module in (places, references, operators, standard_functions, calls, attempts, routines):
+for module in (
+    *(places, references, operators, standard_functions, calls, attempts, local_errors),
+    routines,
+):
     enter(module.EXPRESSIONS)
 
 

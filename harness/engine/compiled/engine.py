@@ -21,6 +21,7 @@ from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.instance import CompiledInstance
 from harness.engine.compiled.library.counters import counter_classes
 from harness.engine.compiled.library.timers import timer_classes
+from harness.engine.compiled.local_errors import noting
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.model import GLOBALS, Model, Record, is_scalar, run_method
 from harness.engine.compiled.namespace import LIBRARY, Cpu, counting, hardware
@@ -82,6 +83,7 @@ class CompiledEngine:
             **library,
             **counting(self._cpu, limits),
             **attempts(self._cpu, self._stopped),
+            **noting(self._cpu, self._stopped),
             "_environment": environment,
             "_cpu": self._cpu,
             "_set_others": self._set_others,

@@ -17,6 +17,7 @@ from fbgen.lang.checked import (
     For,
     FunctionCall,
     Goto,
+    Guarded,
     IndexRef,
     InstanceCall,
     MemoryRef,
@@ -27,7 +28,9 @@ from fbgen.lang.checked import (
     RoutineCall,
     SliceRef,
     Statement,
+    Substituted,
     SystemCall,
+    TakenError,
     Variable,
     VariableKind,
     VariableRef,
@@ -170,6 +173,8 @@ class Facts:
                 }
             elif isinstance(node, Attempt):
                 private.discard(node.flag.variable)
+            elif isinstance(node, Substituted | TakenError | Guarded):
+                private.discard(node.memory.variable)
             elif isinstance(node, SystemCall):
                 private -= {
                     place.variable
@@ -223,6 +228,8 @@ class Facts:
                     self._box(areas(node).values())
                 case Attempt():
                     self._box([node.flag])
+                case Substituted() | TakenError() | Guarded():
+                    self._box([node.memory])
                 case _:
                     pass
         return sites

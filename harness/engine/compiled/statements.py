@@ -12,6 +12,7 @@ from fbgen.lang.checked import (
     Exit,
     For,
     FunctionCall,
+    Guarded,
     If,
     InstanceCall,
     Repeat,
@@ -37,6 +38,7 @@ from harness.engine.compiled.hardware_writes import several_writes, write_severa
 from harness.engine.compiled.instances import instance_call
 from harness.engine.compiled.intervals import written_inside
 from harness.engine.compiled.jumps import Dispatcher, has_jumps
+from harness.engine.compiled.local_errors import write_guarded
 from harness.engine.compiled.loops import write_for, write_repeat, write_while
 from harness.engine.compiled.model import has_memory
 from harness.engine.compiled.places import assign, place
@@ -158,6 +160,8 @@ def write_statement(procedure: Procedure, statement: Statement) -> None:
             write_repeat(procedure, statement, write_body)
         case Try():
             write_try(procedure, statement, write_body)
+        case Guarded():
+            write_guarded(procedure, statement, write_statement)
         case Evaluate():
             if isinstance(statement.call, RoutineCall):
                 routine_statement(procedure, statement.call)

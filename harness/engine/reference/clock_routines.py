@@ -95,16 +95,6 @@ def _stop(operands: Operands, clocked: Clocked) -> Mapping[str, Value]:
     raise stop_requested(operands.span)
 
 
-def _no_error(operands: Operands, clocked: Clocked) -> Mapping[str, Value]:
-    """An error ends the scan here, so a program never finds one behind it."""
-    return {"id": 0, "ret_val": 0}
-
-
-def _nothing(operands: Operands, clocked: Clocked) -> Mapping[str, Value]:
-    """GET_ERROR: the operand is only changed where there was an error."""
-    return {}
-
-
 CLOCK_ROUTINES: dict[str, Routine] = {
     "RD_SYS_T": _reading("OUT"),
     "RD_LOC_T": _reading("OUT"),
@@ -116,7 +106,5 @@ CLOCK_ROUTINES: dict[str, Routine] = {
     "RUNTIME": _runtime,
     "RE_TRIGR": _retrigger,
     "STP": _stop,
-    "GETERRORID": _no_error,
-    "GETERROR": _nothing,
 }
 """By canonical name."""

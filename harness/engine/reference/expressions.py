@@ -13,13 +13,16 @@ from fbgen.lang.checked import (
     ElementCount,
     Expression,
     FunctionCall,
+    Guarded,
     Place,
     ReferenceTo,
     RoutineCall,
     SameReference,
     SameTypes,
     StandardCall,
+    Substituted,
     SystemCall,
+    TakenError,
     TypeTest,
     Unary,
 )
@@ -34,6 +37,7 @@ from fbgen.lang.types import (
 )
 from harness.engine.environment import Area, Environment
 from harness.engine.interface import Value
+from harness.engine.local_errors import local_error
 from harness.engine.reference.areas import StorageArea
 from harness.engine.reference.arithmetic import binary, unary
 from harness.engine.reference.attempts import is_bad_calculation, is_right, nothing
@@ -167,7 +171,9 @@ class Expressions:
         | SameTypes
         | ElementCount
         | SystemCall
-        | Attempt,
+        | Attempt
+        | Substituted
+        | TakenError,
         frame: Frame,
     ) -> Value:
         match expression:
@@ -195,6 +201,14 @@ class Expressions:
                 return self.system_call(expression, frame)
             case Attempt():
                 return self._attempt(expression, frame)
+            case Substituted():
+                return self._substituted(expression, frame)
+            case TakenError():
+                memory = self._places.find(expression.memory, frame)
+                noted = memory.read()
+                assert isinstance(noted, int)
+                memory.write(0)
+                return noted & 0xFFFF
 
     def _attempt(self, attempt: Attempt, frame: Frame) -> Scalar:
         """A calculation that says whether it works instead of stopping the program."""
@@ -210,6 +224,22 @@ class Expressions:
         if not works:
             self._places.find(attempt.flag, frame).write(False)
         return result
+
+    def _substituted(self, node: Substituted, frame: Frame) -> Value:
+        try:
+            return self._places.find(node.place, frame).read()
+        except DiagnosticError as stop:
+            self.note(stop, node, frame)
+        return nothing(node.type)
+
+    def note(self, stop: DiagnosticError, node: Substituted | Guarded, frame: Frame) -> None:
+        """Keep the first error of a block that handles its own; raises all others again."""
+        number = local_error(stop, node)
+        if number is None:
+            raise stop
+        memory = self._places.find(node.memory, frame)
+        if not memory.read():
+            memory.write(number)
 
     def _settled(
         self,

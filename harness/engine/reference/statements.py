@@ -14,6 +14,7 @@ from fbgen.lang.checked import (
     For,
     FunctionCall,
     Goto,
+    Guarded,
     If,
     InstanceCall,
     Label,
@@ -185,6 +186,8 @@ class Statements:
                 return self._repeat(statement, frame)
             case Try():
                 return self._try(statement, frame)
+            case Guarded():
+                return self._guarded(statement, frame)
             case Exit():
                 return Flow.EXIT
             case Continue():
@@ -200,6 +203,13 @@ class Statements:
                     self._watchdog.begin_pass(statement.span)
                 self._goal = statement.label
                 return Flow.GOTO
+        return Flow.NEXT
+
+    def _guarded(self, statement: Guarded, frame: Frame) -> Flow:
+        try:
+            return self._one(statement.statement, frame)
+        except DiagnosticError as stop:
+            self._expressions.note(stop, statement, frame)
         return Flow.NEXT
 
     def _try(self, statement: Try, frame: Frame) -> Flow:

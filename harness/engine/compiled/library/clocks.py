@@ -90,18 +90,6 @@ def _runtime(
     return {"mem": now, "ret_val": 0.0 if before == 0 else now - before}
 
 
-def _no_error(
-    inputs: Mapping[str, Any], kinds: Mapping[str, Type], services: Services, now_ns: int
-) -> Results:
-    return {"id": 0, "ret_val": 0}
-
-
-def _nothing(
-    inputs: Mapping[str, Any], kinds: Mapping[str, Type], services: Services, now_ns: int
-) -> Results:
-    return {}
-
-
 CLOCKS: dict[str, _Clock] = {
     "RD_SYS_T": _reader("OUT"),
     "RD_LOC_T": _reader("OUT"),
@@ -111,7 +99,5 @@ CLOCKS: dict[str, _Clock] = {
     "SET_CLK": _writer("PDT"),
     "TIME_TCK": _ticks,
     "RUNTIME": _runtime,
-    "GETERRORID": _no_error,
-    "GETERROR": _nothing,
 }
 """By canonical name."""
