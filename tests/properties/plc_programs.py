@@ -203,6 +203,7 @@ class Writer:
         kinds = [self._assignment] * 5 + [self._call, self._jump]
         if self.mark:
             kinds += [self._chain, self._enabled, self._reference, self._open_array]
+            kinds += [self._own_error]
         else:
             kinds += [self._named_value, self._limited_value, self._method, self._method]
         if self.mark and depth > 0:
@@ -235,6 +236,19 @@ class Writer:
             case _:
                 value = self.expression("INT", 1)
                 return f'{indent}"Through"(one := {target}, also := #toInt, value := {value});\n'
+
+    def _own_error(self, depth: int, indent: str) -> str:
+        """The block asks for its errors, or does what may be one; without the question it stops."""
+        match self.number(0, 5):
+            case 0 | 1 | 2:
+                return f"{indent}#statWord := GET_ERR_ID();\n"
+            case 3:
+                return f"{indent}IF GET_ERR_ID() = 16#2522 THEN #guard := #guard + 1; END_IF;\n"
+            case 4:
+                target = self.one_of(self.writable["INT"])
+                return f"{indent}{target} := #listInt[#i] + {self.expression('INT', 1)};\n"
+            case _:
+                return f"{indent}#listInt[#k] := {self.expression('INT', 2)};\n"
 
     def _open_array(self, depth: int, indent: str) -> str:
         """Arrays of several lengths for one parameter; the index is often out of range."""

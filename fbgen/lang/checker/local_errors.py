@@ -218,7 +218,7 @@ class _LocalErrors:
 
     def _given(self, argument: tuple[str, Expression]) -> tuple[str, Expression]:
         name, value = argument
-        return argument if isinstance(value, VariableRef | _PLACES) else (name, self._read(value))
+        return argument if isinstance(value, (VariableRef, *_PLACES)) else (name, self._read(value))
 
     def _with_arguments(self, call: _T) -> _T:
         return replace(
