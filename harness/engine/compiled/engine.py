@@ -11,7 +11,6 @@ from fbgen.lang.checker.instance_starts import IN_GLOBALS
 from fbgen.lang.checker.objects import RECEIVER
 from fbgen.lang.types import BlockType, OpenArrayType, ReferenceType, StructType, Type
 from harness.engine.compiled.areas import read_located, write_located
-from harness.engine.compiled.attempts import attempts
 from harness.engine.compiled.blocks import write_block, write_structures
 from harness.engine.compiled.cells import ValueCell
 from harness.engine.compiled.code import Listing
@@ -21,7 +20,7 @@ from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.instance import CompiledInstance
 from harness.engine.compiled.library.counters import counter_classes
 from harness.engine.compiled.library.timers import timer_classes
-from harness.engine.compiled.local_errors import noting
+from harness.engine.compiled.local_errors import going_on
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.model import GLOBALS, Model, Record, is_scalar, run_method
 from harness.engine.compiled.namespace import LIBRARY, Cpu, counting, hardware
@@ -82,8 +81,7 @@ class CompiledEngine:
             **LIBRARY,
             **library,
             **counting(self._cpu, limits),
-            **attempts(self._cpu, self._stopped),
-            **noting(self._cpu, self._stopped),
+            **going_on(self._cpu, self._stopped),
             "_environment": environment,
             "_cpu": self._cpu,
             "_set_others": self._set_others,
