@@ -6,7 +6,7 @@ from typing import Any, TypeAlias
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Guarded, Statement, Substituted, TakenError
 from fbgen.lang.types import Scalar
-from harness.engine.compiled.attempts import nothing_text
+from harness.engine.compiled.attempts import attempts, nothing_text
 from harness.engine.compiled.cells import Cell
 from harness.engine.compiled.code import Code
 from harness.engine.compiled.evaluation import Write, value
@@ -18,8 +18,13 @@ from harness.engine.local_errors import local_error
 WriteStatement: TypeAlias = Callable[[Procedure, Statement], None]
 
 
-def noting(cpu: Any, stopped_by: Callable[[Exception], Exception]) -> dict[str, Callable[..., Any]]:
-    """What generated code calls; `cpu` counts how deep blocks are nested."""
+def going_on(
+    cpu: Any, stopped_by: Callable[[Exception], Exception]
+) -> dict[str, Callable[..., Any]]:
+    """What generated code calls to go on behind a fault; `cpu` counts how deep blocks are nested.
+
+    Those of `attempts` are among them.
+    """
 
     def note(fault: Exception, node: Substituted | Guarded, memory: Cell, depth: int) -> None:
         stop = stopped_by(fault)
@@ -46,7 +51,12 @@ def noting(cpu: Any, stopped_by: Callable[[Exception], Exception]) -> dict[str, 
         assert isinstance(noted, int)
         return noted & 0xFFFF
 
-    return {"_note": note, "_substituted": substituted, "_taken": taken}
+    return {
+        **attempts(cpu, stopped_by),
+        "_note": note,
+        "_substituted": substituted,
+        "_taken": taken,
+    }
 
 
 def write_guarded(procedure: Procedure, node: Guarded, write: WriteStatement) -> None:
