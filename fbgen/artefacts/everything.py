@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from fbgen.artefacts.alarm_lists import alarm_lists
 from fbgen.artefacts.hmi_tags import hmi_tags
+from fbgen.artefacts.memory import too_large, work_memory
 from fbgen.artefacts.plc_tags import plc_tags
 from fbgen.artefacts.view import PlantLists
 from fbgen.artefacts.watch_tables import watch_tables
@@ -21,4 +22,6 @@ def with_artefacts(generated: GeneratedSet, plant: Plant, catalog: Catalog) -> G
         *alarm_lists(lists),
         *watch_tables(lists),
     ]
-    return replace(generated, artefacts=tuple(found))
+    memory = work_memory(lists)
+    warnings = (*generated.warnings, *too_large(lists, memory))
+    return replace(generated, artefacts=tuple(found), warnings=warnings)

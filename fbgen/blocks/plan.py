@@ -7,6 +7,7 @@ from fbgen.blocks.alarms import LINE_ALARMS, drive_alarms
 from fbgen.blocks.gateways import GatewayView, gateway_view, missing_fields
 from fbgen.blocks.literals import SclText, byte, comno, milliseconds, one_line, source_text, word
 from fbgen.blocks.names import name_conflicts
+from fbgen.blocks.poll_cycle import slow_polls
 from fbgen.blocks.sequences import SequenceView, sequence_view
 from fbgen.blocks.words import WordView, bits_origin
 from fbgen.catalog import Catalog, ComNo, Drive, Gateway, Trip, WriteStep, origin
@@ -89,7 +90,8 @@ def plan_blocks(plant: Plant, catalog: Catalog) -> BlockPlan:
     if plant.has_error_blocks:
         specs.append(BlockSpec("TOS_Errors", "db", "data/TOS_Errors.db.jinja"))
         specs += [_block(name) for name in ERROR_BLOCKS]
-    return BlockPlan(tuple(specs), context, tuple(_eeprom_writes(plant, catalog)))
+    warnings = (*_eeprom_writes(plant, catalog), *slow_polls(plant, catalog))
+    return BlockPlan(tuple(specs), context, warnings)
 
 
 def _other_types(plant: Plant) -> Iterator[Diagnostic]:

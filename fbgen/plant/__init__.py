@@ -3,6 +3,7 @@
 from fbgen.plant.changing import changed, in_dialect, problems_of
 from fbgen.plant.commented import write_commented_plant
 from fbgen.plant.commented_sequence import OWN_SEQUENCE_FILE, write_own_sequence
+from fbgen.plant.cpus import CPUS, Cpu, cpus_of
 from fbgen.plant.families import (
     FAMILIES,
     FILE_LAYOUTS,
@@ -24,6 +25,8 @@ from fbgen.plant.prefix import with_prefix
 
 __all__ = [
     "BlockNumbers",
+    "CPUS",
+    "Cpu",
     "FAMILIES",
     "FILE_LAYOUTS",
     "Family",
@@ -37,6 +40,7 @@ __all__ = [
     "PlantGateway",
     "PlcFamily",
     "changed",
+    "cpus_of",
     "in_dialect",
     "load_plant",
     "problems_of",

@@ -33,4 +33,5 @@ def in_dialect(plant: Plant, dialect: str, catalog: Catalog) -> Plant:
         return plant
     reads_it = dialect in plant.family.dialects
     plc = plant.plc if reads_it else USUAL_PLC[dialect]
-    return changed(plant, catalog, dialect=dialect, plc=plc)
+    cpu = plant.cpu if reads_it else None
+    return changed(plant, catalog, dialect=dialect, plc=plc, cpu=cpu)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, TypeVar
 from fbgen.catalog import Catalog, Drive, Gateway, Layout, Located, Option, OptionValue
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
 from fbgen.nearest import nearest
+from fbgen.plant.cpus import CPUS, cpus_of
 from fbgen.plant.families import FAMILIES, FILE_LAYOUTS, Family
 from fbgen.plant.names import name_problems
 from fbgen.plant.prefix import prefix_problems
@@ -178,6 +179,7 @@ def plant(item: "Plant") -> Iterator[Diagnostic]:
             item.span_of("files"),
             f"write files: {' or '.join(layouts)}, or leave it out",
         )
+    yield from _cpu(item)
     yield from _twice(
         item.gateways,
         "profibus_address",
@@ -195,6 +197,20 @@ def plant(item: "Plant") -> Iterator[Diagnostic]:
         message="the hardware identifier {} is given twice",
         help_text="look it up in the device configuration of each gateway",
     )
+
+
+def _cpu(item: "Plant") -> Iterator[Diagnostic]:
+    """FB2023: a CPU that is not known, or not of the family."""
+    known = [cpu.name for cpu in cpus_of(item.plc)]
+    if item.cpu is None or item.cpu in known:
+        return
+    other = CPUS.get(item.cpu)
+    if other is not None:
+        message = f"the CPU {other.name} is no {item.family.title}"
+    else:
+        message = f"the work memory of a CPU '{item.cpu}' is not known"
+    listed = f"known are {', '.join(known)}; " if known else ""
+    yield Diagnostic("FB2023", message, item.span_of("cpu"), f"{listed}leave out cpu: for another")
 
 
 def sequences(item: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:

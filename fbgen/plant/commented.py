@@ -46,6 +46,13 @@ error_obs: generate
 # Time between two calls of TOS_Main in milliseconds.
 cycle_time_ms: 10
 
+# How long it may take to read the state of all drives of a gateway once. What it takes is
+# calculated; more than this is a warning.
+poll_limit_ms: 2000
+
+# Optional: the CPU, to compare the work memory that the blocks take with what it has.
+# cpu: 1513-1
+
 # Command sequences of the catalogue; each becomes a block TOS_Seq_<name>.
 sequences:
   - start_forward

@@ -88,9 +88,11 @@ class BlockNumbers(Located):
 class Plant(Located):
     """A plant file. Sequences are ids of the catalogue, generated for every drive they fit.
 
-    `prefix` is how the names of blocks begin; `files` says whether each stands in a file of its
-    own, None what is usual for the dialect. `error_obs` says whether the organization blocks for
-    errors that an S7-300 or S7-400 needs are generated, or whether the project has its own.
+    `cpu` is the CPU of the family, for its work memory. `poll_limit_ms` is how long reading the
+    state of all drives of a gateway may take. `prefix` is how the names of blocks begin; `files`
+    says whether each stands in a file of its own, None what is usual for the dialect. `error_obs`
+    says whether the organization blocks for errors that an S7-300 or S7-400 needs are generated, or
+    whether the project has its own.
     """
 
     version: Literal[1]
@@ -98,7 +100,9 @@ class Plant(Located):
     title: Text | None = None
     dialect: PlantDialect
     plc: PlcFamily
+    cpu: str | None = None
     cycle_time_ms: Annotated[Real, Field(gt=0, le=6000)] = 10
+    poll_limit_ms: Annotated[Real, Field(gt=0, le=3_600_000)] = 2000
     prefix: str = USUAL_PREFIX
     files: FileLayout | None = None
     block_numbers: BlockNumbers = Field(default_factory=BlockNumbers)

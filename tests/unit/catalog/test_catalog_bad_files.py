@@ -58,6 +58,7 @@ PLANTS = [
     ("FB2018_address_range", 12, 20),
     ("FB2019_hardware_identifier", 21, 26),
     ("FB2021_prefix", 5, 9),
+    ("FB2023_cpu", 5, 6),
     ("FB2022_files", 5, 8),
 ]
 
