@@ -6,7 +6,10 @@ from fbgen.lang.checked import Variable, VariableKind
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.foreign_names import is_library
 from fbgen.lang.checker.symbols import Symbol
-from fbgen.lang.types import ELEMENTARY, BlockType
+from fbgen.lang.types import ArrayType, BlockType, Elementary, StringType, StructType
+
+_S7 = ("tia", "step7")
+_DATA = (Elementary, StringType, ArrayType, StructType)
 
 
 def find_symbol(ctx: Context, node: ast.Name) -> Symbol | None:
@@ -57,15 +60,15 @@ def names_block(ctx: Context, node: ast.Name) -> bool:
     """True for a name in a call that means a block or an instruction, not a variable.
 
     The result variable of a FUNCTION has the name of the function; a name in quotes is global, also
-    where a local variable has the same; TIA Portal marks a local name by #, so what cannot be
-    called does not hide the instruction of its name there.
+    where a local variable has the same; on S7 data that cannot be called hides no block and no
+    instruction: `TEST_DB.RESULT := TEST_DB(...)`.
     """
     if node.local:
         return False
     symbol = find_symbol(ctx, node)
     if symbol is None or (isinstance(symbol, Variable) and symbol.kind is VariableKind.RESULT):
         return True
-    if ctx.rules.quoted_blocks and not node.quoted and symbol.type.name in ELEMENTARY:
+    if ctx.rules.dialect in _S7 and not node.quoted and isinstance(symbol.type, _DATA):
         return True
     is_own = symbol is ctx.local(node.name.casefold())
     return node.quoted and is_own and ctx.library.user_block(node.name) is not None

@@ -2,7 +2,8 @@
 
 Sources: TIA Portal help, "Overlaying tags with AT" (only with standard access or where the
 retentivity is set in the instance data block, which sources spell DB_SPECIFIC; no initial value,
-not larger than what it overlays, declared behind it); STEP 7 SCL manual, "Views of variables".
+not larger than what it overlays, declared behind it); STEP 7 SCL manual, "Views of variables";
+published sources for overlays of in-outs.
 """
 
 from dataclasses import dataclass
@@ -17,7 +18,7 @@ from fbgen.lang.layout import holds_blocks, holds_values, sizes_of
 from fbgen.lang.types import Type
 from fbgen.nearest import nearest
 
-_PLACES = (*LIVING, VariableKind.TEMP)
+_PLACES = (*LIVING, VariableKind.IN_OUT, VariableKind.TEMP)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +61,14 @@ def check_overlay(
     problem, help_text = _problem(ctx, declaration, root, kind, home)
     if problem:
         ctx.findings.error("FB4071", problem, at.span, help_text)
+        return None
+    if root.kind is VariableKind.IN_OUT:
+        ctx.used |= {entry, root}
+        ctx.findings.gap(
+            f"an overlay of in-out '{root.name}' has no model, so this program cannot run",
+            at.span,
+            "to run it, copy it to a variable in VAR_TEMP, overlay that, and copy it back",
+        )
         return None
     ctx.used |= {entry, root}
     ctx.written.add(root)

@@ -316,6 +316,8 @@ def check_index(ctx: Context, node: ast.Index, _expected: Type | None = None) ->
             "remove the index, or declare the variable as ARRAY[...] OF ...",
         )
         return erroneous(node.span)
+    if 0 < len(indices) < len(limits) and ctx.rules.dialect == "step7":
+        return cannot_run(ctx, node.span, "a part of an array with several dimensions")
     if len(indices) != len(limits):
         ctx.findings.error(
             "FB4019",

@@ -11,11 +11,15 @@ _TIA = re.compile(
     rb"\bS7_Optimized_Access\b|\bVAR\s+CONSTANT\b|^[ \t]*REGION\b",
     re.IGNORECASE | re.MULTILINE,
 )
+# Sections, options of the compiler, peripheral access with brackets, addresses without %.
 _CLASSIC = re.compile(
-    rb"\bEND_CONST\b|\bEND_LABEL\b"
+    rb"\bEND_CONST\b|\bEND_LABEL\b|\bScl_\w+\s*(?::=|;)|\bP[EAIQ][BWD]\s*\["
     rb"|(?<![%\w.\"#])(?:P[EAIQ][BWD]\d+|[EAIQM]\d+\.[0-7])(?![\w.])",
     re.IGNORECASE,
 )
+_NUMBERED = re.compile(rb":\s*S?FB\s?\d+\s*;", re.IGNORECASE)
+_MARKED = re.compile(rb"(?<![\w\"])#[A-Za-z_\"]")
+"""Instances of blocks by number are of STEP 7; TIA Portal marks what is local with #."""
 
 
 class Age(Enum):
@@ -31,6 +35,9 @@ def age_of(data: bytes) -> Age:
     text = data.replace(b"\0", b"")
     if _TIA.search(text):
         return Age.TIA
-    if _CLASSIC.search(text) and _CLASSIC.search(_NO_TEXT.sub(b" ", text)):
+    if not (_CLASSIC.search(text) or _NUMBERED.search(text)):
+        return Age.EITHER
+    code = _NO_TEXT.sub(b" ", text)
+    if _CLASSIC.search(code) or (_NUMBERED.search(code) and not _MARKED.search(code)):
         return Age.CLASSIC
     return Age.EITHER

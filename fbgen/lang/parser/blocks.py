@@ -29,6 +29,7 @@ from fbgen.lang.parser.cursor import Unexpected
 from fbgen.lang.parser.declarations import BLOCK_ENDS, MEMBERS, SECTIONS, UNITS
 from fbgen.lang.parser.meant_words import meant_section
 from fbgen.lang.parser.namespaces import NamespaceParser
+from fbgen.lang.parser.statement_lists import STARTS
 from fbgen.lang.parser.unread import UNREAD_SECTIONS
 from fbgen.source import Span
 
@@ -100,7 +101,9 @@ class BlockParser(NamespaceParser):
             return self._homeless_members()
         raise self.failed(
             "a block, a type or a data block",
-            f"a file holds units such as {', '.join(sorted(UNITS))}",
+            "statements stand in a block: write FUNCTION_BLOCK name in front of them"
+            if kind in STARTS or self.kinds[self.at + 1] in (":=", "(", ".")
+            else f"a file holds units such as {', '.join(sorted(UNITS))}",
         )
 
     def _homeless_members(self) -> list[Unit]:

@@ -24,6 +24,10 @@ _TIA = "FUNCTION \"F\" : Void\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\
         ("x := %E1.0; // E1.0", Age.EITHER),
         ("x := #s.E1.0 + 2.5E1; (* A1.0\nM2.0 *) y := 'M2.0';", Age.EITHER),
         ("VERSION : '1.0'\nLABEL a; END_LABEL", Age.CLASSIC),
+        ("{ Scl_ResetOptions ; Scl_SetOKFlag:= 'n' }\nFUNCTION_BLOCK FB7", Age.CLASSIC),
+        ("x := PIB[WORD_TO_DINT(port) + 0];", Age.CLASSIC),
+        ("VAR delay : SFB4; END_VAR delay(IN := on);", Age.CLASSIC),
+        ("VAR delay : SFB4; END_VAR #delay(IN := #on);", Age.EITHER),
     ],
 )
 def test_the_age_of_a_text(text: str, age: Age) -> None:

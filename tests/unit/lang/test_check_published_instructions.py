@@ -1,7 +1,7 @@
 """Instructions and types of TIA Portal as published sources use them."""
 
 import pytest
-from checking import errors_of, findings_of
+from checking import errors_of, findings_of, hints_of
 
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.parser import parse_recovering
@@ -200,3 +200,32 @@ def test_hardware_blocks_have_the_types_of_step_7() -> None:
         "length := receive.RCVD_LEN;\nEND_FUNCTION_BLOCK\n"
     )
     assert errors_of(text, "step7") == []
+
+
+def test_data_of_the_name_of_an_instruction_does_not_hide_it() -> None:
+    text = (
+        "FUNCTION_BLOCK FB1\nVAR\nTEST_DB : STRUCT result : INT; length : WORD; locked : BOOL; "
+        "END_STRUCT;\nEND_VAR\nBEGIN\nTEST_DB.result := TEST_DB(DB_NUMBER := W#16#5, "
+        "DB_LENGTH := TEST_DB.length, WRITE_PROT := TEST_DB.locked);\nEND_FUNCTION_BLOCK\n"
+    )
+    assert errors_of(text, "step7") == []
+
+
+def test_a_row_of_an_array_is_read_and_stops_a_run() -> None:
+    text = (
+        "FUNCTION_BLOCK FB1\nVAR\nrows : ARRAY[1..3, 1..8] OF BYTE; row : ARRAY[1..8] OF BYTE; "
+        "n : INT;\nEND_VAR\nBEGIN\nrow := rows[n + 1];\n"
+        "END_FUNCTION_BLOCK\n"
+    )
+    assert errors_of(text, "step7") == []
+    assert "FB4142" in [one.code for one in hints_of(text, "step7")]
+
+
+def test_an_overlay_of_an_in_out_is_read_and_has_no_model() -> None:
+    text = (
+        "FUNCTION FC1 : VOID\nVAR_IN_OUT data : ARRAY[1..8] OF BYTE; "
+        "words AT data : ARRAY[1..4] OF WORD;\nEND_VAR\nBEGIN\nwords[1] := W#16#12;\n"
+        "END_FUNCTION\n"
+    )
+    assert errors_of(text, "step7") == []
+    assert "FB4141" in [one.code for one in findings_of(text, "step7")]
