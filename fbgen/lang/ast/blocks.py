@@ -140,7 +140,10 @@ class Interface:
 
 @node
 class DataBlock:
-    """DATA_BLOCK: either its own structure (`struct` or `sections`) or of a type (`type`)."""
+    """DATA_BLOCK: either its own structure (`struct` or `sections`) or of a type (`type`).
+
+    `is_array`: an ARRAY data block of TIA, which is written as the type of its only variable, THIS.
+    """
 
     span: Span
     name: Name
@@ -152,6 +155,7 @@ class DataBlock:
     leading: TriviaList = ()
     header_comments: TriviaList = ()
     closing: TriviaList = ()
+    is_array: bool = False
 
 
 @node

@@ -44,6 +44,7 @@ class Feature(Enum):
     CONST_SECTIONS = "CONST sections"
     LABEL_SECTIONS = "LABEL sections"
     DATA_BLOCKS = "DATA_BLOCK"
+    ARRAY_BLOCKS = "ARRAY data blocks"
     ORGANIZATION_BLOCKS = "ORGANIZATION_BLOCK"
     HEADERS = "block headers with TITLE, AUTHOR, FAMILY, NAME and VERSION"
     PROGRAMS = "PROGRAM"

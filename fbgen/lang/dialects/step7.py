@@ -70,6 +70,7 @@ STEP7 = Dialect(
         Feature.OUTER_NAMES: "write the global name without the point",
         Feature.EXCEPTIONS: "check for the fault beforehand",
         Feature.NAMESPACES: "put the name of the namespace into the names themselves",
+        Feature.ARRAY_BLOCKS: "write STRUCT THIS : ARRAY[...] OF ...; END_STRUCT;",
         Feature.PROGRAMS: "write an ORGANIZATION_BLOCK or a FUNCTION",
         Feature.CONFIGURATIONS: "tasks are set in the hardware configuration of the project",
     },

@@ -26,6 +26,7 @@ TIA = Dialect(
             Feature.DB_ADDRESSES,
             Feature.VAR_CONSTANT,
             Feature.DATA_BLOCKS,
+            Feature.ARRAY_BLOCKS,
             Feature.ORGANIZATION_BLOCKS,
             Feature.HEADERS,
             Feature.POWER_FIRST,

@@ -9,6 +9,8 @@ from fbgen.lang.ast import (
     Block,
     BlockKind,
     DataBlock,
+    Declaration,
+    DeclaredName,
     Expression,
     File,
     Globals,
@@ -352,6 +354,9 @@ class BlockParser(NamespaceParser):
             self.accept(";")
         elif kind in SECTIONS:
             sections = self.sections_here()
+        elif kind == "ARRAY":
+            comments += self.take_leading()
+            sections = (self._elements(),)
         elif kind in ("name", '"'):
             comments += self.take_leading()
             type_name = self.named_type()
@@ -377,6 +382,18 @@ class BlockParser(NamespaceParser):
             leading,
             comments,
             closing,
+            kind == "ARRAY",
+        )
+
+    def _elements(self) -> VarSection:
+        """The type of an ARRAY data block, as the section with its only variable, THIS."""
+        first = self.at
+        elements = self.type_spec()
+        self.need(Feature.ARRAY_BLOCKS, first)
+        self.accept(";")
+        this = DeclaredName(elements.span, "THIS")
+        return VarSection(
+            elements.span, "VAR", (), (Declaration(elements.span, (this,), elements, None),)
         )
 
     def _more_header(self, header: list[HeaderItem]) -> None:

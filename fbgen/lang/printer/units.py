@@ -109,7 +109,11 @@ class UnitPrinter(MemberPrinter):
             self.lines.add(self.type_text(block.type), block.type.span)
         if block.struct:
             self._own_structure(block.struct)
-        self.sections(block.sections)
+        if block.is_array and block.sections:
+            elements = block.sections[0].declarations[0].type
+            self.lines.add(self.type_text(elements), elements.span)
+        else:
+            self.sections(block.sections)
         self.lines.blank()
         self.lines.add("BEGIN", first_of(block.span))
         self.statements(block.assignments, without_last_blanks(block.closing))
