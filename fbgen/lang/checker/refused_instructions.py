@@ -5,7 +5,7 @@ Source: TIA Portal help, the pages of the instructions.
 
 _OF_NAMES = "hand over what it gives as an input"
 _OF_SYMBOLS = "access the variables by their names"
-_OF_ARRAYS = "use the elements of the block: \"Block\".THIS[i]"
+_OF_ARRAYS = 'use the elements of the block: "Block".THIS[i]'
 
 NOT_SUPPORTED: dict[str, str] = {
     **dict.fromkeys(

@@ -29,14 +29,11 @@ from fbgen.lang.ast import (
 from fbgen.lang.dialects.dialect import Feature
 from fbgen.lang.parser.cursor import Unexpected
 from fbgen.lang.parser.declarations import BLOCK_ENDS, MEMBERS, SECTIONS, UNITS
-from fbgen.lang.parser.meant_words import meant_section
-from fbgen.lang.parser.namespaces import NamespaceParser
+from fbgen.lang.parser.headers import HeaderParser
+from fbgen.lang.parser.meant_words import CONSTANT_SECTIONS, meant_section
 from fbgen.lang.parser.statement_lists import STARTS
 from fbgen.lang.parser.unread import UNREAD_SECTIONS
-from fbgen.source import Span
 
-_HEADER_WORDS = frozenset({"AUTHOR", "FAMILY", "NAME", "VERSION"})
-_HEADER_FLAGS = frozenset({"KNOW_HOW_PROTECT", "NON_RETAIN", "RETAIN", "UNLINKED", "READ_ONLY"})
 _FOREIGN_SECTIONS = {"CONST": Feature.CONST_SECTIONS, "LABEL": Feature.LABEL_SECTIONS}
 _NUMBERED = frozenset({"FB", "FC", "OB", "DB", "UDT", "SFB", "SFC"})
 _FEATURES = {
@@ -46,7 +43,7 @@ _FEATURES = {
 }
 
 
-class BlockParser(NamespaceParser):
+class BlockParser(HeaderParser):
     """Reads a whole file."""
 
     def file(self) -> File:
@@ -134,7 +131,7 @@ class BlockParser(NamespaceParser):
         name = self._block_name()
         return_type: TypeSpec | None = None
         header: list[HeaderItem] = []
-        self._pragmas_into(header)
+        self.pragmas_into(header)
         usings = self.usings()
         extends, implements = self.base_types("EXTENDS"), self.base_types("IMPLEMENTS")
         if kind is BlockKind.FUNCTION and not self._lacks_result():
@@ -143,7 +140,7 @@ class BlockParser(NamespaceParser):
         if not self.dialect.has(Feature.HEADERS):
             self.end_head()
         usings += self.usings()
-        comments = self._header(header)
+        comments = self.header_items(header)
         sections, labels = self._interface()
         body_comments: TriviaList = ()
         if self.kinds[self.at] == "BEGIN":
@@ -219,7 +216,9 @@ class BlockParser(NamespaceParser):
             return False
         meant = meant_section(self.texts[at], SECTIONS)
         if meant:
-            self.unexpected("a section, BEGIN or a statement", f"write {meant}")
+            is_constant = self.texts[at].upper() in CONSTANT_SECTIONS
+            help_text = self.word_for_constants() if is_constant else f"write {meant}"
+            self.unexpected("a section, BEGIN or a statement", help_text)
             self.kinds[at] = meant
         return bool(meant)
 
@@ -261,79 +260,6 @@ class BlockParser(NamespaceParser):
             else:
                 return tuple(sections)
 
-    # --- headers ------------------------------------------------------------------------------
-
-    def _pragmas_into(self, header: list[HeaderItem]) -> None:
-        while self.extra_at <= self.at and (pragma := self.take_pragma()):
-            header.append(pragma)
-
-    def _header(self, header: list[HeaderItem]) -> TriviaList:
-        """The header lines, into `header`; the comments in front of them are given back.
-
-        A comment in front of the first section, BEGIN or statement is left there, unless it ends
-        the line of the block's name or of a header item.
-        """
-        comments: TriviaList = ()
-        while True:
-            if comment := self.take_same_line():
-                comments += (comment,)
-            self._pragmas_into(header)
-            before = self.at
-            item = self._header_item()
-            if item is None:
-                return comments
-            comments += self.take_before(before)
-            header.append(item)
-
-    def _header_item(self) -> HeaderItem | None:
-        first = self.at
-        kind, text = self.kinds[first], self.texts[first]
-        if kind != "name":
-            return None
-        word = text.upper()
-        if word in _HEADER_FLAGS:
-            self.at += 1
-            return HeaderItem(self.token_span(first), word, "")
-        if word in _HEADER_WORDS and self.kinds[first + 1] in (":", "="):
-            return self._header_line(word)
-        if word == "TITLE" and self.kinds[first + 1] == "=":
-            return self._raw_line(word)
-        if self.kinds[first + 1] == ":" and self.texts[first + 2][:1] == "'":
-            message = f"a block's header has no {text}"
-            self.report("FB3001", message, self.token_span(first), "write it as a comment: // ...")
-            return self._header_line(word)
-        return None
-
-    def _header_line(self, word: str) -> HeaderItem:
-        """`AUTHOR : text`, raw to the end of the line; VERSION is one token."""
-        first = self.at
-        self.at += 2
-        self.need(Feature.HEADERS, first)
-        if word == "VERSION":
-            ends = self.kinds[self.at] == "end" or self.starts_line(self.at)
-            self.at += 0 if ends else 1
-        else:
-            while not self.starts_line(self.at) and self.kinds[self.at] != "end":
-                if self.kinds[self.at] in SECTIONS or self.kinds[self.at] in ("BEGIN", "STRUCT"):
-                    break
-                self.at += 1
-        text = self.source.text[self.ends[first + 1] : self.ends[self.at - 1]].strip()
-        self.drop_extras(self.ends[first + 1], self.ends[self.at - 1])
-        return HeaderItem(self.span(first), word, text)
-
-    def _raw_line(self, word: str) -> HeaderItem:
-        """`TITLE = text`, whatever stands in the rest of the line."""
-        first = self.at
-        self.need(Feature.HEADERS, first)
-        text = self.source.text
-        end = text.find("\n", self.ends[first + 1])
-        end = len(text) if end < 0 else end
-        while self.starts[self.at] < end:
-            self.at += 1
-        self.drop_extras(self.ends[first + 1], end)
-        raw = text[self.ends[first + 1] : end]
-        return HeaderItem(Span(self.source, self.starts[first], end), word, raw.strip())
-
     # --- data blocks and types ----------------------------------------------------------------
 
     def _data_block(self) -> DataBlock:
@@ -343,7 +269,7 @@ class BlockParser(NamespaceParser):
         self.need(Feature.DATA_BLOCKS, first)
         name = self._block_name()
         header: list[HeaderItem] = []
-        comments = self._header(header)
+        comments = self.header_items(header)
         type_name: NamedType | None = None
         struct: StructSpec | None = None
         sections: tuple[VarSection, ...] = ()
@@ -363,7 +289,7 @@ class BlockParser(NamespaceParser):
             self.accept(";")
         else:
             raise self.failed("STRUCT, VAR, or the name of a type or function block")
-        self._more_header(header)
+        self.more_header(header)
         assignments: tuple[Assignment, ...] = ()
         if self.kinds[self.at] == "BEGIN":
             comments += self.take_before(self.at)
@@ -395,12 +321,6 @@ class BlockParser(NamespaceParser):
         return VarSection(
             elements.span, "VAR", (), (Declaration(elements.span, (this,), elements, None),)
         )
-
-    def _more_header(self, header: list[HeaderItem]) -> None:
-        self._pragmas_into(header)
-        while item := self._header_item():
-            header.append(item)
-            self._pragmas_into(header)
 
     def _start_values(self) -> tuple[Assignment, ...]:
         assignments: list[Assignment] = []
@@ -458,7 +378,7 @@ class BlockParser(NamespaceParser):
         header: list[HeaderItem] = []
         comments: TriviaList = ()
         if self.kinds[self.at] != ":":
-            comments = self._header(header)
+            comments = self.header_items(header)
         self.accept(":")
         comments += self.take_leading()
         spec = self.type_spec()

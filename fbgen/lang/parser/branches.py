@@ -70,6 +70,9 @@ class BranchParser(SimpleStatementParser):
             condition = self.expression()
             if self.kinds[self.at] == ":=":
                 raise self.failed(end, "a comparison is written '=', ':=' assigns")
+            if self.kinds[self.at] == ";" and self.kinds[self.at + 1] == end:
+                self.unexpected(end, f"no ';' stands in front of {end}")
+                self.at += 1
             self.expect(end, f"{end} or an operator", f"write {example}")
             return condition
         except Unexpected:

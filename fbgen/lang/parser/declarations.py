@@ -29,6 +29,7 @@ from fbgen.lang.dialects.dialect import Feature
 from fbgen.lang.dialects.words import words
 from fbgen.lang.parser.cursor import Unexpected
 from fbgen.lang.parser.derived_types import DerivedTypeParser
+from fbgen.lang.parser.meant_words import CONSTANT_SECTIONS
 from fbgen.lang.parser.places import NAMES
 from fbgen.lang.parser.set_assignments import SetAssignmentParser
 
@@ -170,6 +171,8 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
             self.at += 1
         if "CONSTANT" in qualifiers:
             self.need(Feature.VAR_CONSTANT, first)
+        elif self.texts[first].upper() in CONSTANT_SECTIONS:
+            qualifiers.append("CONSTANT")
         opening = self.take_same_line()
         declarations = self.fields("END_VAR", first)
         closing = self.take_leading()
@@ -181,6 +184,10 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
         return VarSection(
             span, keyword, tuple(qualifiers), declarations, leading, trailing, closing, opening
         )
+
+    def word_for_constants(self) -> str:
+        """What to write for a section of constants."""
+        return self.dialect.advice.get(Feature.VAR_CONSTANT, "write VAR CONSTANT")
 
     def const_section(self) -> VarSection:
         """CONST name := value; ... END_CONST: the constants have the types of their values."""

@@ -13,6 +13,8 @@ from fbgen.nearest import near_names
 _LOOPS = {"FOR", "WHILE", "CASE", "IF", "REPEAT"}
 _LAST_WORDS = ("THEN", "DO", "OF")
 _ALIKE = 0.8
+CONSTANT_SECTIONS = ("VAR_CONST", "VAR_CONSTANT")
+"""Words for VAR CONSTANT that no dialect has."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,5 +47,7 @@ def meant_keyword(kinds: Sequence[str], texts: Sequence[str], line: Iterable[int
 
 def meant_section(word: str, sections: Iterable[str]) -> str:
     """The section that a word begins which stands in front of a declaration; empty for none."""
+    if word.upper() in CONSTANT_SECTIONS:
+        return "VAR"
     near = near_names(word, sections, _ALIKE)
     return near[0] if near else ""

@@ -50,6 +50,7 @@ END_FUNCTION
 MISTAKES = [
     ("IF #start THEN", "IF #start", 14, "write IF condition THEN"),
     ("IF #start THEN", "IF #start DO", 13, "write IF condition THEN"),
+    ("IF #start THEN", "IF #start; THEN", 13, "no ';' stands in front of THEN"),
     ("ELSIF #ende THEN", "ELSIF #ende", 16, "write IF condition THEN"),
     ("CASE #i OF", "CASE #i", 19, "write CASE variable OF"),
     ("0 TO 9 DO", "0 TO 9", 26, "write FOR i := 0 TO 7 DO"),
@@ -65,6 +66,7 @@ MISTAKES = [
     ("IF #start", "IFF #start", 13, "write IF"),
     ("CASE #i", "CAES #i", 18, "write CASE"),
     ("VAR_INPUT", "VAR_INPT", 2, "write VAR_INPUT"),
+    ("VAR\n   zeit", "VAR_CONST\n   zeit", 6, "write VAR CONSTANT"),
     ("#i := 1;", "#i : = 1;", 14, "write := without a blank in it"),
     ("END_FUNCTION_BLOCK", "END_FUNCTION", 35, "write END_FUNCTION_BLOCK"),
     ("      END_IF;\n", "", 13, "write END_IF; where it ends"),
