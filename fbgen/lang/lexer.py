@@ -42,6 +42,7 @@ _FEATURE_KEYWORDS = {
     Feature.SHORT_CIRCUIT: words("AND_THEN OR_ELSE"),
     Feature.CONST_SECTIONS: words("CONST END_CONST"),
     Feature.LABEL_SECTIONS: words("LABEL END_LABEL"),
+    Feature.OBJECTS: words("VAR_GENERIC VAR_CONFIG"),
     Feature.EXCEPTIONS: words("__TRY __CATCH __FINALLY __ENDTRY"),
 }
 """Keywords of the dialects that have the feature; elsewhere these words are names."""
@@ -67,9 +68,9 @@ _PATTERN = (
     # local names, numbers with whatever letters are glued to them
     r"|\#(?:[^\W\d]\w*+|\"[^\"\r\n]*+\")?+"
     r"|[0-9][0-9_]*+(?:\#\w*+|(?:\.[0-9][0-9_]*+)?(?:[eE][+-]?[0-9]++)?\w*+)"
-    # quoted names and strings end in their line
+    # quoted names and strings end in their line, or in the next one where that is clear
     r"|\"{quoted}*+\"?+"
-    r"|'(?:[^'$\r\n]|\$(?:>\s*+\$<|[^\r\n]))*+'?+"
+    r"|'(?:[^'$\r\n]|\$(?:>\s*+\$<|[^\r\n]))*+(?:'{next_line})?+"
     # absolute addresses and slices; pragmas
     r"|%(?:[A-Za-z]++(?:\*|[0-9]*+(?:\.\w++)*+(?::[Pp]\b)?))?+"
     r"|\{{\{{(?:[^}}]++|\}}(?!\}}))*+(?:\}}\}})?+"  # code in C of OpenPLC and Beremiz
@@ -77,6 +78,7 @@ _PATTERN = (
     # anything else
     r"|\S)"
 )
+_NEXT_LINE = r"|\r?\n[^'\r\n]*+'(?=[ \t]*+[;,)])"
 _RAW_LINES = (
     r"[Rr](?<!\..)(?i:EGION)(?!\w)(?![ \t]*+(?::=|[:;,)\]]))[^\r\n]*+"
     r"|[Ee](?<!\..)(?i:ND_REGION)(?!\w)[^\r\n]*+|"
@@ -121,7 +123,11 @@ class Tokens:
 
 def tokenize(source: Source, dialect: Dialect) -> Tokens:
     """Cut a source into tokens. Never fails: what is no token has kind `character`."""
-    pattern = _pattern(dialect.has(Feature.REGIONS), dialect.has(Feature.QUOTED_NAMES))
+    pattern = _pattern(
+        dialect.has(Feature.REGIONS),
+        dialect.has(Feature.QUOTED_NAMES),
+        dialect.has(Feature.LONG_TEXTS),
+    )
     tokens = _cut(source, pattern.split(source.text), dialect)
     opened = source.text.count("(*") + source.text.count("/*")
     if opened > tokens.kinds.count("(*") and any(map(_may_nest, tokens.texts)):
@@ -144,9 +150,10 @@ def _cut(source: Source, parts: list[str], dialect: Dialect) -> Tokens:
 
 
 @cache
-def _pattern(raw_lines: bool, quoted_names: bool) -> re.Pattern[str]:
+def _pattern(raw_lines: bool, quoted_names: bool, long_texts: bool) -> re.Pattern[str]:
     body = _PATTERN.format(
         raw=_RAW_LINES if raw_lines else "",
+        next_line=_NEXT_LINE if long_texts else "",
         quoted=r"[^\"\r\n]" if quoted_names else r"(?:[^\"$\r\n]|\$[^\r\n])",
     )
     return re.compile(body)

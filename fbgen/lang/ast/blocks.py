@@ -236,11 +236,20 @@ class Globals:
     """A VAR_GLOBAL section outside of a configuration.
 
     `name` is that of the list it stands in (TwinCAT), "" in plain texts: `list.x` means its x too.
+    A VAR_CONFIG section of CODESYS stands here, too.
     """
 
     span: Span
     section: VarSection
     name: str = ""
+
+
+@node
+class LoneMember:
+    """A METHOD, PROPERTY or ACTION that stands in a file of its own, without its block."""
+
+    span: Span
+    member: BlockMember
 
 
 @node
@@ -266,7 +275,15 @@ class Namespace:
 
 
 Unit: TypeAlias = (
-    Block | Interface | DataBlock | TypeDeclaration | Configuration | Globals | Using | Namespace
+    Block
+    | Interface
+    | DataBlock
+    | TypeDeclaration
+    | Configuration
+    | Globals
+    | Using
+    | Namespace
+    | LoneMember
 )
 
 

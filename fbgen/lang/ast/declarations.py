@@ -11,7 +11,8 @@ from fbgen.source import Span
 class NamedType:
     """An elementary type, a UDT, a function block: whatever the name means.
 
-    A name in a namespace has its dots: `Motors.Axis`.
+    A name in a namespace has its dots: `Motors.Axis`; one with values for VAR_GENERIC has these:
+    `Buffer<6, true>`.
     """
 
     span: Span
@@ -154,9 +155,10 @@ class Declaration:
 @node
 class VarSection:
     """VAR_INPUT ... END_VAR. `keyword` upper case: VAR, VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT,
-    VAR_TEMP, VAR_STAT, VAR_INST, VAR_GLOBAL, VAR_EXTERNAL. `qualifiers` upper case: CONSTANT,
-    RETAIN, PUBLIC, ... A CONST section of STEP 7 is a VAR section with the qualifier CONSTANT; its
-    constants have the type of their value, which is `NamedType` with the name "".
+    VAR_TEMP, VAR_STAT, VAR_INST, VAR_GLOBAL, VAR_EXTERNAL, VAR_GENERIC, VAR_CONFIG, whose names
+    have dots: `Main.pump.speed`. `qualifiers` upper case: CONSTANT, RETAIN, PUBLIC, ... A CONST
+    section of STEP 7 is a VAR section with the qualifier CONSTANT; its constants have the type of
+    their value, which is `NamedType` with the name "".
     """
 
     span: Span

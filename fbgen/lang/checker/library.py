@@ -12,14 +12,17 @@ from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import LIVING, AnyBlock, Block, StandardBlock, Variable, VariableKind
+from fbgen.lang.checker.configured_variables import with_configured_variables
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enabling import enable_variables
 from fbgen.lang.checker.findings import Findings
+from fbgen.lang.checker.generic_blocks import with_values
 from fbgen.lang.checker.global_lists import GlobalLists
 from fbgen.lang.checker.initials import Initials
 from fbgen.lang.checker.instance_starts import InstanceStarts
 from fbgen.lang.checker.interfaces import Interfaces
 from fbgen.lang.checker.literals import ERRONEOUS
+from fbgen.lang.checker.lone_members import with_their_members
 from fbgen.lang.checker.memory_use import MemoryUse, is_optimized
 from fbgen.lang.checker.namespaces import Namespaces, written_whole
 from fbgen.lang.checker.objects import RECEIVER, Objects, kept_sections
@@ -89,8 +92,9 @@ class Library:
 
     def collect(self, files: Sequence[ast.File]) -> None:
         """Make all units of the files known by name."""
-        written, self.namespaces = written_whole(files, self.findings)
-        self._files = tuple(written)
+        files = with_their_members(files, self.findings)
+        files, self.namespaces = written_whole(with_values(files, self.findings), self.findings)
+        self._files = tuple(with_configured_variables(files, self.findings))
         for file in self._files:
             for unit in file.units:
                 self._collect_unit(unit)
@@ -107,8 +111,8 @@ class Library:
         elif isinstance(unit, ast.Configuration):
             self._configurations.append(unit)
             self.lists.add_configuration(unit)
-        elif isinstance(unit, ast.Namespace | ast.Using):
-            pass  # `written_whole` has put what they hold and mean into the other units
+        elif isinstance(unit, ast.Namespace | ast.Using | ast.LoneMember):
+            pass  # what they hold and mean is in the other units by now
         elif isinstance(unit, ast.Interface):
             if self._is_new(unit.name):
                 self.objects.interfaces.declare(unit)

@@ -250,6 +250,8 @@ def _with_comments(unit: ast.Unit, comments: ast.TriviaList) -> ast.Unit:
     if isinstance(unit, ast.Globals):
         section = replaced(unit.section, leading=(*comments, *unit.section.leading))
         return replaced(unit, section=section)
+    if isinstance(unit, ast.LoneMember):
+        return unit
     return replaced(unit, leading=(*comments, *unit.leading))
 
 

@@ -21,6 +21,7 @@ from fbgen.lang.depth import room_for_depth
 from fbgen.lang.dialects import dialect_named
 from fbgen.lang.printer.members import first_of, without_last_blanks
 from fbgen.lang.printer.units import UnitPrinter
+from fbgen.lang.rewriting import replaced
 
 
 def declaration(node: Block | Method | Property | Interface, dialect: str) -> str:
@@ -32,9 +33,11 @@ def _declaration(printer: UnitPrinter, node: Block | Method | Property | Interfa
     printer.lines.trivia(node.leading)
     if isinstance(node, Block):
         printer.lines.trivia(node.header_comments)
-        printer.lines.add(printer.head_of_block(node), first_of(node.span))
+        printer.lines.level -= 1
+        behind = printer.heading(node)
+        printer.lines.level += 1
         printer.header_items(node.header)
-        _sections(printer, node)
+        _sections(printer, replaced(node, sections=behind))
     elif isinstance(node, Method):
         printer.lines.add(printer.head_of_method(node), first_of(node.span))
         _sections(printer, node)

@@ -19,6 +19,7 @@ class Feature(Enum):
     COMPOUND_ASSIGNMENTS = "assignments with += -= *= /="
     SET_ASSIGNMENTS = "assignments with S= and R="
     JUMPS = "JMP"
+    LONG_TEXTS = "texts over two lines"
     EXCEPTIONS = "__TRY with __CATCH"
     ENUMERATIONS = "enumerations"
     BASE_BEHIND = "the base type behind an enumeration"

@@ -24,6 +24,7 @@ IEC = Dialect(
             Feature.CHAINED_ASSIGNMENTS,
             Feature.JUMPS,
             Feature.EXCEPTIONS,
+            Feature.LONG_TEXTS,
             Feature.ENUMERATIONS,
             Feature.OUTER_NAMES,
             Feature.SUBRANGES,

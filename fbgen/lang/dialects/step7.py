@@ -68,6 +68,7 @@ STEP7 = Dialect(
         Feature.OBJECTS: "write a FUNCTION_BLOCK or a FUNCTION for each",
         Feature.CLASSES: "write a FUNCTION_BLOCK",
         Feature.OUTER_NAMES: "write the global name without the point",
+        Feature.LONG_TEXTS: "write the end of the line as $R$L",
         Feature.EXCEPTIONS: "check for the fault beforehand",
         Feature.NAMESPACES: "put the name of the namespace into the names themselves",
         Feature.ARRAY_BLOCKS: "write STRUCT THIS : ARRAY[...] OF ...; END_STRUCT;",

@@ -48,6 +48,7 @@ TIA = Dialect(
         Feature.OBJECTS: "write a FUNCTION_BLOCK or a FUNCTION for each",
         Feature.CLASSES: "write a FUNCTION_BLOCK",
         Feature.OUTER_NAMES: "write the global name without the point",
+        Feature.LONG_TEXTS: "write the end of the line as $R$L",
         Feature.EXCEPTIONS: "check for the fault beforehand",
         Feature.NAMESPACES: "put the name of the namespace into the names themselves",
         Feature.PROGRAMS: "write an ORGANIZATION_BLOCK or a FUNCTION",

@@ -20,6 +20,7 @@ TWINCAT = Dialect(
             Feature.SET_ASSIGNMENTS,
             Feature.JUMPS,
             Feature.EXCEPTIONS,
+            Feature.LONG_TEXTS,
             Feature.ENUMERATIONS,
             Feature.OUTER_NAMES,
             Feature.BASE_BEHIND,

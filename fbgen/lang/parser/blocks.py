@@ -16,6 +16,7 @@ from fbgen.lang.ast import (
     Globals,
     HeaderItem,
     LabelSection,
+    LoneMember,
     Name,
     NamedType,
     StructSpec,
@@ -70,7 +71,7 @@ class BlockParser(HeaderParser):
     def _skip_unit(self, start: int) -> None:
         if self.at == start:
             self.at += 1
-        ends = ("end", "VAR_GLOBAL", "END_NAMESPACE")
+        ends = ("end", "VAR_GLOBAL", "VAR_CONFIG", "END_NAMESPACE")
         while self.kinds[self.at] not in UNITS and self.kinds[self.at] not in ends:
             self.at += 1
 
@@ -84,7 +85,7 @@ class BlockParser(HeaderParser):
             return list(self._types())
         if kind == "CONFIGURATION":
             return [self.configuration()]
-        if kind == "VAR_GLOBAL":
+        if kind in ("VAR_GLOBAL", "VAR_CONFIG"):
             section = self.section()
             return [Globals(section.span, section)]
         if kind == "INTERFACE":
@@ -106,17 +107,12 @@ class BlockParser(HeaderParser):
         )
 
     def _homeless_members(self) -> list[Unit]:
-        """Report members behind nothing that could have them."""
+        """Members without a block: the name of the file may say whose they are."""
         first = self.at
-        if not self._findings:
-            self.report(
-                "FB3015",
-                f"{self.kinds[first]} without a block",
-                self.token_span(first),
-                "write it in a block, or behind the block that it belongs to",
-            )
-        self.members()
-        return []
+        if not self.dialect.has(Feature.OBJECTS):
+            self.need(Feature.OBJECTS, first)
+        members = self.members()
+        return [] if self._findings else [LoneMember(one.span, one) for one in members]
 
     # --- blocks with code ---------------------------------------------------------------------
 
@@ -133,6 +129,7 @@ class BlockParser(HeaderParser):
         header: list[HeaderItem] = []
         self.pragmas_into(header)
         usings = self.usings()
+        generic = self.sections_here() if self.kinds[self.at] == "VAR_GENERIC" else ()
         extends, implements = self.base_types("EXTENDS"), self.base_types("IMPLEMENTS")
         if kind is BlockKind.FUNCTION and not self._lacks_result():
             self.expect(":", "':' and the type of the result", "without result it is ': Void'")
@@ -159,7 +156,7 @@ class BlockParser(HeaderParser):
             name,
             return_type,
             tuple(header),
-            sections,
+            (*generic, *sections),
             body,
             leading,
             comments,

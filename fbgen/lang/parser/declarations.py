@@ -34,7 +34,8 @@ from fbgen.lang.parser.places import NAMES
 from fbgen.lang.parser.set_assignments import SetAssignmentParser
 
 SECTIONS = words(
-    "VAR VAR_INPUT VAR_OUTPUT VAR_IN_OUT VAR_TEMP VAR_STAT VAR_INST VAR_GLOBAL VAR_EXTERNAL CONST"
+    "VAR VAR_INPUT VAR_OUTPUT VAR_IN_OUT VAR_TEMP VAR_STAT VAR_INST VAR_GLOBAL VAR_EXTERNAL CONST "
+    "VAR_GENERIC VAR_CONFIG"
 )
 _QUALIFIERS = words(
     "CONSTANT RETAIN NON_RETAIN PERSISTENT DB_SPECIFIC R_EDGE F_EDGE "
@@ -69,6 +70,7 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
     """Reads what is declared."""
 
     _in_const_section = False
+    _has_paths = False
 
     # --- types --------------------------------------------------------------------------------
 
@@ -174,7 +176,9 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
         elif self.texts[first].upper() in CONSTANT_SECTIONS:
             qualifiers.append("CONSTANT")
         opening = self.take_same_line()
+        self._has_paths = keyword == "VAR_CONFIG"
         declarations = self.fields("END_VAR", first)
+        self._has_paths = False
         closing = self.take_leading()
         self.end_section("END_VAR", first)
         if not self.starts_line(self.at):
@@ -399,6 +403,12 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
             return
         raise self.failed("';'", "a statement or declaration ends with ';'")
 
+    def _path(self, first: int) -> DeclaredName:
+        """The variable of an instance that VAR_CONFIG means, `Main.pump.speed`."""
+        while self.accept("."):
+            self.name()
+        return DeclaredName(self.span(first), self.span(first).text.replace(" ", ""))
+
     def _declared_name(self) -> DeclaredName:
         at = self.at
         kind = self.kinds[at]
@@ -407,6 +417,8 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
             if kind == "address":
                 self.declared_addresses.add(self.texts[at].casefold())
             attributes = self.pragma_text() if self.extra_at <= self.at else ""
+            if self._has_paths:
+                return self._path(at)
             return DeclaredName(self.token_span(at), self.texts[at], False, attributes)
         if kind not in NAMES:
             raise self.failed("the name of a variable")

@@ -54,6 +54,8 @@ class DerivedTypeParser(ExpressionParser, ABC):
         if word == "UNION" and (following in NAMES or self.word(at + 1)):
             return self._union()
         base = self.named_type()
+        if self.kinds[self.at] == "<":
+            return self._generic(base)
         if self.kinds[self.at] == "(":
             if word in _BASES and self.kinds[self.at + 1] == "name":
                 if self.kinds[self.at + 2] in (",", ")", ":="):
@@ -62,6 +64,16 @@ class DerivedTypeParser(ExpressionParser, ABC):
                 return base
             return self._subrange(base)
         return base
+
+    def _generic(self, base: NamedType) -> NamedType:
+        """`Buffer<6, true>` of CODESYS: a block with values for its VAR_GENERIC."""
+        first = self.at
+        self.need(Feature.OBJECTS, first)
+        while self.kinds[self.at] not in (">", ";", ":=", "end"):
+            self.at += 1
+        values = "".join(self.texts[first + 1 : self.at]).replace(",", ", ")
+        self.expect(">", "'>'", "values for VAR_GENERIC look like Buffer<6>")
+        return NamedType(base.span.to(self.span(first)), f"{base.name}<{values}>")
 
     def _union(self) -> UnionSpec:
         first = self.at

@@ -13,7 +13,7 @@ from fbgen.lang.parser.cursor import Cursor, Unexpected
 from fbgen.lang.parser.meant_words import Meant, meant_keyword
 
 UNREAD_SECTIONS = words("VAR_ACCESS VAR_CONFIG VAR_GENERIC")
-"""Sections with connections between the parts of a project, and with parameters of blocks."""
+"""Sections with connections between the parts of a project, and what no S7 has."""
 
 _CHART = words("INITIAL_STEP STEP TRANSITION")
 _LIST = words("LD LDN ST STN CAL CALC CALCN JMPC JMPCN RETC RETCN")

@@ -9,6 +9,7 @@ from fbgen.lang.ast import (
     Block,
     BlockMember,
     Interface,
+    LoneMember,
     Method,
     NamedType,
     Property,
@@ -35,13 +36,30 @@ class MemberPrinter(DeclarationPrinter):
         """The first line of a block that opens no namespaces."""
         return self._first_words(block) + self._all_bases(block) + self._result(block)
 
-    def heading(self, block: Block) -> None:
-        """The first line of a block, and the namespaces that it opens."""
-        if not block.usings:
+    def heading(self, block: Block) -> tuple[VarSection, ...]:
+        """The first line of a block, what has to stand before its bases, and these.
+
+        Gives back the sections that come behind.
+        """
+        generic = [one for one in block.sections if one.keyword == "VAR_GENERIC"]
+        bases = self._all_bases(block)
+        if not block.usings and not (generic and bases):
             self.lines.add(self.head_of_block(block), first_of(block.span))
-            return
+            return block.sections
         self.lines.add(self._first_words(block) + self._result(block), first_of(block.span))
-        self._usings(block.usings, self._all_bases(block))
+        if block.usings:
+            self._usings(block.usings, "" if generic else bases)
+        if not (generic and bases):
+            return block.sections
+        self.sections(tuple(generic))
+        self.lines.level += 1
+        self.lines.add(bases.strip(), generic[-1].span)
+        self.lines.level -= 1
+        return tuple(one for one in block.sections if one.keyword != "VAR_GENERIC")
+
+    def lone_member(self, node: LoneMember) -> None:
+        """A member in a file of its own."""
+        self.member(node.member)
 
     def _usings(self, usings: tuple[Using, ...], bases: str) -> None:
         """USING behind a name, and the bases that may be in what it opens."""

@@ -15,6 +15,7 @@ from fbgen.lang.ast import (
     Globals,
     HeaderItem,
     Interface,
+    LoneMember,
     Namespace,
     ProgramInstance,
     Resource,
@@ -70,9 +71,9 @@ class UnitPrinter(MemberPrinter):
         if sections and self.dialect.has(Feature.HEADERS):
             above, sections = _first_comments_apart(sections)
         self.lines.trivia((*block.leading, *block.header_comments, *above))
-        self.heading(block)
+        behind = self.heading(block)
         self.header_items(block.header)
-        self.sections(sections)
+        self.sections(sections if behind is block.sections else behind)
         self.lines.level += 1
         for labels in block.labels:
             self.label_section(labels)
@@ -220,5 +221,6 @@ _WRITERS: dict[type, Callable[[UnitPrinter, Any], None]] = {
     Interface: UnitPrinter.interface,
     Namespace: UnitPrinter._namespace,
     Using: UnitPrinter.using,
+    LoneMember: UnitPrinter.lone_member,
     Globals: UnitPrinter._globals,
 }

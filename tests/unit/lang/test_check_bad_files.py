@@ -81,6 +81,8 @@ def _dialect_of(path: Path) -> str:
         ("FB4085_internal_function.st", 9, 8),
         ("FB4085_private_variable.st", 8, 8),
         ("FB4096_unknown_namespace.st", 9, 1),
+        ("FB4098_lone_method.st", 3, 8),
+        ("FB4042_generic_constants.twincat", 8, 11),
         ("FB4097_two_namespaces.st", 16, 8),
         ("FB4110_number_for_enumerator.twincat", 6, 10),
         ("FB4111_sign.twincat", 4, 8),

@@ -41,7 +41,7 @@ def _all_findings(source: Source, dialect: str) -> list[tuple[str, int, int]]:
         ("FB3009_feature.st", [(7, 5), (8, 7), (10, 5)]),
         ("FB3010_semicolon.scl", [(6, 10), (10, 9)]),
         ("FB3012_not_read.st", [(2, 5), (8, 5), (13, 1)]),
-        ("FB3015_misplaced.st", [(1, 1), (5, 12), (17, 5)]),
+        ("FB3015_misplaced.st", [(2, 12), (14, 5)]),
         ("FB3040_degree.scl", [(3, 23)]),
         ("FB3050_names.scl", [(3, 7), (4, 7)]),
         ("FB3051_no_counterpart.scl", [(7, 10), (8, 4), (10, 4)]),
