@@ -10,13 +10,14 @@ BIN := .venv/bin
 # The tests run in this many processes at once.
 JOBS ?= 2
 
-.PHONY: help demo test check bench sweep golden schemas format environment
+.PHONY: help demo test check bench sweep phases golden schemas format environment
 
 help:
 	@echo "make demo     run the manual's example on the example plant: from YAML to inverter and back"
 	@echo "make test     ruff, mypy --strict and all tests; ends with what was skipped and why"
 	@echo "make check    ruff and mypy alone"
 	@echo "make sweep    the tests marked slow"
+	@echo "make phases   the phase sweep over every combination (about an hour), with its table"
 	@echo "make bench    speed and size"
 	@echo "make golden   write the golden files anew (look at the difference before you commit)"
 	@echo "make schemas  write the JSON Schemas anew"
@@ -38,6 +39,9 @@ check: environment
 
 sweep: environment
 	$(BIN)/python -m pytest -n $(JOBS) -m slow
+
+phases: environment
+	$(BIN)/python -m harness.sweep tests/unit/sweep/line.yaml
 
 bench: environment
 	$(BIN)/python -m bench

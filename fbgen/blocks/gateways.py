@@ -3,8 +3,9 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
+from fbgen.blocks.line_times import LineTimes, line_times
 from fbgen.blocks.literals import SclText, byte, milliseconds, real
-from fbgen.catalog import Catalog, CyclicField, Drive, Gateway, Layout, Sequence, origin
+from fbgen.catalog import Catalog, CyclicField, Drive, Gateway, Layout, origin
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import Plant, PlantDrive, PlantGateway
 from fbgen.source import Origin
@@ -24,9 +25,6 @@ _TELEGRAM = {"inv_no": 1, "cmd": 1, "comno": 2, "data": 2}
 _OUTPUTS = {"control": 2, "trigger": 1, **_TELEGRAM}
 _INPUTS = {"status": 2, **_TELEGRAM}
 """The fields of both directions with their lengths in bytes, as the members are declared."""
-
-
-_BUS_CYCLE_MS = 5
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,8 +72,7 @@ class GatewayView:
     retries: SclText
     gap: SclText
     apart: SclText
-    longest_telegram_ms: float
-    drive_zero: SclText
+    times: LineTimes
     drives: tuple[DriveView, ...]
 
     @property
@@ -98,20 +95,14 @@ class GatewayView:
         return next(item for item in self.outputs if item.name == "trigger")
 
 
-def gateway_view(
-    plant: Plant,
-    gateway: PlantGateway,
-    sequences: Iterable[Sequence],
-    catalog: Catalog,
-) -> GatewayView:
+def gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> GatewayView:
     """What the templates of one gateway are told."""
     entry = catalog.gateway(gateway.type)
     layout = entry.layout(gateway.layout)
     place = origin(f"gateway {gateway.name}", gateway)
     series = [catalog.drive(drive.series) for drive in gateway.drives]
-    reply_max = max(item.times.reply_max.ms for item in series)
     chosen = gateway.parameters.timeout_ms
-    timeout_ms = reply_timeout_ms(plant, entry, reply_max) if chosen is None else float(chosen)
+    limits = line_times(plant, gateway, catalog)
     times = origin(f"gateway {gateway.name}", gateway, inputs=_times_of_the_line(entry, series))
     return GatewayView(
         name=gateway.name,
@@ -127,12 +118,11 @@ def gateway_view(
         laddr_out=_laddr(plant, gateway, gateway.output_address),
         handshake=SclText("TRUE" if gateway.options.get("handshake", True) else "FALSE", place),
         status_poll=gateway.status_poll,
-        timeout=milliseconds(timeout_ms, times if chosen is None else place),
+        timeout=milliseconds(limits.timeout_ms, times if chosen is None else place),
         retries=SclText(str(gateway.parameters.retries), place),
-        gap=milliseconds(silent_gap_ms(plant, entry, reply_max), times),
-        apart=milliseconds(apart_ms(entry, reply_max), times),
-        longest_telegram_ms=_longest_telegram_ms(plant, timeout_ms, sequences),
-        drive_zero=SclText("TRUE" if any(not item.inv_no for item in gateway.drives) else "FALSE"),
+        gap=milliseconds(limits.gap_ms, times),
+        apart=milliseconds(limits.apart_ms, times),
+        times=limits,
         drives=tuple(_drive(item) for item in gateway.drives),
     )
 
@@ -159,28 +149,6 @@ def missing_fields(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
                 )
 
 
-def reply_timeout_ms(plant: Plant, gateway: Gateway, reply_max_ms: float) -> float:
-    """How long a reply may take, with a reserve of twice the time that the manual adds up.
-
-    Drive, gateway in both directions and 8 bytes on the line in both directions, and two cycles of
-    the PLC for reading and writing. Source: TOSPBDP001 manual v1.1, 9.
-    """
-    line_ms = 2 * _frame_ms(gateway)
-    return 2 * (reply_max_ms + 2 * gateway.times.processing.ms + line_ms) + 2 * plant.cycle_time_ms
-
-
-def silent_gap_ms(plant: Plant, gateway: Gateway, reply_max_ms: float) -> float:
-    """How long the line is left alone after a telegram that nobody answers.
-
-    The gateway has surely looked at the trigger, processed and sent the telegram, also where the
-    trigger leaves the PLC a cycle after its data; then comes the drive's reply time, which the
-    manual asks for between telegrams to different drives. Source: TOSPBDP001 manual v1.1, 9.
-    """
-    times = gateway.times
-    sent_ms = times.trigger_poll.ms + times.processing.ms + _frame_ms(gateway)
-    return 2 * plant.cycle_time_ms + sent_ms + reply_max_ms
-
-
 def _times_of_the_line(entry: Gateway, series: Iterable[Drive]) -> Iterator[Origin | None]:
     """The entries that times of a line are worked out from."""
     for name in ("processing", "trigger_poll"):
@@ -190,33 +158,6 @@ def _times_of_the_line(entry: Gateway, series: Iterable[Drive]) -> Iterator[Orig
     for drive in series:
         limit = drive.times.reply_max
         yield origin(f"{drive.id} reply_max", limit, limit.source or "")
-
-
-def apart_ms(gateway: Gateway, reply_max_ms: float) -> float:
-    """How long after a telegram the PLC may send one to another drive of the same line.
-
-    On the line they must be the reply time apart, that of the slowest series. A bus cycle and the
-    grid on which the gateway may look at the trigger shift each of them. Source: TOSPBDP001 manual
-    v1.1, 9; the bus cycle of 5 ms is a reserve.
-    """
-    return reply_max_ms + gateway.times.trigger_poll.ms + _BUS_CYCLE_MS
-
-
-def _longest_telegram_ms(plant: Plant, poll_ms: float, sequences: Iterable[Sequence]) -> float:
-    """How long the line is taken by a telegram that has no reply.
-
-    TOS_Telegram tries it three times and perhaps once more for the spacer, and needs some cycles.
-    """
-    limits = [poll_ms]
-    for sequence in sequences:
-        own = (getattr(step, "timeout_ms", None) for step in sequence.steps)
-        limits += [sequence.reply_timeout_ms, *(limit for limit in own if limit is not None)]
-    return 4 * max(limits) + 6 * plant.cycle_time_ms
-
-
-def _frame_ms(gateway: Gateway) -> float:
-    """How long 8 bytes take on the line towards the drives."""
-    return 8 * gateway.subnetwork.character_bits / gateway.subnetwork.baud * 1000
 
 
 def _fields(layout: Layout, gateway: PlantGateway, area: str) -> tuple[FieldView, ...]:

@@ -77,7 +77,7 @@ def plan_blocks(plant: Plant, catalog: Catalog) -> BlockPlan:
         raise DiagnosticError(found)
     drives = _series(plant, catalog)
     sequences = tuple(_sequence(name, drives, catalog) for name in plant.sequences)
-    gateways = tuple(gateway_view(plant, item, known, catalog) for item in plant.gateways)
+    gateways = tuple(gateway_view(plant, item, catalog) for item in plant.gateways)
     context = _plant_context(plant, gateways, sequences)
     context |= _gateway_context(catalog.gateway(plant.gateways[0].type))
     context |= _drive_context(drives[0], catalog)
@@ -276,7 +276,11 @@ def _drive_context(drive: Drive, catalog: Catalog) -> dict[str, object]:
         "drive_status": WordView(drive.word(drive.comno(drive.link.status).word or ""), drive.id),
         "reset_silence": _duration(drive.times.reset_silence, f"{drive.id} reset_silence"),
         "trips": [_trip(trip) for trip in drive.trips],
-        "spacer": {"first": comno(trip), "second": comno(status)},
+        "spacer": {
+            "first": comno(trip),
+            "second": comno(status),
+            "third": comno(drive.comno(drive.link.output_frequency)),
+        },
         "scaling": _scaling(drive.comno(drive.link.setpoint), drive),
     }
 
@@ -296,15 +300,15 @@ def _trip(trip: Trip) -> dict[str, SclText]:
 def _line_context(drive: Drive, gateways: tuple[GatewayView, ...]) -> dict[str, object]:
     bits = drive.command_word
     place = bits_origin(drive.id, bits, _EMERGENCY_STOP)
-    telegram_ms = max(item.longest_telegram_ms for item in gateways)
     reply = drive.times.reply_max
-    drives = max(len(item.drives) for item in gateways)
+    wait_ms = max(item.times.wait_ms for item in gateways)
+    stop_ms = max(item.times.emergency_stop_ms for item in gateways)
+    times = gateways[0].timeout.origin
     return {
         "commands_in_a_row": _COMMANDS_IN_A_ROW,
         "emergency_stop": word(bits.encode(_EMERGENCY_STOP), place),
-        "longest_wait_comment": SclText(
-            f"{drives} x {telegram_ms:.0f} ms at most", gateways[0].timeout.origin
-        ),
+        "longest_wait_comment": SclText(f"{wait_ms:.0f} ms at most", times),
+        "longest_stop_comment": SclText(f"{stop_ms:.0f} ms at most", times),
         "apart_source": source_text(reply, (reply.source or "").split(";")[0]),
     }
 

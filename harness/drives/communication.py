@@ -72,7 +72,7 @@ class Device(Protocol):
 
 
 class Communication:
-    """The inverter's serial port: a node on the line."""
+    """The inverter's serial port: a node on the line. `reply_time` may change at any time."""
 
     __slots__ = (
         "_deadline_ns",
@@ -86,6 +86,7 @@ class Communication:
         "_timer",
         "inv_no",
         "port",
+        "reply_time",
         "stream",
     )
 
@@ -101,6 +102,7 @@ class Communication:
         self._registers = registers
         self._device = device
         self._settings = settings
+        self.reply_time = settings.reply_time
         self._reply: Event | None = None
         self._frame = b""
         self._timer: Event | None = None
@@ -210,7 +212,7 @@ class Communication:
         self._send_later(protocol.encode_reply(reply))
 
     def _send_later(self, frame: bytes) -> None:
-        times = self._settings.reply_time
+        times = self.reply_time
         span_ns = times.maximum_ns - times.minimum_ns
         kernel = self._kernel
         delay_ns = times.minimum_ns + int(kernel.random.random() * (span_ns + 1))

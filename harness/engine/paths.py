@@ -4,6 +4,7 @@
 """
 
 import re
+from functools import lru_cache
 from typing import TypeAlias
 
 from harness.engine.faults import wrong_path
@@ -24,6 +25,7 @@ _STEP = re.compile(
 )
 
 
+@lru_cache(maxsize=4096)
 def parse_path(path: str) -> tuple[Step, ...]:
     """The steps of a path; names as written, without quotes and `#`, or `^`. Raises FB6024."""
     steps: list[Step] = []

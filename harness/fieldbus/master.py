@@ -85,6 +85,15 @@ class DpMaster:
         self.request(station)
         return station
 
+    def set_times(self, times: CycleTimes) -> None:
+        """Other times of the cycle. The master must be stopped: the grid begins anew."""
+        assert not self._running, "a running master keeps its grid"
+        if self._event is not None:
+            self._kernel.cancel(self._event)
+            self._event = None
+            self._on_grid()
+        self._grid = CycleGrid(times, self._kernel.random)
+
     # --- modes ------------------------------------------------------------------------------
 
     @property

@@ -51,6 +51,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.report": BASE | TEXT | PLANT,
     "harness.installation": BASE | TEXT | PLANT | {"harness.report"},
     "harness.faults": BASE | TEXT | PLANT | {"harness.report"},
+    "harness.sweep": BASE | TEXT | PLANT,
     "harness.trial": BASE | {"fbgen.lang", "harness.engine", "harness.kernel"},
     "harness.scenario": BASE | TEXT | PLANT | {"harness.faults", "harness.report"},
     "harness.demo": BASE | TEXT | PLANT | {"harness.report", "harness.scenario"},

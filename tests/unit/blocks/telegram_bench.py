@@ -27,7 +27,9 @@ class TelegramBench:
         """Each telegram that left: the nine bytes at every change of the trigger."""
         self._trigger = 0
         self.call(firstInvNo=FIRST, gap=GAP_MS, **inputs)
-        self.cycles(GAP_MS // CYCLE_MS + 1)
+        self.receive(FIRST, READ, 0xFC90, 0)
+        self.reply = (0, 0, 0, 0)
+        self.cycles(2)
         self.sent.clear()
 
     def call(self, **inputs: bool | int) -> None:

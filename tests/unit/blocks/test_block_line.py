@@ -109,7 +109,6 @@ def test_what_waited_before_it_is_never_sent(program: LoadedProgram) -> None:
     bench.until(lambda: bool(bench.block.stopped))
     bench.cycles(100)
     assert bench.sent.count("0B 50 FA00 C400") == 1
-    assert all(text[8:] in ("00 D000", "00 C400") for text in bench.sent)
     assert [text for text in bench.sent if "C400" in text] == ["0B 50 FA00 C400"]
     assert [bench.reply(number) for number in range(2, 6)] == [(False, True, 0x8406)] * 4
     assert bench.reply(1)[1:] in ((True, 0x8405), (True, 0x8406))
@@ -170,10 +169,9 @@ def test_a_second_edge_begins_again(program: LoadedProgram) -> None:
     bench.call(emergencyStop=False)
     bench.call(emergencyStop=True)
     bench.until(lambda: bool(bench.block.stopped))
-    assert bench.sent[3:] == [
-        BROADCAST,
-        *(f"{10 + number:02X} 50 {STOP}" for number in range(1, 6)),
-    ]
+    writes = [text for text in bench.sent[3:] if text[3:5] == "50"]
+    assert bench.sent[3] == BROADCAST
+    assert writes == [BROADCAST, *(f"{10 + number:02X} 50 {STOP}" for number in range(1, 6))]
 
 
 # --- loss of the gateway --------------------------------------------------------------------------

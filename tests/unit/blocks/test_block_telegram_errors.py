@@ -7,7 +7,14 @@ from hypothesis import strategies as st
 from harness import LoadedProgram
 from harness.engine.loading import ENGINES
 from tests.unit.blocks.programs import ALL_SEQUENCES, loaded
-from tests.unit.blocks.telegram_bench import CYCLE_MS, GAP_MS, READ, WRITE, TelegramBench
+from tests.unit.blocks.telegram_bench import (
+    CYCLE_MS,
+    GAP_MS,
+    READ,
+    WRITE,
+    WRITE_EEPROM,
+    TelegramBench,
+)
 
 TIMEOUT_MS = 100
 
@@ -119,7 +126,18 @@ def test_a_job_that_comes_with_the_first_read_follows_it(program: LoadedProgram)
     bench.call(ioError=True)
     bench.send(11, WRITE, 0xFA00, 0xC400, ioError=False)
     assert bench.block.busy
-    bench.cycles(GAP_MS // CYCLE_MS + 2)
+    bench.cycles(3)
+    assert [frame[9:] for frame in bench.sent] == ["05 47 FC 90 00 00"]
+    bench.receive(5, READ, 0xFC90, 0)
+    bench.cycles(2)
+    assert [frame[9:] for frame in bench.sent] == ["05 47 FC 90 00 00", "0B 50 FA 00 C4 00"]
+
+
+def test_a_job_does_not_wait_for_ever_for_the_first_read(program: LoadedProgram) -> None:
+    bench = TelegramBench(program)
+    bench.call(ioError=True, firstTimeout=80)
+    bench.send(11, WRITE, 0xFA00, 0xC400, ioError=False)
+    bench.cycles(80 // CYCLE_MS + 3)
     assert [frame[9:] for frame in bench.sent] == ["05 47 FC 90 00 00", "0B 50 FA 00 C4 00"]
 
 
@@ -138,19 +156,80 @@ def test_abort_ends_the_job_and_the_next_one_waits_until_a_late_reply_is_over(
     assert bench.sent[-1][9:] == "0B 50 FA 00 D0 00"
 
 
-def test_the_same_job_after_one_without_reply_has_a_spacer_in_front(
+def test_the_same_job_after_one_without_reply_has_two_spacers_in_front(
     program: LoadedProgram,
 ) -> None:
     bench = failing(program)
     bench.until_finished()
     bench.send(11, READ, 0xFE03)
-    bench.receive(11, READ, 0xFE03, 1)
+    for late in range(2):
+        bench.receive(11, READ, 0xFE03, late)
     assert bench.block.busy
-    bench.receive(11, READ, 0xFC90, 0)
+    for comno in (0xFD01, 0xFC90):
+        bench.receive(11, READ, comno, 0)
+        bench.cycles(2)
     bench.receive(11, READ, 0xFE03, 2)
+    bench.call()
     assert (bench.block.done, bench.block.replyData) == (True, 2)
-    assert [frame[9:15] for frame in bench.sent] == ["0B 47 ", "0B 47 ", "0B 47 "]
-    assert [frame[15:20] for frame in bench.sent] == ["FE 03", "FC 90", "FE 03"]
+    asked = [frame[9:20] for frame in bench.sent]
+    assert asked == ["0B 47 FE 03", "0B 47 FD 01", "0B 47 FC 90", "0B 47 FE 03"]
+
+
+def test_while_a_drive_may_still_answer_a_reply_counts_when_two_calls_have_seen_it(
+    program: LoadedProgram,
+) -> None:
+    bench = failing(program)
+    bench.until_finished()
+    bench.send(12, READ, 0xFE03)
+    bench.cycles(2)
+    bench.receive(12, READ, 0xFE03, 1)
+    assert bench.block.busy
+    bench.receive(12, READ, 0xFE03, 2)
+    assert bench.block.busy
+    bench.call()
+    assert (bench.block.done, bench.block.replyData) == (True, 2)
+
+
+def test_a_write_goes_out_once_also_where_the_spacers_have_no_reply(
+    program: LoadedProgram,
+) -> None:
+    bench = TelegramBench(program, timeout=TIMEOUT_MS, retries=1)
+    for _ in range(2):
+        bench.send(11, WRITE, 0xFA00, 0xC000)
+        bench.until_finished()
+    assert [frame[9:20] for frame in bench.sent[2:]] == ["0B 47 FD 01"] * 2 + ["0B 50 FA 00"]
+    assert (bench.block.error, bench.block.status) == (True, 0x8401)
+
+
+@pytest.mark.parametrize(
+    ("cmd", "comno", "data"), [(WRITE_EEPROM, 0x0009, 50), (WRITE, 0xFA00, 0xE000)]
+)
+def test_a_write_to_the_eeprom_and_a_reset_are_never_repeated(
+    program: LoadedProgram, cmd: int, comno: int, data: int
+) -> None:
+    bench = TelegramBench(program, timeout=TIMEOUT_MS, retries=2)
+    bench.send(11, cmd, comno, data)
+    bench.until_finished()
+    assert len(bench.sent) == 1
+    assert bench.block.status == 0x8401
+
+
+@pytest.mark.parametrize("answerer", [0x00, 0xFF])
+def test_drive_0_answers_a_broadcast_with_its_own_number_or_that_of_the_broadcast(
+    program: LoadedProgram, answerer: int
+) -> None:
+    bench = TelegramBench(program)
+    bench.send(0xFF, WRITE, 0xFA00, 0xC000)
+    bench.receive(answerer, WRITE, 0xFA00, 0xC000)
+    assert bench.block.done
+
+
+def test_a_status_word_of_zero_alone_is_no_loss(program: LoadedProgram) -> None:
+    bench = TelegramBench(program)
+    bench.receive(11, READ, 0xFC90, 0)
+    bench.status = 0x0000
+    bench.call()
+    assert bench.block.online
 
 
 @pytest.mark.parametrize("retries", [0, 1, 2, 5])

@@ -1,0 +1,117 @@
+"""A drive whose answers tell which telegram they belong to.
+
+It listens and answers as a simulated inverter does, half duplex and with its reply time; but each
+value that it gives for a read is a number of its own, counted up over all drives of a run. So a
+value that the PLC shows belongs to one telegram and to no other.
+"""
+
+from dataclasses import dataclass, field
+
+from fbgen.catalog import Drive
+from fbgen.wire.toshiba import ErrorCode
+from harness.drives.communication import Communication
+from harness.drives.registers import Registers
+from harness.drives.settings import InverterSettings, ReplyTime
+from harness.kernel import Kernel
+from harness.line import Line
+
+_BAUD_RATE_19200, _PARITY_EVEN = 4, 1
+_FIRST_VALUE = 0x100
+UNKNOWN_COM_NO = 0x7FFF
+"""No drive knows this ComNo: it refuses, and its refusal does not pass the gateway."""
+
+
+@dataclass(frozen=True, slots=True)
+class Executed:
+    """A telegram that a drive has carried out, at the instant at which it had heard it.
+
+    `value` is what it gave for a read, or the DATA of a write.
+    """
+
+    time_ns: int
+    inv_no: int
+    com_no: int
+    value: int
+    writes: bool
+
+
+@dataclass(slots=True)
+class DriveLog:
+    """What all drives of a line have carried out, in its order; the source of the values."""
+
+    executed: list[Executed] = field(default_factory=list)
+    values: int = _FIRST_VALUE
+
+    def next_value(self) -> int:
+        """A value that no drive has given in this run."""
+        self.values = self.values + 1 & 0xFFFF
+        return self.values
+
+
+class AnsweringDrive:
+    """One such drive on a line."""
+
+    def __init__(
+        self, kernel: Kernel, line: Line, series: Drive, inv_no: int, log: DriveLog
+    ) -> None:
+        link = series.link
+        words = {
+            "baud_rate": _BAUD_RATE_19200,
+            "parity": _PARITY_EVEN,
+            link.inv_no: inv_no,
+            link.timeout: 0,
+        }
+        delivered = {
+            series.comno(name).number: series.comno(name).to_word(word)
+            for name, word in words.items()
+        }
+        self.tripped = False
+        self._kernel = kernel
+        self._inv_no = inv_no
+        self._log = log
+        registers = Registers(series, delivered)
+        self._communication = Communication(kernel, line, registers, self, InverterSettings())
+
+    def begin(self, reply_ns: int) -> None:
+        """Listen from now on and answer so long after each telegram."""
+        self._communication.reply_time = ReplyTime(reply_ns, reply_ns)
+        self.tripped = False
+        self.revive()
+
+    def die(self) -> None:
+        """Fall silent, in the middle of a reply if need be."""
+        self._communication.stop()
+
+    def revive(self) -> None:
+        """Listen again."""
+        self._communication.restart(0)
+
+    # What the communication asks of the device behind it
+
+    def read(self, number: int) -> int | None:
+        """A value of its own for each read."""
+        if number == UNKNOWN_COM_NO:
+            return None
+        value = self._log.next_value()
+        self._note(number, value, writes=False)
+        return value
+
+    def write_ram(self, number: int, word: int) -> ErrorCode | None:
+        """Take any value."""
+        self._note(number, word, writes=True)
+        return None
+
+    def write_eeprom(self, number: int, word: int) -> ErrorCode | None:
+        """Take any value."""
+        return self.write_ram(number, word)
+
+    def set_scaled(self, number: int, word: int) -> None:
+        """Take any set-point."""
+        self._note(number, word, writes=True)
+
+    def time_out(self) -> None:
+        """Its time-out is off."""
+
+    def _note(self, number: int, value: int, *, writes: bool) -> None:
+        done = Executed(self._kernel.now_ns, self._inv_no, number, value, writes)
+        self._log.executed.append(done)

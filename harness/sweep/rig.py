@@ -1,0 +1,287 @@
+"""A plant whose line is swept: its program, drives that number their answers, somebody who asks.
+
+The requests go where the users of the generated blocks put theirs, into the channels of TOS_Line.
+One installation serves many runs: all supplies go, the clock moves on to an instant at which bus
+grid and trigger poll have their start again, and everything begins anew.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from math import ceil
+
+from fbgen.blocks.line_times import line_times
+from fbgen.catalog import Catalog
+from fbgen.plant import Plant
+from fbgen.source import Source
+from fbgen.wire.toshiba import ASCII_START
+from harness.fieldbus import CycleTimes
+from harness.installation import PlantSetup, build_plant, generated_sources
+from harness.kernel import NS_PER_MS, NS_PER_S
+from harness.line import Transmission
+from harness.plc import CpuMode, CpuSettings, Restart
+from harness.sweep.answering import AnsweringDrive, DriveLog, Executed
+from harness.sweep.conditions import ACCESS_LAYOUTS, Conditions
+from harness.sweep.requests import (
+    BROADCAST,
+    Ask,
+    Die,
+    EmergencyStop,
+    Outcome,
+    Pause,
+    Request,
+    Revive,
+    Step,
+)
+
+Alteration = Callable[[Sequence[Source]], Sequence[Source]]
+"""Changes the PLC text before it is loaded: another program in place of the generated one."""
+
+_GRID_NS = 60 * NS_PER_MS
+"""All bus periods of whole milliseconds up to 6 and the trigger poll begin together so often."""
+
+_LONGEST_RUN_NS = 60 * NS_PER_S
+_SETTLING_NS = 300 * NS_PER_MS
+"""What is still on its way when the last request has ended goes out in this time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """What the gateway has sent to the drives, without start code and checksum."""
+
+    start_ns: int
+    end_ns: int
+    telegram: bytes
+
+
+@dataclass(slots=True)
+class Observation:
+    """One run: what was asked, what the PLC gave to the gateway, what went over the line.
+
+    `silent` has, for each of `outcomes`, the drives that were silent meanwhile. `triggers` are the
+    instants at which the program changed the trigger byte. `stopped` says why the CPU went to STOP;
+    `finished` tells that everything was asked and has ended; `stop_edge_ns` is when the
+    emergency stop came.
+    """
+
+    conditions: Conditions
+    outcomes: list[Outcome] = field(default_factory=list)
+    silent: list[frozenset[int]] = field(default_factory=list)
+    triggers: list[int] = field(default_factory=list)
+    frames: list[Frame] = field(default_factory=list)
+    executed: list[Executed] = field(default_factory=list)
+    stopped: str = ""
+    finished: bool = False
+    stop_edge_ns: int | None = None
+
+    @property
+    def stop_latency_ns(self) -> int | None:
+        """From the edge of the emergency stop to the end of its broadcast on the line."""
+        if self.stop_edge_ns is None:
+            return None
+        for frame in self.frames:
+            if frame.telegram[0] == BROADCAST and frame.start_ns > self.stop_edge_ns:
+                return frame.end_ns - self.stop_edge_ns
+        return None
+
+
+class Rig:
+    """One program in one installation, ready for runs that differ in times only."""
+
+    def __init__(
+        self, plan: Plant, catalog: Catalog, base: Conditions, alteration: Alteration | None = None
+    ) -> None:
+        """`plan` has one gateway; access way, layout and drives come from `base`.
+
+        `catalog` says of the drives what `base` says (`with_reply_time`).
+        """
+        self._base = base
+        plan = _in_conditions(plan, base)
+        self.plan = plan
+        sources = None if alteration is None else alteration(generated_sources(plan, catalog))
+        setup = PlantSetup(sources=sources, cpu=CpuSettings(tear_probability=base.torn))
+        self._plant = plant = build_plant(plan, catalog, setup)
+        (entry,) = plan.gateways
+        self._gateway = plant.gateways[entry.name]
+        self._poll_ns = catalog.gateway(entry.type).times.trigger_poll.ns
+        line = plant.lines[entry.name]
+        for inverter in plant.drives.values():
+            inverter.power_off()
+        self._log = DriveLog()
+        self._drives = {
+            item.inv_no: AnsweringDrive(
+                plant.kernel, line, catalog.drives[item.series], item.inv_no, self._log
+            )
+            for item in entry.drives
+        }
+        self.inv_nos = tuple(self._drives)
+        series = catalog.drives[entry.drives[0].series]
+        link = series.link
+        self.spacers = frozenset(
+            series.comno(name).number for name in (link.trip, link.status, link.output_frequency)
+        )
+        line.taps.append(self._heard)
+        plant.cpu.after_scan.append(self._scanned)
+        instance = f"TOS_Gateway_{entry.name}_DB"
+        self._channels = f"{instance}.statChannels"
+        self._trigger_path = f"{instance}.statFrameOut.trigger"
+        self._line = f"TOS_Plant.{entry.name}.line"
+        self.times = line_times(plan, entry, catalog)
+        self._trigger = 0
+        self._seen = Observation(base)
+        self._steps: Iterator[Step] = iter(())
+        self._open: list[Outcome] = []
+        self._unwaited: list[Outcome] = []
+        self._silent: set[int] = set()
+        self._idle_until_ns = 0
+        self._over = True
+
+    def suits(self, conditions: Conditions) -> bool:
+        """Whether these conditions differ from the rig's in times only."""
+        base = self._base
+        return conditions == replace(
+            conditions,
+            access=base.access,
+            drive_zero=base.drive_zero,
+            reply_max_ms=base.reply_max_ms,
+            torn=base.torn,
+        )
+
+    def run(self, conditions: Conditions, script: Sequence[Step]) -> Observation:
+        """Everything from the supply on; `conditions` differ from the rig's in times only."""
+        plant, kernel = self._plant, self._plant.kernel
+        self._begin(conditions, script)
+        self._gateway.power_on()
+        kernel.run_for(conditions.scan_offset_ns)
+        plant.cpu.start(Restart.COLD)
+        limit_ns = kernel.now_ns + _LONGEST_RUN_NS
+        while not self._over and kernel.now_ns < limit_ns:
+            kernel.run_for(50 * NS_PER_MS)
+            if plant.cpu.mode is CpuMode.STOP:
+                self._seen.stopped = "; ".join(item.message for item in plant.cpu.diagnostics)
+                break
+        kernel.run_for(_SETTLING_NS)
+        self._seen.finished = self._over
+        self._seen.executed = self._log.executed
+        return self._seen
+
+    def _begin(self, conditions: Conditions, script: Sequence[Step]) -> None:
+        plant, kernel = self._plant, self._plant.kernel
+        plant.cpu.power_off()
+        self._gateway.power_off()
+        for drive in self._drives.values():
+            drive.die()
+        kernel.run_for(_SETTLING_NS)
+        plant.master.set_times(CycleTimes(conditions.bus_period_ns))
+        kernel.run_until(-(-kernel.now_ns // _GRID_NS) * _GRID_NS)
+        poll_ns = self._poll_ns if conditions.trigger_poll else 0
+        self._gateway.settings = replace(self._gateway.settings, trigger_poll_ns=poll_ns)
+        self._log.executed = []
+        for drive in self._drives.values():
+            drive.begin(conditions.reply_ns)
+        self._seen = Observation(conditions)
+        self._steps = iter(script)
+        self._open, self._unwaited, self._silent = [], [], set()
+        self._trigger = self._idle_until_ns = 0
+        self._over = False
+
+    # --- what is asked ------------------------------------------------------------------------
+
+    def _scanned(self) -> None:
+        """Between two scans: note the trigger, take replies, ask for the next."""
+        engine, now_ns = self._plant.cpu.engine, self._plant.kernel.now_ns
+        trigger = engine.global_value(self._trigger_path)
+        assert isinstance(trigger, int)
+        if trigger != self._trigger:
+            self._trigger = trigger
+            self._seen.triggers.append(now_ns)
+        self._open = [outcome for outcome in self._open if not self._ended(outcome)]
+        self._unwaited = [outcome for outcome in self._unwaited if not self._ended(outcome)]
+        if not self._open and now_ns >= self._idle_until_ns:
+            self._next()
+
+    def _ended(self, outcome: Outcome) -> bool:
+        path = f"{self._channels}[{outcome.request.channel}].reply"
+        engine = self._plant.cpu.engine
+        done = bool(engine.global_value(f"{path}.done"))
+        if not done and not engine.global_value(f"{path}.error"):
+            return False
+        status, data = (engine.global_value(f"{path}.{name}") for name in ("status", "data"))
+        assert isinstance(status, int)
+        assert isinstance(data, int)
+        outcome.ended_ns = self._plant.kernel.now_ns
+        outcome.done, outcome.status, outcome.data = done, status, data
+        engine.set_global(path, {"done": False, "error": False})
+        return True
+
+    def _next(self) -> None:
+        """What is due of the script, up to the next request or pause."""
+        if not self._gateway_online():
+            return
+        for step in self._steps:
+            if isinstance(step, Ask):
+                for request in step.requests:
+                    self._post(request)
+                if step.wait:
+                    return
+                self._unwaited, self._open = [*self._unwaited, *self._open], []
+            if isinstance(step, Pause):
+                self._idle_until_ns = self._plant.kernel.now_ns + step.duration_ns
+                return
+            if isinstance(step, EmergencyStop):
+                self._seen.stop_edge_ns = self._plant.kernel.now_ns
+                self._plant.cpu.engine.set_global(f"{self._line}.emergencyStop", True)
+            elif isinstance(step, Die):
+                self._drives[step.inv_no].die()
+                self._silent.add(step.inv_no)
+            elif isinstance(step, Revive):
+                self._drives[step.inv_no].revive()
+                self._silent.discard(step.inv_no)
+        self._over = True
+
+    def _gateway_online(self) -> bool:
+        return bool(self._plant.cpu.engine.global_value(f"{self._line}.online"))
+
+    def _post(self, request: Request) -> None:
+        outcome = Outcome(request, self._plant.kernel.now_ns)
+        self._seen.outcomes.append(outcome)
+        self._seen.silent.append(frozenset(self._silent))
+        self._open.append(outcome)
+        self._plant.cpu.engine.set_global(
+            f"{self._channels}[{request.channel}].request",
+            {
+                "execute": True,
+                "invNo": request.inv_no,
+                "cmd": request.cmd,
+                "comNo": request.com_no,
+                "data": request.data,
+                "replyExpected": request.reply_expected,
+                "timeout": ceil(self.times.timeout_ms),
+            },
+        )
+
+    # --- what went over the line --------------------------------------------------------------
+
+    def _heard(self, transmission: Transmission) -> None:
+        if transmission.sender is not self._gateway.port:
+            return
+        if transmission.data[:1] == bytes((ASCII_START,)):
+            return
+        frame = Frame(transmission.start_ns, transmission.end_ns, transmission.data[1:-1])
+        self._seen.frames.append(frame)
+
+
+def _in_conditions(plan: Plant, base: Conditions) -> Plant:
+    (entry,) = plan.gateways
+    drives = tuple(item for item in entry.drives if base.drive_zero or item.inv_no)
+    changed = {"access": base.access, "layout": ACCESS_LAYOUTS[base.access], "drives": drives}
+    return plan.model_copy(update={"gateways": (entry.model_copy(update=changed),)})
+
+
+def with_reply_time(catalog: Catalog, reply_max_ms: int) -> Catalog:
+    """The catalogue with drives that answer within so many milliseconds."""
+    drives = {}
+    for name, drive in catalog.drives.items():
+        longest = drive.times.reply_max.model_copy(update={"ms": float(reply_max_ms)})
+        times = drive.times.model_copy(update={"reply_max": longest})
+        drives[name] = drive.model_copy(update={"times": times})
+    return replace(catalog, drives=drives)

@@ -1,0 +1,165 @@
+"""What must hold in every run, whatever the phase: the rules of a sweep.
+
+They look at what was asked and what came of it, and at the line; not into the blocks.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from harness.kernel import NS_PER_MS
+from harness.sweep.requests import BROADCAST, READ, Outcome
+from harness.sweep.rig import Frame, Observation
+
+NO_REPLY, FAULTY, OTHER_REPLY = 0x8401, 0x8402, 0x8403
+NAMED = {NO_REPLY, FAULTY, OTHER_REPLY}
+"""What a request may end with where nothing disturbs gateway and PROFIBUS."""
+
+_ATTEMPTS = 3
+_PROCESSING_NS = 5 * NS_PER_MS
+_REPLY_FRAME_NS = 5 * NS_PER_MS
+"""The way of a reply to the PLC takes at least this (TOSPBDP001 manual v1.1, 9)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Violation:
+    """A rule that did not hold: its name, and what was seen."""
+
+    rule: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Expected:
+    """What the rules need to know beside a run.
+
+    `unanswered` are requests to which a living drive gives no answer that passes the gateway;
+    `bound_ns` is how long one request may take once it is its turn.
+    """
+
+    bound_ns: int
+    unanswered: frozenset[bytes]
+    spacers: frozenset[int]
+    inv_nos: tuple[int, ...]
+
+
+def violations(seen: Observation, expected: Expected) -> list[Violation]:
+    """Every rule that this run breaks."""
+    if seen.stopped:
+        return [Violation("the PLC runs", seen.stopped)]
+    found = list(_ends(seen, expected))
+    if not seen.finished:
+        found.append(Violation("everything is asked", "the line was not ready for all requests"))
+    found += _done_or_not(seen, expected)
+    found += _values(seen, expected)
+    found += _telegrams(seen, expected)
+    found += _repetitions(seen)
+    return found
+
+
+def _ends(seen: Observation, expected: Expected) -> Iterator[Violation]:
+    """Every request ends, within its bound, with done or a named error."""
+    for outcome in seen.outcomes:
+        if outcome.ended_ns is None:
+            yield Violation("every request ends", f"{outcome.request} did not")
+            continue
+        at_once = [other for other in seen.outcomes if other.posted_ns == outcome.posted_ns]
+        took_ns = outcome.ended_ns - outcome.posted_ns
+        if took_ns > len(at_once) * expected.bound_ns:
+            took = f"{outcome.request} took {took_ns / NS_PER_MS:g} ms"
+            yield Violation("within its bound", f"{took} of {expected.bound_ns / NS_PER_MS:g} ms")
+        if not outcome.done and outcome.status not in NAMED:
+            text = f"{outcome.request} ended with {outcome.status:04X}"
+            yield Violation("named errors", text)
+
+
+def _done_or_not(seen: Observation, expected: Expected) -> Iterator[Violation]:
+    """A drive that answers in time is heard; one that does not is never said to have answered.
+
+    Drive 0 answers the gateway's heartbeat and hears nothing meanwhile: what goes out only once may
+    be lost there.
+    """
+    for outcome, silent in zip(seen.outcomes, seen.silent, strict=True):
+        request = outcome.request
+        answerer = 0 if request.inv_no == BROADCAST else request.inv_no
+        answers = answerer not in silent and request.telegram not in expected.unanswered
+        heard = answerer != 0 or request.repeatable
+        if outcome.done and request.reply_expected and not answers:
+            yield Violation("no answer, no done", f"{request} is done, and nobody has answered")
+        in_time = seen.conditions.in_time or not request.reply_expected
+        failed = outcome.ended_ns is not None and not outcome.done
+        if failed and answers and heard and in_time:
+            text = f"{request} ended with {outcome.status:04X}, and the drive answers in time"
+            yield Violation("an answer in time is heard", text)
+
+
+def _values(seen: Observation, expected: Expected) -> Iterator[Violation]:
+    """What a request gives was answered to a telegram that went out for this request."""
+    for outcome in seen.outcomes:
+        request = outcome.request
+        if not outcome.done or not request.reply_expected or outcome.ended_ns is None:
+            continue
+        answerer = 0 if request.inv_no == BROADCAST else request.inv_no
+        latest_ns = outcome.ended_ns - _PROCESSING_NS - _REPLY_FRAME_NS
+        answers = [
+            item
+            for item in seen.executed
+            if item.inv_no == answerer
+            and item.com_no == request.com_no
+            and item.writes == (request.cmd != READ)
+            and item.value == outcome.data
+            and outcome.posted_ns <= item.time_ns <= latest_ns
+        ]
+        if not answers:
+            text = f"{request} gives {outcome.data:04X}, which nobody answered to it"
+            yield Violation("the value belongs to the request", text)
+
+
+def _telegrams(seen: Observation, expected: Expected) -> Iterator[Violation]:
+    """Each attempt is one telegram on the line, whole, and belongs to what is asked just then."""
+    if len(seen.frames) != len(seen.triggers):
+        text = f"{len(seen.triggers)} attempts, {len(seen.frames)} telegrams on the line"
+        yield Violation("an attempt is a telegram", text)
+    for frame in seen.frames:
+        if not _is_spacer(frame, expected) and not _asked(frame, seen):
+            text = f"{frame.telegram.hex(' ').upper()} at {frame.start_ns / NS_PER_MS:g} ms"
+            yield Violation("telegrams belong to requests", text)
+
+
+def _is_spacer(frame: Frame, expected: Expected) -> bool:
+    """A read that the blocks themselves put in between."""
+    inv_no, cmd, com_no = frame.telegram[0], frame.telegram[1], frame.telegram[2:4]
+    wanted = inv_no in expected.inv_nos and cmd == READ
+    return wanted and int.from_bytes(com_no, "big") in expected.spacers
+
+
+def _asked(frame: Frame, seen: Observation) -> bool:
+    return any(
+        frame.telegram == outcome.request.telegram
+        and outcome.posted_ns <= frame.start_ns
+        and (outcome.ended_ns is None or frame.start_ns <= outcome.ended_ns)
+        for outcome in seen.outcomes
+    )
+
+
+def _repetitions(seen: Observation) -> Iterator[Violation]:
+    """Nothing goes out more often than the blocks say; what must not be repeated, once."""
+    for outcome in seen.outcomes:
+        count = _count(outcome, seen.frames)
+        limit = _ATTEMPTS if outcome.request.repeatable else 1
+        if not outcome.request.reply_expected:
+            limit = 1
+        if count > limit:
+            text = f"{outcome.request} went out {count} times"
+            yield Violation("only what may be is repeated", text)
+        if count == 0 and outcome.done:
+            yield Violation("done means sent", f"{outcome.request} never went out")
+
+
+def _count(outcome: Outcome, frames: list[Frame]) -> int:
+    last_ns = outcome.ended_ns
+    return sum(
+        frame.telegram == outcome.request.telegram
+        and outcome.posted_ns <= frame.start_ns
+        and (last_ns is None or frame.start_ns <= last_ns)
+        for frame in frames
+    )
