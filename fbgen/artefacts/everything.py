@@ -1,11 +1,14 @@
 """All files beside the PLC text of a plant."""
 
+from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 
 from fbgen.artefacts.alarm_lists import alarm_lists
 from fbgen.artefacts.hmi_tags import hmi_tags
 from fbgen.artefacts.memory import too_large, work_memory
 from fbgen.artefacts.plc_tags import plc_tags
+from fbgen.artefacts.readme import readme
 from fbgen.artefacts.view import PlantLists
 from fbgen.artefacts.watch_tables import watch_tables
 from fbgen.catalog import Catalog
@@ -13,15 +16,18 @@ from fbgen.emit.generated import GeneratedSet
 from fbgen.plant import Plant
 
 
-def with_artefacts(generated: GeneratedSet, plant: Plant, catalog: Catalog) -> GeneratedSet:
+def with_artefacts(
+    generated: GeneratedSet, plant: Plant, catalog: Catalog, templates: Sequence[Path] = ()
+) -> GeneratedSet:
     """What `fbgen.emit.generate` has made of a plant, with the files beside it."""
     lists = PlantLists(plant, catalog, generated, "en")
+    memory = work_memory(lists)
     found = [
         *plc_tags(lists),
         *hmi_tags(lists),
         *alarm_lists(lists),
         *watch_tables(lists),
     ]
-    memory = work_memory(lists)
+    found.append(readme(lists, memory, found, templates))
     warnings = (*generated.warnings, *too_large(lists, memory))
     return replace(generated, artefacts=tuple(found), warnings=warnings)

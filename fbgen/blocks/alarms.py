@@ -56,8 +56,8 @@ LINE_ALARMS = (
         "Gateway nimmt nicht teil",
         "Check its 24 V supply, PROFIBUS plug and address switches. Its drives keep running until "
         "their own time-out (F803) trips them.",
-        "24-V-Versorgung, PROFIBUS-Stecker und Adressschalter pruefen. Die Antriebe laufen weiter, "
-        "bis ihre eigene Zeitueberwachung (F803) ausloest.",
+        "24-V-Versorgung, PROFIBUS-Stecker und Adressschalter prüfen. Die Antriebe laufen weiter, "
+        "bis ihre eigene Zeitüberwachung (F803) auslöst.",
     ),
     Alarm(
         1,
@@ -80,8 +80,8 @@ LINE_ALARMS = (
         "Gateway meldet fehlerhafte Telegramme",
         "errorCount counts them. Check the RS-485 line: wires, termination, shield, F800 and F801 "
         "of the drives; a refused write counts as well.",
-        "errorCount zaehlt sie. RS-485-Leitung pruefen: Adern, Abschluss, Schirm, F800 und F801 "
-        "der Antriebe; auch ein abgelehnter Schreibauftrag zaehlt.",
+        "errorCount zählt sie. RS-485-Leitung prüfen: Adern, Abschluss, Schirm, F800 und F801 "
+        "der Antriebe; auch ein abgelehnter Schreibauftrag zählt.",
     ),
     Alarm(
         3,
@@ -115,7 +115,7 @@ _DRIVE_ALARMS = (
         "Drive has tripped",
         "Antrieb hat abgeschaltet",
         "state.trip has the trip in words. Remove the cause, then reset it.",
-        "state.trip zeigt die Stoerung in Worten. Ursache beseitigen, dann quittieren.",
+        "state.trip zeigt die Störung in Worten. Ursache beseitigen, dann quittieren.",
         shows_trip=True,
     ),
     Alarm(
@@ -126,7 +126,7 @@ _DRIVE_ALARMS = (
         "Drive does not answer",
         "Antrieb antwortet nicht",
         "Check its supply, its inverter number (F802) and the line.",
-        "Versorgung, Umrichternummer (F802) und Leitung pruefen.",
+        "Versorgung, Umrichternummer (F802) und Leitung prüfen.",
     ),
     Alarm(
         2,
@@ -157,7 +157,7 @@ _DRIVE_ALARMS = (
         "Drive waits until the run command was taken back once",
         "Antrieb wartet, bis der Laufbefehl einmal weggenommen war",
         "So it never starts by itself after a loss, a trip or a start of the PLC.",
-        "So laeuft er nach Ausfall, Stoerung oder Neustart der Steuerung nie von selbst an.",
+        "So läuft er nach Ausfall, Störung oder Neustart der Steuerung nie von selbst an.",
     ),
     Alarm(
         5,

@@ -100,6 +100,7 @@ def generate(
     from fbgen.catalog import load_catalog, with_own_sequences
     from fbgen.emit.folder import compare
     from fbgen.emit.generator import generate as generate_text
+    from fbgen.emit.owned import misfits
     from fbgen.emit.writing import write_set
     from fbgen.plant import load_plant
 
@@ -108,8 +109,9 @@ def generate(
     wanted = _changed(wanted, known, prefix=prefix, files=files)
     if block_numbers is not None:
         wanted = _with_numbers(wanted, block_numbers)
-    generated = with_artefacts(generate_text(wanted, known, templates or ()), wanted, known)
-    report(generated.warnings)
+    own = templates or ()
+    generated = with_artefacts(generate_text(wanted, known, own), wanted, known, own)
+    report([*generated.warnings, *misfits(generated, folder)])
     dry = check or diff
     found = compare(generated, folder) if dry else write_set(generated, folder, force=force)
     if dry and not force:

@@ -82,9 +82,14 @@ def compare(generated: GeneratedSet, folder: Path) -> FolderChanges:
 
     Raises DiagnosticError FB5021 where the folder cannot be read, FB5022 where its list cannot.
     """
-    texts = generated.contents
+    owned = {file.name for file in generated.files if file.is_owned}
+    texts = {
+        name: data
+        for name, data in generated.contents.items()
+        if name not in owned or read_content(folder / name) is None
+    }
     last = _read_list(folder)
-    known = last.files or {}
+    known = {name: value for name, value in (last.files or {}).items() if name not in owned}
     present = {name: read_content(folder / name) for name in {*texts, *known}}
     gone = sorted(name for name in known if name not in texts and present[name] is not None)
     hashes = {name: sha256(data).hexdigest() for name, data in present.items() if data is not None}
@@ -113,8 +118,9 @@ def compare(generated: GeneratedSet, folder: Path) -> FolderChanges:
 
 def file_list(generated: GeneratedSet) -> bytes:
     """The content of the list for this set."""
+    owned = {file.name for file in generated.files if file.is_owned}
     contents = sorted(generated.contents.items())
-    hashes = {name: sha256(data).hexdigest() for name, data in contents}
+    hashes = {name: sha256(data).hexdigest() for name, data in contents if name not in owned}
     blocks = [block.as_json() for block in generated.blocks]
     content = {"inputs": generated.inputs_hash, "files": hashes, "blocks": blocks}
     return (json.dumps(content, indent=2) + "\n").encode("ascii")

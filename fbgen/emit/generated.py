@@ -14,6 +14,7 @@ class GeneratedFile:
     """One file: its name, its text (ASCII, LF), and the origins of each of its lines.
 
     `line_end` is what stands on disk for LF. `is_program` is False for what is no PLC text.
+    `is_owned`: it is written once and then belongs to the user.
     """
 
     name: str
@@ -21,6 +22,7 @@ class GeneratedFile:
     origins: tuple[LineOrigins, ...]
     line_end: str = "\n"
     is_program: bool = True
+    is_owned: bool = False
 
     @property
     def data(self) -> bytes:

@@ -1,8 +1,8 @@
 """Which files the text of a plant goes to: each dialect has its own habit.
 
 * tia: one external source for each block, data block and type.
-* step7: one source with everything in the order in which it compiles, and the symbol table. One
-  source needs no compile control file, and no name in it is used before it is there.
+* step7: three sources in the order in which they compile, and the symbol table: everything in
+  front of the parameters, these, and what uses them. No name is used before it is there.
 * tia and step7: error blocks in sources of their own: who has such blocks leaves them alone.
 * iec: one file with everything, in the order in which it compiles.
 * twincat: one object for each block and data type, and a list of the global variables.
@@ -17,6 +17,12 @@ from functools import partial
 
 from fbgen.emit.container_origins import origins_of_lines
 from fbgen.emit.generated import GeneratedFile
+from fbgen.emit.parameter_files import (
+    PARAMETER_LIST,
+    PARAMETERS,
+    split_at_parameters,
+    with_parameter_list,
+)
 from fbgen.emit.symbol_table import LINE_END, symbol_table
 from fbgen.lang import ast
 from fbgen.lang.containers import new_files
@@ -44,6 +50,7 @@ def laid_out(units: Sequence[ast.File], plant: Plant) -> tuple[GeneratedFile, ..
     blocks = [file for file in converted if not _is_error_block(file)]
     errors = [file for file in converted if _is_error_block(file)]
     files = _LAYOUTS[plant.dialect, layout](blocks, plant)
+    files = tuple(replace(file, is_owned=_is_owned(file, plant)) for file in files)
     if plant.dialect == "step7":
         files = (_symbols(units, plant), *files)
         errors = [_by_its_number(file) for file in errors]
@@ -52,6 +59,13 @@ def laid_out(units: Sequence[ast.File], plant: Plant) -> tuple[GeneratedFile, ..
     elif errors:
         files += _one_file_a_unit(errors, plant, ".scl")
     return files
+
+
+def _is_owned(file: GeneratedFile, plant: Plant) -> bool:
+    """Whether it has the parameter block, and nothing else."""
+    names = [f"{with_prefix(PARAMETERS, plant.prefix)}{suffix}" for suffix in (".db", ".scl")]
+    names += [f"{with_prefix(PARAMETER_LIST, plant.prefix)}.TcGVL", f"{plant.name}_parameters.scl"]
+    return file.name in names
 
 
 def _by_its_number(file: ast.File) -> ast.File:
@@ -75,6 +89,23 @@ def _is_error_block(file: ast.File) -> bool:
 def _symbols(units: Sequence[ast.File], plant: Plant) -> GeneratedFile:
     symbols = symbol_table([unit for file in units for unit in file.units], plant)
     return GeneratedFile(f"{plant.name}.sdf", symbols, (), LINE_END, is_program=False)
+
+
+def _one_text_and_parameters(
+    converted: Sequence[ast.File], plant: Plant
+) -> tuple[GeneratedFile, ...]:
+    front, parameters, behind = split_at_parameters(converted, plant)
+    own = _printed(parameters, parameters.source.name)
+    return (*_one_text([*front, *behind], plant, ".scl"), own)
+
+
+def _texts_in_order(converted: Sequence[ast.File], plant: Plant) -> tuple[GeneratedFile, ...]:
+    front, parameters, behind = split_at_parameters(converted, plant)
+    return (
+        *_one_text(front, plant, ".scl"),
+        *_one_text([parameters], plant, "_parameters.scl"),
+        *_one_text(behind, plant, "_calls.scl"),
+    )
 
 
 def _one_file_a_source(converted: Sequence[ast.File], plant: Plant) -> tuple[GeneratedFile, ...]:
@@ -130,13 +161,13 @@ def _in_container(
 
 _LAYOUTS: dict[tuple[PlantDialect, FileLayout], Layout] = {
     ("tia", "per_block"): _one_file_a_source,
-    ("tia", "one"): partial(_one_text, suffix=".scl"),
-    ("step7", "one"): partial(_one_text, suffix=".scl"),
+    ("tia", "one"): _one_text_and_parameters,
+    ("step7", "one"): _texts_in_order,
     ("step7", "per_block"): partial(_one_file_a_unit, suffix=".scl"),
     ("iec", "one"): partial(_one_text, suffix=".st"),
     ("iec", "per_block"): partial(_one_file_a_unit, suffix=".st"),
     ("twincat", "per_block"): lambda converted, plant: _in_container(
-        "twincat", with_prefix(GLOBALS, plant.prefix), converted
+        "twincat", with_prefix(GLOBALS, plant.prefix), with_parameter_list(converted, plant)
     ),
     ("plcopen", "one"): lambda converted, plant: _in_container("plcopen", plant.name, converted),
 }

@@ -120,9 +120,11 @@ def test_step7_gets_one_source_and_the_symbol_table_in_front_of_it(
     out = plant.parent / "out"
     run = fbgen("generate", str(plant), "-o", str(out), "--dialect", "step7")
     assert run.status == 0, run.err
-    assert [Path(line).name for line in run.out.splitlines()][:3] == [
+    assert [Path(line).name for line in run.out.splitlines()][:5] == [
         "manual_example.sdf",
         "manual_example.scl",
+        "manual_example_parameters.scl",
+        "manual_example_calls.scl",
         "manual_example_error_obs.scl",
     ]
     assert fbgen("check", str(out), "--dialect", "step7").status == 0
@@ -216,12 +218,18 @@ def test_what_diff_prints_is_what_patch_applies(fbgen: Fbgen, plant: Path) -> No
 @pytest.mark.parametrize(
     ("dialect", "layout", "names"),
     [
-        ("tia", "one", {"manual_example.scl"}),
+        ("tia", "one", {"manual_example.scl", "TOS_Parameters.db"}),
         ("tia", "per_block", {"TOS_Main.scl", "TOS_Plant.db", "typeTosDrive.udt"}),
         (
             "step7",
             "one",
-            {"manual_example.scl", "manual_example_error_obs.scl", "manual_example.sdf"},
+            {
+                "manual_example.scl",
+                "manual_example_parameters.scl",
+                "manual_example_calls.scl",
+                "manual_example_error_obs.scl",
+                "manual_example.sdf",
+            },
         ),
         ("step7", "per_block", {"TOS_Main.scl", "OB86.scl", "TOS_Plant.scl", "manual_example.sdf"}),
         ("iec", "one", {"manual_example.st"}),

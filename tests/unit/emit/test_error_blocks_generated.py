@@ -57,7 +57,13 @@ def test_tia_has_a_source_for_each_of_them_and_one_for_their_notes():
 
 def test_step7_has_them_in_a_source_of_their_own_by_their_numbers():
     made = files("step7", "s7-400")
-    assert list(made) == ["hall.sdf", "hall.scl", "hall_error_obs.scl"]
+    assert list(made) == [
+        "hall.sdf",
+        "hall.scl",
+        "hall_parameters.scl",
+        "hall_calls.scl",
+        "hall_error_obs.scl",
+    ]
     heads = re.findall(r"^ORGANIZATION_BLOCK .*", made["hall_error_obs.scl"], re.MULTILINE)
     assert heads == [f"ORGANIZATION_BLOCK OB{number}" for number in (82, 85, 86, 122)]
     assert "ORGANIZATION_BLOCK" not in made["hall.scl"]

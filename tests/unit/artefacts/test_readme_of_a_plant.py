@@ -1,0 +1,135 @@
+"""README.md in the output folder: every name in it is there, every figure the calculated one."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from fbgen.artefacts.memory import work_memory
+from fbgen.artefacts.readme import readme
+from fbgen.artefacts.view import PlantLists
+from fbgen.lang import ast
+from fbgen.plant import in_dialect, read_plant
+from fbgen.source import Source
+from tests.unit.artefacts.reading import FIVE_DRIVES, TWO_GATEWAYS, data, generated
+from tests.unit.blocks.programs import shipped_catalog
+
+DIALECTS = ["tia", "step7", "iec", "twincat", "plcopen"]
+LANGUAGES = ["en", "de"]
+
+
+def page(dialect: str, language: str = "en", text: str = TWO_GATEWAYS) -> str:
+    catalog = shipped_catalog()
+    made = generated(text, dialect)
+    plant = in_dialect(read_plant(Source("plant.yaml", text), catalog), dialect, catalog)
+    lists = PlantLists(plant, catalog, made, language)
+    others = [item for item in made.artefacts if item.name != "README.md"]
+    return readme(lists, work_memory(lists), others).data.decode("utf-8")
+
+
+def rows(text: str, heading: str) -> list[list[str]]:
+    """The cells of the table below a heading, without the names of the columns."""
+    part = text.partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
+    found = [line.strip("| ").split(" | ") for line in part.splitlines() if line.startswith("|")]
+    return [[cell.strip(" `|") for cell in row] for row in found[2:]]
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_it_lists_every_file_of_the_folder(dialect: str) -> None:
+    names = {name for name in generated(dialect=dialect).contents if name != "README.md"}
+    assert {row[0] for row in rows(page(dialect), "Files")} == names
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_it_lists_every_block_with_its_purpose(dialect: str) -> None:
+    canonical = generated(dialect=dialect).canonical
+    assert canonical is not None
+    named = [
+        unit.name.name
+        for file in canonical.units
+        for unit in file.units
+        if isinstance(unit, ast.Block | ast.DataBlock | ast.TypeDeclaration)
+    ]
+    listed = rows(page(dialect), "Blocks")
+    assert [row[0] for row in listed] == named
+    assert all(len(row[3 if dialect == "step7" else 2]) > 3 for row in listed)
+
+
+def test_the_numbers_are_those_of_the_symbol_table() -> None:
+    table = data("hall.sdf", dialect="step7").decode("ascii")
+    numbers = dict(re.findall(r'"(\w+) *","(\w+ +\d+) *"', table))
+    listed = {row[0]: row[2] for row in rows(page("step7"), "Blocks")}
+    assert {name: number.replace(" ", "") for name, number in numbers.items()} == {
+        name: number for name, number in listed.items() if not name.startswith("OB")
+    }
+
+
+WARNINGS = {
+    "en": (
+        "None of these blocks is a safety function",
+        "Never tried on real hardware",
+        "watchdog must be on",
+    ),
+    "de": (
+        "Keiner dieser Bausteine ist eine Sicherheitsfunktion",
+        "Nie an echter Hardware erprobt",
+        "Watchdog",
+    ),
+}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_it_says_what_must_not_be_overlooked(dialect: str, language: str) -> None:
+    text = page(dialect, language)
+    one_text = dialect in ("iec", "plcopen")
+    for word in (*WARNINGS[language], "ESCO1803.GSD", "`parameters:`" if one_text else "FB5023"):
+        assert word in text
+    assert ("OB100" in text) is (dialect in ("tia", "step7"))
+    assert ("OB86" in text) is (dialect == "step7")
+    assert "gsd10: `30 30 20 30 30 70 20 70`" in text
+    assert "doc9: `30 30 20 30 30 70 70`" in text
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_only_the_section_of_the_dialect_is_there(language: str) -> None:
+    tools = {"tia": "TIA Portal", "step7": "S7-SCL", "twincat": "TwinCAT 3", "iec": "MATIEC"}
+    for dialect in tools:
+        text = page(dialect, language)
+        assert [name for name, tool in tools.items() if tool in text] == [dialect]
+
+
+def test_the_sources_of_step7_stand_in_the_order_in_which_they_compile() -> None:
+    listed = re.findall(r"^ +\d\. `(\S+)`", page("step7"), re.MULTILINE)
+    assert listed == [
+        "hall.scl", "hall_parameters.scl", "hall_calls.scl", "hall_error_obs.scl",
+    ]  # fmt: skip
+
+
+def test_poll_and_memory_are_the_calculated_ones() -> None:
+    text = page("tia", text=FIVE_DRIVES)
+    ((_, drives, reads, one, round_ms),) = rows(text, "Poll cycle")
+    assert (drives, reads) == ("5", "20")
+    assert float(round_ms.removesuffix(" ms")) == 20 * float(one.removesuffix(" ms"))
+    sizes = [int(row[3]) for row in rows(text, "Blocks") if row[1] != "UDT"]
+    found = re.search(r"Code about (\d+) bytes .* data\s+(\d+) bytes", text, re.DOTALL)
+    assert found
+    assert int(found[1]) + int(found[2]) == sum(sizes)
+    assert {row[0].rstrip(" *") for row in rows(text, "Work memory")} >= {"1511-1", "1513-1"}
+
+
+def test_a_layout_that_no_gsd_file_has_is_called_invented() -> None:
+    text = TWO_GATEWAYS.replace("layout: doc9", "layout: whole10")
+    assert "no GSD file offers this module" in page("tia", text=text)
+    assert "no GSD file offers this module" not in page("tia")
+
+
+def test_a_template_of_the_users_own_takes_its_place(tmp_path: Path) -> None:
+    own = tmp_path / "docs" / "README.en.md.jinja"
+    own.parent.mkdir()
+    own.write_text("Our hall: {{ main }}\n", "utf-8")
+    catalog = shipped_catalog()
+    plant = read_plant(Source("plant.yaml", TWO_GATEWAYS), catalog)
+    lists = PlantLists(plant, catalog, generated(), "en")
+    made = readme(lists, work_memory(lists), [], [tmp_path])
+    assert made.data == b"Our hall: TOS_Main\n"
