@@ -108,7 +108,7 @@ def compare(generated: GeneratedSet, folder: Path) -> FolderChanges:
     changed = {item.name for item in written}
     return FolderChanges(
         (*written, *removed),
-        tuple(name for name in texts if name not in changed),
+        tuple(name for name in generated.contents if name not in changed),
         kept,
         theirs,
         block_changes(last.blocks, generated.blocks),
