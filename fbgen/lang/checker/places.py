@@ -1,5 +1,7 @@
 """Names, members, indices, slices and absolute addresses: what can be read and written."""
 
+import re
+
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import (
@@ -68,6 +70,7 @@ from fbgen.source import Span
 
 _SIZES = {"X": BOOL, "B": BYTE, "W": WORD, "D": DWORD, "L": LWORD}
 _PARAMETERS = (VariableKind.INPUT, VariableKind.OUTPUT, *IN_OUTS)
+_BARE_SLICE = re.compile(r"[XBWD][0-9]{1,2}", re.IGNORECASE)
 
 
 def is_place(expression: Expression) -> bool:
@@ -218,7 +221,7 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
             "FB4005",
             f"{spelled(as_typed(base).type)} has no member '{node.name}'",
             node.span,
-            "only structures and instances of function blocks have members",
+            _no_members(ctx, node.name),
         )
         return erroneous(node.span)
     if _is_partial(ctx, kind) or ctx.library.is_incomplete(kind):
@@ -230,6 +233,12 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
     else:
         ctx.findings.error("FB4005", message, node.span, nearest(node.name, known))
     return erroneous(node.span)
+
+
+def _no_members(ctx: Context, name: str) -> str:
+    if ctx.rules.dialect in ("tia", "iec") and _BARE_SLICE.fullmatch(name):
+        return f"a slice is written with '%': .%{name.upper()}"
+    return "only structures and instances of function blocks have members"
 
 
 def _is_partial(ctx: Context, kind: Type) -> bool:

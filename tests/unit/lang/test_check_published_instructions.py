@@ -229,3 +229,9 @@ def test_an_overlay_of_an_in_out_is_read_and_has_no_model() -> None:
     )
     assert errors_of(text, "step7") == []
     assert "FB4141" in [one.code for one in findings_of(text, "step7")]
+
+
+def test_a_slice_without_its_sign_is_told_how_to_write_it() -> None:
+    text = _block("w : Word; b : Bool;", "#b := #w.X3;")
+    (found,) = errors_of(text, "tia")
+    assert (found.code, found.help) == ("FB4005", "a slice is written with '%': .%X3")
