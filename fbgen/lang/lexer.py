@@ -57,7 +57,7 @@ _PATTERN = (
     r"|(?<=\b[Pp]\#)(?:[Dd][BbIi][0-9]++\.)?[A-Za-z]*+[ \t]*+[0-9]++\.[0-7]"
     r"(?:[ \t]++[A-Za-z_]++[ \t]++[0-9]++)?+"
     r"|(?<=\b[BbWw]\#)\([0-9,# \t]*+\)|(?<=\b[Dd][Ww]\#)\([0-9,# \t]*+\)"
-    r"|[0-9]{{4}}-[0-9]{{1,2}}-[0-9]{{1,2}}(?:-[0-9:]++(?:\.[0-9_]++)?)?"
+    r"|{short_years}[0-9]{{4}}-[0-9]{{1,2}}-[0-9]{{1,2}}(?:-[0-9:]++(?:\.[0-9_]++)?)?"
     r"|[0-9]{{1,2}}:[0-9][0-9:]*+(?:\.[0-9_]++)?"
     r"|[+-]?[0-9][0-9_]*+[eE][+-][0-9]++"
     r"|[+-]?\w++(?:\#\w++)?(?:\.[0-9]\w*+(?:(?<=[eE])[+-][0-9]++)?)?))?+"
@@ -79,6 +79,8 @@ _PATTERN = (
     r"|\S)"
 )
 _NEXT_LINE = r"|\r?\n[^'\r\n]*+'(?=[ \t]*+[;,)])"
+_SHORT_YEARS = r"(?<=\b[Dd][Tt]\#)[0-9]{2}(?:-[0-9]{1,2}){2}-[0-9:]++(?:\.[0-9_]++)?|"
+"""`DT#90-1-1-0:0:0.000`, as the sources have it that STEP 7 V5 writes."""
 _RAW_LINES = (
     r"[Rr](?<!\..)(?i:EGION)(?!\w)(?![ \t]*+(?::=|[:;,)\]]))[^\r\n]*+"
     r"|[Ee](?<!\..)(?i:ND_REGION)(?!\w)[^\r\n]*+|"
@@ -127,6 +129,7 @@ def tokenize(source: Source, dialect: Dialect) -> Tokens:
         dialect.has(Feature.REGIONS),
         dialect.has(Feature.QUOTED_NAMES),
         dialect.has(Feature.LONG_TEXTS),
+        dialect.has(Feature.PLAIN_ADDRESSES),
     )
     tokens = _cut(source, pattern.split(source.text), dialect)
     opened = source.text.count("(*") + source.text.count("/*")
@@ -150,10 +153,13 @@ def _cut(source: Source, parts: list[str], dialect: Dialect) -> Tokens:
 
 
 @cache
-def _pattern(raw_lines: bool, quoted_names: bool, long_texts: bool) -> re.Pattern[str]:
+def _pattern(
+    raw_lines: bool, quoted_names: bool, long_texts: bool, short_years: bool
+) -> re.Pattern[str]:
     body = _PATTERN.format(
         raw=_RAW_LINES if raw_lines else "",
         next_line=_NEXT_LINE if long_texts else "",
+        short_years=_SHORT_YEARS if short_years else "",
         quoted=r"[^\"\r\n]" if quoted_names else r"(?:[^\"$\r\n]|\$[^\r\n])",
     )
     return re.compile(body)

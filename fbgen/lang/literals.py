@@ -80,6 +80,7 @@ _ESCAPED = {"$": "$", "'": "'", '"': '"', "L": "\n", "N": "\n", "P": "\f", "R": 
 _BROKEN = re.compile(r"\$>\s*\$<")
 """Where a string of STEP 7 ends in one line and goes on in another."""
 _FIRST_DAY = date(1970, 1, 1)
+_SHORT_YEAR = 2
 _MAX_DIGITS = 4000
 _COUNTER_DIGITS = 3
 _POINTER = re.compile(
@@ -295,7 +296,14 @@ def _date_and_time(text: str) -> int:
         raise BadLiteralError(
             f"'{text}' is not a date and time", "they look like DT#2024-02-29-23:59:59"
         )
+    if len(parts[0]) == _SHORT_YEAR:
+        parts[0] = full_year(parts[0])
     return _midnight("-".join(parts[:3])) + _clock(parts[3])
+
+
+def full_year(digits: str) -> str:
+    """The year that two digits stand for in STEP 7, which knows 1990 to 2089."""
+    return f"19{digits}" if digits >= "90" else f"20{digits}"
 
 
 def _string(text: str, wide: bool) -> str:

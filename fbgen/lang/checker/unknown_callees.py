@@ -25,6 +25,9 @@ def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
     if standard_block(name) is not None:
         without_instance(ctx, node, name)
         return
+    if language := language_of(name):
+        cannot_run(ctx, node.callee.span, f"a body in {language}")
+        return
     if has_addresses(ctx) and _cannot_run(ctx, node, name):
         return
     refused = NOT_SUPPORTED.get(name.upper()) if ctx.rules.dialect == "tia" else None
@@ -51,9 +54,7 @@ def unknown_callee(ctx: Context, node: ast.Call, name: str) -> None:
 
 def _cannot_run(ctx: Context, node: ast.Call, name: str) -> bool:
     """Take note of what CODESYS and TwinCAT can do and a run here cannot."""
-    if language := language_of(name):
-        cannot_run(ctx, node.callee.span, f"a body in {language}")
-    elif name.upper() in _NOT_RUN:
+    if name.upper() in _NOT_RUN:
         cannot_run(ctx, node.callee.span, name.upper())
     elif name.upper() in RAW_MEMORY:
         check_raw_memory(ctx, node, name)

@@ -18,6 +18,12 @@ _CLASSIC = re.compile(
     re.IGNORECASE,
 )
 _NUMBERED = re.compile(rb":\s*S?FB\s?\d+\s*;", re.IGNORECASE)
+_WITH_BLANK = re.compile(
+    rb"^[ \t]*(?:FUNCTION(?:_BLOCK)?|(?:DATA|ORGANIZATION)_BLOCK|TYPE)[ \t]+"
+    rb"(?:FB|FC|OB|DB|UDT)[ \t]+\d+",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""`FUNCTION FC 10`, as STEP 7 V5 writes the sources of its blocks."""
 _MARKED = re.compile(rb"(?<![\w\"])#[A-Za-z_\"]")
 """Instances of blocks by number are of STEP 7; TIA Portal marks what is local with #."""
 
@@ -35,6 +41,8 @@ def age_of(data: bytes) -> Age:
     text = data.replace(b"\0", b"")
     if _TIA.search(text):
         return Age.TIA
+    if _WITH_BLANK.search(text):
+        return Age.CLASSIC
     if not (_CLASSIC.search(text) or _NUMBERED.search(text)):
         return Age.EITHER
     code = _NO_TEXT.sub(b" ", text)

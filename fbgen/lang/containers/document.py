@@ -11,7 +11,7 @@ from pathlib import Path
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.lang.ast import File
-from fbgen.lang.containers import plcopen, s7dcl, twincat
+from fbgen.lang.containers import plcopen, s7dcl, statement_lists, twincat
 from fbgen.lang.containers.age import Age, age_of
 from fbgen.lang.containers.places import rewritten
 from fbgen.lang.containers.told_dialect import XML_SUFFIXES, told_dialect
@@ -42,7 +42,8 @@ class Document:
     def rewritten(self, file: File) -> bytes:
         """The bytes of the file with this tree, which has the units and members of `self.file`.
 
-        Encoding and line ends stay. In XML only the code changes, in a `.s7dcl` nothing.
+        Encoding and line ends stay. In XML only the code changes, in a `.s7dcl` and a
+        source with instruction lists nothing.
         """
         return self._encoding.encode(self._written(file))
 
@@ -78,7 +79,9 @@ def _document(
     if is_xml:
         return _xml_document(path, source, dialect, encoding)
     if path.suffix.lower() == s7dcl.SUFFIX:
-        return _declared_document(path, source, dialect, encoding)
+        return _declared_document(path, s7dcl.read_declared(source), source, dialect, encoding)
+    if dialect in ("tia", "step7") and (lists := statement_lists.read_lists(source)):
+        return _declared_document(path, lists, source, dialect, encoding)
     file, findings = parse_recovering(source, dialect)
     crlf = "\r\n" in source.text
 
@@ -89,9 +92,10 @@ def _document(
     return Document(path, dialect, file, tuple(findings), source.text, written, encoding)
 
 
-def _declared_document(path: Path, source: Source, dialect: str, encoding: Encoding) -> Document:
-    """A `.s7dcl`, whose layout is TIA Portal's own: it is written back as it is."""
-    declared = s7dcl.read_declared(source)
+def _declared_document(
+    path: Path, declared: s7dcl.Declared, source: Source, dialect: str, encoding: Encoding
+) -> Document:
+    """A `.s7dcl`, or a source with instruction lists: it is written back as it is."""
     file, findings = parse_recovering(declared.source, dialect)
     found = sorted((*findings, *declared.findings), key=_place)
     return Document(path, dialect, file, tuple(found), source.text, lambda _: source.text, encoding)

@@ -14,6 +14,7 @@ TEXT_SUFFIXES: Mapping[str, str] = MappingProxyType(
         ".scl": "tia",
         ".udt": "tia",
         ".db": "tia",
+        ".awl": "tia",
         ".s7dcl": "tia",
         ".st": "iec",
         ".iecst": "iec",

@@ -35,6 +35,7 @@ from fbgen.lang.checker.routines import routine_named
 from fbgen.lang.checker.standard_calls import CLASSIC_NAMES, is_standard_function
 from fbgen.lang.checker.system_instructions import instruction_named
 from fbgen.lang.conversion.output_arrows import with_arrows
+from fbgen.lang.literals import full_year
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.plant import BlockScope, PlantText
 from fbgen.lang.lowering.spelling import S7_NAMES
@@ -51,6 +52,7 @@ _TIMERS = {
 }
 _NUMBERED = re.compile(r"SFC[0-9]+", re.IGNORECASE)
 """TIA Portal knows an instruction by its name only."""
+_SHORT_YEAR = re.compile(r"DT#([0-9]{2})-", re.IGNORECASE)
 _ABSENT = {
     "NIL": "NULL exists for references only: use a flag of your own",
     "BLOCK_FB": "call the block by its name",
@@ -219,7 +221,9 @@ class _FromStep7(Rewriter):
         return replaced(node, german=False) if node.german else node
 
     def _literal(self, node: Literal) -> Literal:
-        """TIA Portal wants a point in `3E10`."""
+        """TIA Portal wants a point in `3E10`, and four digits of a year."""
+        if year := _SHORT_YEAR.match(node.text):
+            return replaced(node, text=f"DT#{full_year(year[1])}{node.text[year.end(1) :]}")
         if node.kind is not LiteralKind.REAL or "." in node.text:
             return node
         mantissa, _, exponent = node.text.upper().partition("E")

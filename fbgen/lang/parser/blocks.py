@@ -17,7 +17,6 @@ from fbgen.lang.ast import (
     HeaderItem,
     LabelSection,
     LoneMember,
-    Name,
     NamedType,
     StructSpec,
     TriviaList,
@@ -36,7 +35,6 @@ from fbgen.lang.parser.statement_lists import STARTS
 from fbgen.lang.parser.unread import UNREAD_SECTIONS
 
 _FOREIGN_SECTIONS = {"CONST": Feature.CONST_SECTIONS, "LABEL": Feature.LABEL_SECTIONS}
-_NUMBERED = frozenset({"FB", "FC", "OB", "DB", "UDT", "SFB", "SFC"})
 _FEATURES = {
     "ORGANIZATION_BLOCK": Feature.ORGANIZATION_BLOCKS,
     "PROGRAM": Feature.PROGRAMS,
@@ -124,7 +122,7 @@ class BlockParser(HeaderParser):
             self.need(_FEATURES[kind.value], first)
         end = f"END_{kind.value}"
         modifiers = self.modifiers()
-        name = self._block_name()
+        name = self.block_name()
         return_type: TypeSpec | None = None
         header: list[HeaderItem] = []
         self.pragmas_into(header)
@@ -173,22 +171,6 @@ class BlockParser(HeaderParser):
     def _lacks_result(self) -> bool:
         """Whether this is a function without result that does not say so."""
         return self.kinds[self.at] != ":" and self.dialect.has(Feature.OBJECTS)
-
-    def _block_name(self) -> Name:
-        """A name, or an absolute one with a blank in it: `FB 10` is FB10."""
-        first = self.at
-        name = self.name()
-        number = self.texts[self.at]
-        if (
-            name.name.upper() in _NUMBERED
-            and not name.quoted
-            and self.dialect.has(Feature.PLAIN_ADDRESSES)
-            and self.kinds[self.at] == "literal"
-            and number.isdecimal()
-        ):
-            self.at += 1
-            return Name(self.span(first), f"{name.name}{number}")
-        return name
 
     def _interface(self) -> tuple[tuple[VarSection, ...], tuple[LabelSection, ...]]:
         """VAR, CONST and LABEL sections in any order."""
@@ -264,7 +246,8 @@ class BlockParser(HeaderParser):
         first = self.at
         self.at += 1
         self.need(Feature.DATA_BLOCKS, first)
-        name = self._block_name()
+        self.declared_addresses.clear()
+        name = self.block_name()
         header: list[HeaderItem] = []
         comments = self.header_items(header)
         type_name: NamedType | None = None
@@ -370,7 +353,7 @@ class BlockParser(HeaderParser):
 
     def _type(self, first: int, leading: TriviaList) -> TypeDeclaration:
         modifiers = self.modifiers()
-        name = self.name()
+        name = self.block_name()
         extends = self.base_types("EXTENDS")
         header: list[HeaderItem] = []
         comments: TriviaList = ()

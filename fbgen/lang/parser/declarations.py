@@ -27,6 +27,7 @@ from fbgen.lang.ast import (
 )
 from fbgen.lang.dialects.dialect import Feature
 from fbgen.lang.dialects.words import words
+from fbgen.lang.parser.addresses import read_area
 from fbgen.lang.parser.cursor import Unexpected
 from fbgen.lang.parser.derived_types import DerivedTypeParser
 from fbgen.lang.parser.meant_words import CONSTANT_SECTIONS
@@ -414,7 +415,7 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
         kind = self.kinds[at]
         if kind == "name" or (self.word(at) and kind not in _INNER_ENDS):
             self.at = at + 1
-            if kind == "address":
+            if kind == "address" or read_area(self.texts[at]) is not None:
                 self.declared_addresses.add(self.texts[at].casefold())
             attributes = self.pragma_text() if self.extra_at <= self.at else ""
             if self._has_paths:

@@ -39,7 +39,7 @@ class DerivedTypeParser(ExpressionParser, ABC):
     def named_type(self) -> NamedType:
         """The name of a type, in a namespace or not."""
         at = self.at
-        name = self.name()
+        name = self.block_name()
         if self.kinds[self.at] != ".":
             return NamedType(name.span, name.name, name.quoted)
         parts = [name.name]

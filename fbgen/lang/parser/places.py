@@ -43,6 +43,7 @@ NAMES = frozenset({"name", "#", '"', '#"'})
 
 _MARKED_BLOCK = re.compile(r"(%(?:DB|FB|FC|SFB|SFC)[0-9]+)((?:\.[^\W\d]\w*)*)", re.IGNORECASE)
 _ADDRESSED = re.compile(r"DB[XBWD][0-9]+", re.IGNORECASE).fullmatch
+_NUMBERED = frozenset({"FB", "FC", "OB", "DB", "UDT", "SFB", "SFC"})
 _MOST_DIMENSIONS = 2
 _LONGEST_AREA = 3
 
@@ -84,6 +85,18 @@ class AddressParser(Cursor, ABC):
         if name.local:
             self.need(Feature.LOCAL_MARKS, at)
         return name
+
+    def block_name(self) -> Name:
+        """The name of a block or type, or an absolute one with a blank in it: `FB 10` is FB10."""
+        first = self.at
+        name = self.name()
+        if name.name.upper() not in _NUMBERED or name.quoted or not self._has_plain:
+            return name
+        number = self.texts[self.at]
+        if self.kinds[self.at] != "literal" or not number.isdecimal():
+            return name
+        self.at += 1
+        return Name(self.span(first), f"{name.name}{number}")
 
     def address(self) -> DirectAddress:
         """An absolute address such as %IB256:P, %DB100.DBW4, MW4 or M0.1."""

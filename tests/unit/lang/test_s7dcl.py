@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from fbgen.diagnostics import Severity
+from fbgen.diagnostics import DiagnosticError, Severity
 from fbgen.lang.ast import Block, DataBlock
 from fbgen.lang.containers import Document, read_document
 from fbgen.lang.formatting import format_file
@@ -155,6 +155,15 @@ def test_a_network_in_ladder_is_known_to_be_there(tmp_path: Path) -> None:
     assert isinstance(block, Block)
     assert len(block.body) == 2
     assert block.body[1].span.line == 16
+
+
+@pytest.mark.parametrize("engine", sorted(ENGINES))
+def test_a_network_in_ladder_stops_the_run(tmp_path: Path, engine: str) -> None:
+    path = tmp_path / "Mixed.s7dcl"
+    path.write_text(MIXED)
+    program = load_program([path], engine=engine)
+    with pytest.raises(DiagnosticError, match="FB6072"):
+        program.call("Mixed")
 
 
 def test_start_values_need_no_begin(tmp_path: Path) -> None:
