@@ -35,6 +35,8 @@ class Checked:
     findings: list[Diagnostic]
 
 
+_RESETS_ITSELF = "FB4225"
+"""On an S7-300/400 Q changes in a call only, so a timer may reset itself."""
 _STRANGER = "FB4062"
 """A number for a data block: each program says it that does not have the data block."""
 
@@ -167,7 +169,8 @@ def _findings(program: ProgramFiles, settings: Settings, progress: Progress) -> 
             db_numbers=settings.db_numbers,
             unread=unread,
         )
-        found += more
+        classic = settings.cpu is not None and settings.cpu.is_classic
+        found += [one for one in more if not (classic and one.code == _RESETS_ITSELF)]
         if settings.cpu is not None:
             parts = unread_parts(trees, unread)
             found += [one for one in missing_on(settings.cpu, trees) if not parts.follows(one)]

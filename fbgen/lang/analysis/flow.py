@@ -18,7 +18,7 @@ from fbgen.lang.analysis.conditions import (
 )
 from fbgen.lang.analysis.effects import Effects, key_of, root_of
 from fbgen.lang.analysis.facts import BlockFacts, CalledInstance
-from fbgen.lang.analysis.instances import InstanceTracker
+from fbgen.lang.analysis.instances import InstanceTracker, check_own_end
 from fbgen.lang.analysis.report import Report
 from fbgen.lang.analysis.unset import UnsetReads, tracked_variables
 from fbgen.lang.checked import (
@@ -135,9 +135,11 @@ class Flow:
         self._settle()
 
     def _instance_call(self, node: checked.InstanceCall) -> None:
+        key = key_of(node.instance)
+        if key is not None and self.program.dialect == "tia":
+            check_own_end(self.report, node, key, self.facts.members_read)
         self.effects.value(node.instance)
         self.effects.arguments(node)
-        key = key_of(node.instance)
         self.facts.instances.append(CalledInstance(node, key, self.depth))
         self._settle()
         if isinstance(node.block, checked.StandardBlock) and key is not None:

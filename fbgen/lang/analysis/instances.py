@@ -1,15 +1,17 @@
 """Timers, counters and edges: called once in a cycle, in every cycle.
 
 Sources: IEC 61131-3 third edition, tables 43 to 46 (each call is one step of the block); TIA Portal
-help, "Calling timers" (a timer is brought up to date by its call).
+help, "Calling timers" (a timer is brought up to date by its call), "TON: Generate on-delay" (and at
+an access to Q or ET).
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from fbgen.diagnostics import Note
-from fbgen.lang.analysis.effects import PlaceKey
+from fbgen.lang.analysis.effects import Effects, PlaceKey, key_of
 from fbgen.lang.analysis.report import Report
-from fbgen.lang.checked import Constant, InstanceCall, StandardBlock
+from fbgen.lang.checked import Constant, FieldRef, InstanceCall, StandardBlock
 
 if TYPE_CHECKING:
     from fbgen.lang.analysis.flow import Flow
@@ -33,6 +35,37 @@ def resets(call: InstanceCall) -> bool:
         ):
             return True
     return False
+
+
+def check_own_end(
+    report: Report, node: InstanceCall, key: PlaceKey, read_before: Sequence[FieldRef]
+) -> None:
+    """FB4225: IN reads Q, which brings the timer up to date, so nobody sees its end."""
+    if not node.block.name.startswith("TON"):
+        return
+    effects = Effects()
+    for variable, value in node.inputs:
+        if variable.name.upper() == "IN":
+            effects.value(value)
+    own = next((one for one in effects.members if _is_own(one, key)), None)
+    if own is None or any(_is_own(one, key) for one in read_before):
+        return
+    report.warning(
+        "FB4225",
+        f"'{node.instance.span.text}' resets itself before anybody sees its Q: reading Q for IN"
+        " brings it up to date, and this call sets it back",
+        own.span,
+        f"read it once in front of the call: done := {own.span.text}; and use that everywhere",
+    )
+
+
+def _is_own(member: FieldRef, key: PlaceKey) -> bool:
+    return member.name.upper() == "Q" and key_of(member.base) == key
+
+
+def _is_another_kind(calls: Sequence[tuple[InstanceCall, int]], node: InstanceCall) -> bool:
+    """True for what FB4226 says better: TON and TOF of one instance."""
+    return bool(calls) and calls[0][0].block is not node.block
 
 
 class InstanceTracker:
@@ -59,7 +92,7 @@ class InstanceTracker:
                 node.span,
                 "call it once outside of the loop, or use an array of instances",
             )
-        elif flow.may & bit and not resets(node):
+        elif flow.may & bit and not resets(node) and not _is_another_kind(calls, node):
             self._report.warning(
                 "FB4221",
                 f"'{node.instance.span.text}' is called a second time in the same cycle",

@@ -9,6 +9,7 @@ from fbgen.lang.analysis.outputs import check_outputs
 from fbgen.lang.analysis.program_rules import (
     check_dropped_results,
     check_shared_instances,
+    check_timer_kinds,
     check_uncalled,
     written_from_outside,
 )
@@ -50,6 +51,7 @@ def analyse(program: Program, library: "Library", findings: "Findings") -> None:
         check_names(flow, ctx)
     check_uncalled(flows)
     check_shared_instances(flows)
+    check_timer_kinds(flows)
     check_dropped_results(flows)
     check_outputs(flows)
     for flow in flows:

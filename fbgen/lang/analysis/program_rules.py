@@ -8,6 +8,7 @@ from fbgen.lang.analysis.facts import CalledInstance
 from fbgen.lang.analysis.flow import Flow
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, FunctionCall, Variable, VariableKind
+from fbgen.lang.checker.standard_blocks import TIMER_METHODS
 from fbgen.lang.life_cycle import is_method
 from fbgen.lang.types import BOOL, BlockType
 
@@ -76,6 +77,27 @@ def check_shared_instances(flows: Sequence[Flow]) -> None:
                 "call it in one block only, or give each block an instance of its own",
                 notes=(Note("the first call is here", earlier.call.span),),
             )
+
+
+def check_timer_kinds(flows: Sequence[Flow]) -> None:
+    """FB4226: one instance of a timer is called as two kinds."""
+    first: dict[PlaceKey, CalledInstance] = {}
+    for flow in flows:
+        for called in flow.facts.instances:
+            name = called.call.block.name.partition("_")[0]
+            if called.key is None or name not in TIMER_METHODS:
+                continue
+            earlier = first.setdefault(called.key, called).call
+            before = earlier.block.name.partition("_")[0]
+            if before != name:
+                flow.report.warning(
+                    "FB4226",
+                    f"'{called.call.instance.span.text}' is called as {name} here and as {before}"
+                    " elsewhere: each change starts it anew",
+                    called.call.span,
+                    "declare an instance for each",
+                    notes=(Note("the other call is here", earlier.span),),
+                )
 
 
 def check_dropped_results(flows: Sequence[Flow]) -> None:

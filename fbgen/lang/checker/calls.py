@@ -43,7 +43,13 @@ from fbgen.lang.checker.routine_calls import (
     value_of_routine,
 )
 from fbgen.lang.checker.routines import is_modelled
-from fbgen.lang.checker.standard_blocks import COUNTER_METHODS, TIMER_METHODS, standard_block
+from fbgen.lang.checker.standard_blocks import (
+    ANY_TIMERS,
+    COUNTER_METHODS,
+    TIMER_METHODS,
+    standard_block,
+    timer_called,
+)
 from fbgen.lang.checker.standard_calls import check_standard_call, is_standard_function
 from fbgen.lang.checker.system_instructions import (
     RETURN_VALUE,
@@ -270,7 +276,7 @@ def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | Evaluate | Non
     if isinstance(callee, ast.Member) and callee.name.upper() in TIMER_METHODS:
         base = check_expression(ctx, callee.base)
         if isinstance(base.type, BlockType) and standard_block(base.type.name):
-            method = callee.name
+            method = timer_called(callee.name, base.type.name)
             callee = callee.base
     elif isinstance(callee, ast.Member) and callee.name.upper() in COUNTER_METHODS:
         node = _counter_call(ctx, node, callee)
@@ -285,10 +291,10 @@ def instance_call(ctx: Context, node: ast.Call) -> InstanceCall | Evaluate | Non
     block = ctx.library.block(method or place.type.name)
     assert block is not None
     assert isinstance(place, Place)
-    if isinstance(block, StandardBlock) and block.name == "IEC_TIMER":
+    if isinstance(block, StandardBlock) and block.name in ANY_TIMERS:
         ctx.findings.error(
             "FB4047",
-            "a timer of type IEC_TIMER is called with its kind",
+            f"a timer of type {block.name} is called with its kind",
             node.span,
             f"write {callee.span.text}.TON(IN := ..., PT := ...)",
         )

@@ -45,7 +45,8 @@ def _timers() -> list[StandardBlock]:
         blocks.append(
             _block(f"TONR{suffix}", {"IN": BOOL, "R": BOOL, "PT": kind}, {"Q": BOOL, "ET": kind})
         )
-    blocks.append(_block("IEC_TIMER", {"IN": BOOL, "PT": TIME}, {"Q": BOOL, "ET": TIME}))
+        name = "IEC_LTIMER" if suffix else "IEC_TIMER"
+        blocks.append(_block(name, {"IN": BOOL, "PT": kind}, {"Q": BOOL, "ET": kind}))
     return blocks
 
 
@@ -117,6 +118,9 @@ PARAMETER_NAMES = {
 TIMER_METHODS = ("TON", "TOF", "TP", "TONR")
 """`timer.TON(...)`: how TIA calls an instance of IEC_TIMER or of a timer type."""
 
+ANY_TIMERS = ("IEC_TIMER", "IEC_LTIMER")
+"""What can be called as any of the timers, and as nothing else."""
+
 COUNTER_METHODS = {"CTU": "QU", "CTD": "QD", "CTUD": ""}
 """`counter.CTU(...)`: how TIA calls an instance of IEC_COUNTER, which has the memory of a CTUD, and
 the output of that which is its Q."""
@@ -126,6 +130,14 @@ def parameter_name(block: str, name: str) -> str:
     """The name of a parameter in the standard, for what CODESYS and TwinCAT call it."""
     known = PARAMETER_NAMES.get(block.partition("_")[0], {})
     return known.get(name.upper(), name)
+
+
+def timer_called(method: str, kind: str) -> str:
+    """The timer that `timer.TON(...)` means where the instance has a type of 64 bits or not."""
+    block = standard_block(kind)
+    assert block is not None
+    is_long = any(variable.type == LTIME for variable in block.variables)
+    return f"{method}_LTIME" if is_long else method
 
 
 def standard_block(name: str) -> StandardBlock | None:

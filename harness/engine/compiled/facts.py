@@ -27,6 +27,7 @@ from fbgen.lang.checked import (
     Repeat,
     RoutineCall,
     SliceRef,
+    StandardBlock,
     Statement,
     Substituted,
     SystemCall,
@@ -59,6 +60,11 @@ class _Found:
     written: set[Variable] = field(default_factory=set)
 
 
+def _kind(name: str) -> str:
+    """A standard block without the type behind its name: TON of TON_LTIME."""
+    return name.partition("_")[0]
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class _Site:
     """One in-out of one call."""
@@ -82,6 +88,7 @@ class Facts:
         "counts_loops",
         "instances_referenced",
         "referenced",
+        "turned",
     )
 
     def __init__(self, program: Program, call_depth: int) -> None:
@@ -91,6 +98,8 @@ class Facts:
         self.cells: set[Variable] = set()
         self.referenced: set[Variable] = set()
         """Variables that a reference may refer to, wholly or in part."""
+        self.turned: set[str] = set()
+        """The types of timers, casefolded, whose instances are called as other timers, too."""
         self.counts_loops = True
         sites: list[_Site] = []
         for block, body in program.bodies.items():
@@ -212,7 +221,10 @@ class Facts:
                         found.callees.add(override)
                         self.cells |= _single_in_outs(override)
                 case InstanceCall():
-                    if isinstance(node.block, Block):
+                    if isinstance(node.block, StandardBlock):
+                        if _kind(node.block.name) != _kind(node.instance.type.name):
+                            self.turned.add(node.instance.type.name.casefold())
+                    else:
                         found.callees.add(node.block)
                         sites += _sites(block, node.block, node.in_outs, [root_of(node.instance)])
                 case ReferenceTo() if node.place is not None:

@@ -4,7 +4,6 @@ from fbgen.lang.checked import Block, InstanceCall, VariableRef
 from harness.engine.compiled.calls import copied, in_out_arguments, write_outputs
 from harness.engine.compiled.code import Code
 from harness.engine.compiled.evaluation import condition, stored, value
-from harness.engine.compiled.library.timers import METHODS
 from harness.engine.compiled.model import is_scalar, run_method
 from harness.engine.compiled.places import assign, copy_into, place
 from harness.engine.compiled.procedure import Procedure
@@ -29,8 +28,9 @@ def instance_call(procedure: Procedure, node: InstanceCall) -> None:
     elif not (node.block.name == "TON" and _on_delay(procedure, instance, node)):
         _store_inputs(procedure, instance, node)
         method = run_method(node.block)
-        if method in METHODS.values() and node.block.name != node.instance.type.name:
-            procedure.line(f"{instance}._called = {method!r}")
+        if node.instance.type.name.casefold() in procedure.context.facts.turned:
+            procedure.line(f"if {instance}._called != {method!r}:")
+            procedure.line(f"    _turn({instance}, {method!r})")
         procedure.line(f"{instance}.{method}()")
     record = procedure.context.model.block_record(node.block)
     names = {
@@ -109,6 +109,8 @@ def _on_delay(procedure: Procedure, instance: str, node: InstanceCall) -> bool:
     """
     names = [variable.name for variable, _ in node.inputs]
     if names not in (["IN"], ["IN", "PT"]) or node.instance.type.name != "TON":
+        return False
+    if "ton" in procedure.context.facts.turned:
         return False
     codes = [value(procedure, one) for _, one in node.inputs]
     if not all(code.safe for code in codes) or not _can_store_at_once(procedure, node, codes):

@@ -22,6 +22,7 @@ from harness.engine.compiled.library import (
     stops,
     texts,
     time_texts,
+    timers,
     wholes,
 )
 from harness.engine.compiled.memory import Memory
@@ -120,6 +121,7 @@ LIBRARY: dict[str, Any] = {
     "_rotate_left": wholes.rotate_left,
     "_rotate_right": wholes.rotate_right,
     "_rotated_bytes": wholes.rotated_bytes,
+    "_turn": timers.turn,
     "_limit": wholes.limit,
     "_limit_or_operand": wholes.limit_or_operand,
     "_select": wholes.select,

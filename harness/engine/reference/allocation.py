@@ -18,7 +18,7 @@ from fbgen.lang.checked import (
     Variable,
     VariableKind,
 )
-from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS
+from fbgen.lang.checker.standard_blocks import ANY_TIMERS, STANDARD_BLOCKS
 from fbgen.lang.layout import holds_blocks, holds_values, no_layout
 from fbgen.lang.types import (
     DATE_AND_TIME,
@@ -225,8 +225,9 @@ class Allocator:
     def _block(self, name: str) -> AnyBlock:
         """An IEC_TIMER is called as any of the timers, so it has the variables of the largest."""
         block = self._program.block_of(name)
-        if isinstance(block, StandardBlock) and block.name == "IEC_TIMER":
-            return self._program.standard_blocks["tonr"]
+        if isinstance(block, StandardBlock) and block.name in ANY_TIMERS:
+            is_long = block.name == "IEC_LTIMER"
+            return self._program.standard_blocks["tonr_ltime" if is_long else "tonr"]
         return block
 
     def of_block(self, block: Block) -> InstanceStorage:

@@ -1,7 +1,7 @@
 """TON, TOF, TP and TONR on the controller's clock.
 
 ET counts whole ticks of its type, milliseconds for TIME. A negative PT counts as zero. A timing
-that has ended stays so whatever PT says.
+that has ended stays so whatever PT says. What is called as another timer than before starts anew.
 
 On S7-1200/1500 (`tia`, but not on an S7-300/400) PT counts as it is at the start of the timing, and
 Q and ET are brought up to date by each call and each time the program reads them (TIA Portal help,
@@ -57,6 +57,8 @@ class Timer(Behaviour):
         assert isinstance(kind, Elementary)
         tick_ns = _NS_PER_TICK[kind.bits]
         given_ns = max(preset, 0) * tick_ns
+        if self.called_as not in ("", call.name):
+            self.restore(Timer(self.today).snapshot())
         if not self.today and not self.ended:
             self.preset_ns = given_ns
         self.called_as = call.name

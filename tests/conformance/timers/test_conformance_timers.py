@@ -312,3 +312,61 @@ def test_from_outside_a_timer_shows_what_the_program_saw_last(load: Load) -> Non
     assert (block.instOn.Q, block.instOn.ET) == (False, 0)
     block(signal=True)
     assert (block.instOn.Q, block.instOn.ET) == (True, 100)
+
+
+KINDS = """FUNCTION_BLOCK "Kinds"
+VAR_INPUT a, as_tof, as_tp : BOOL; END_VAR
+VAR_OUTPUT q : BOOL; et : {time}; END_VAR
+VAR t : {kind}; END_VAR
+BEGIN
+  IF #as_tof THEN
+    #t.TOF(IN := #a, PT := {pt}, Q => #q, ET => #et);
+  ELSIF #as_tp THEN
+    #t.TP(IN := #a, PT := {pt}, Q => #q, ET => #et);
+  ELSE
+    {own}(IN := #a, PT := {pt}, Q => #q, ET => #et);
+  END_IF;
+END_FUNCTION_BLOCK
+"""
+
+
+@pytest.mark.parametrize(
+    ("kind", "own"), [("IEC_TIMER", "#t.TON"), ("TON_TIME", "#t"), ("IEC_LTIMER", "#t.TON")]
+)
+def test_a_timer_that_is_called_as_another_kind_starts_anew(
+    engine_name: str, kind: str, own: str
+) -> None:
+    is_long = kind == "IEC_LTIMER"
+    time, pt = ("LTIME", "LT#1s") if is_long else ("TIME", "T#1s")
+    text = KINDS.format(kind=kind, own=own, time=time, pt=pt)
+    program = load_program([Source("kinds.scl", text)], engine=engine_name)
+    block = program.instance("Kinds")
+    unit = 1_000_000 if is_long else 1
+    seen = []
+    for wait_ms, inputs in (
+        (0, {"a": True}),
+        (600, {}),
+        (0, {"as_tof": True}),
+        (0, {"a": False}),
+        (300, {}),
+        (0, {"as_tof": False, "as_tp": True, "a": True}),
+        (200, {}),
+        (0, {"as_tp": False}),
+        (999, {}),
+        (1, {}),
+    ):
+        program.clock.advance(ms=wait_ms)
+        block(**inputs)
+        seen.append((block.q, block.et // unit))
+    assert seen == [
+        (False, 0),
+        (False, 600),
+        (True, 0),
+        (True, 0),
+        (True, 300),
+        (True, 0),
+        (True, 200),
+        (False, 0),
+        (False, 999),
+        (True, 1000),
+    ]

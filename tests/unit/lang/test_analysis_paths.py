@@ -203,3 +203,26 @@ def test_the_time_grows_with_the_size() -> None:
     """Deep and long blocks are followed without recursion over their length."""
     text = in_block("x : INT;", "IF #x > 1 THEN #x := 2; END_IF;\n" * 3000)
     assert findings_of(text, "tia") == []
+
+
+@pytest.mark.parametrize(
+    ("statements", "warned"),
+    [
+        ("#t(IN := NOT #t.Q, PT := T#1s);\n#x := #t.Q;", True),
+        ("#t(IN := #go AND NOT #t.Q, PT := T#1s);", True),
+        ("#x := #t.Q;\n#t(IN := NOT #t.Q, PT := T#1s);", False),
+        ("#x := #t.Q;\n#t(IN := NOT #x, PT := T#1s);", False),
+        ("#t(IN := NOT #u.Q, PT := T#1s);\n#u(IN := #t.Q, PT := T#1s);", False),
+    ],
+)
+def test_a_timer_that_resets_itself_is_warned_of_where_its_end_is_never_seen(
+    statements: str, warned: bool
+) -> None:
+    text = (
+        'FUNCTION_BLOCK "F"\nVAR_INPUT go : BOOL; END_VAR\nVAR_OUTPUT x : BOOL; END_VAR\n'
+        f"VAR t, u : TON_TIME; END_VAR\nBEGIN\n{statements}\nEND_FUNCTION_BLOCK\n"
+    )
+    assert ("FB4225" in [one.code for one in findings_of(text, "tia")]) is warned
+    plain = text.replace("#", "").replace('"F"', "F").replace("BEGIN\n", "")
+    plain = plain.replace("TON_TIME", "TON")
+    assert "FB4225" not in [one.code for one in findings_of(plain, "iec")]

@@ -130,6 +130,8 @@ def _dialect_of(path: Path) -> str:
         ("FB4222_never_called.scl", 9, 11),
         ("FB4223_two_callers.scl", 23, 3),
         ("FB4224_two_writers.scl", 7, 3),
+        ("FB4225_resets_itself.scl", 9, 21),
+        ("FB4226_two_kinds.scl", 14, 3),
         ("FB4230_real_equality.scl", 9, 15),
         ("FB4231_range_comparison.scl", 9, 11),
         ("FB4232_same_operands.scl", 10, 13),

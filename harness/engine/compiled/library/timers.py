@@ -47,6 +47,14 @@ def control(timer: Timer, preset: int | None) -> None:
         timer.PT = timer._preset = preset
 
 
+def turn(timer: Timer, method: str) -> None:
+    """The instance is called as another timer than before: it starts anew."""
+    timer._called = method
+    timer.Q = timer._before = False
+    timer.ET = timer._preset = timer._collected = 0
+    timer._start = None
+
+
 METHODS = {"TON": "_ton", "TOF": "_tof", "TP": "_tp", "TONR": "_tonr"}
 """The method of each timer, by its canonical name."""
 
@@ -168,5 +176,6 @@ def timer_classes(clock: Clock, *, today: bool) -> dict[str, type[Timer]]:
         for name, method in METHODS.items():
             parts = {"__slots__": (), "_method": method, **reading}
             classes[name + suffix] = type(name + suffix, (base,), parts)
-    classes["IEC_TIMER"] = type("IEC_TIMER", (classes["TON"],), {"__slots__": ()})
+    for name, like in (("IEC_TIMER", "TON"), ("IEC_LTIMER", "TON_LTIME")):
+        classes[name] = type(name, (classes[like],), {"__slots__": ()})
     return classes
