@@ -8,10 +8,10 @@ from fbgen.lang.analysis.facts import CalledInstance
 from fbgen.lang.analysis.flow import Flow
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, FunctionCall, Variable, VariableKind
-from fbgen.lang.checker.standard_blocks import TIMER_METHODS
 from fbgen.lang.life_cycle import is_method
 from fbgen.lang.types import BOOL, BlockType
 
+_TIMERS = ("TON", "TOF", "TP", "TONR")
 _OWN = (VariableKind.STATIC, VariableKind.TEMP, VariableKind.GLOBAL)
 
 
@@ -85,7 +85,7 @@ def check_timer_kinds(flows: Sequence[Flow]) -> None:
     for flow in flows:
         for called in flow.facts.instances:
             name = called.call.block.name.partition("_")[0]
-            if called.key is None or name not in TIMER_METHODS:
+            if called.key is None or name not in _TIMERS:
                 continue
             earlier = first.setdefault(called.key, called).call
             before = earlier.block.name.partition("_")[0]

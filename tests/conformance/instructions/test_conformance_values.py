@@ -105,11 +105,11 @@ def test_counters_count_down_and_both_ways(engine_name: str) -> None:
     assert (block["down"], block["both"], block["q"]) == (0x11, 0x13, True)
 
 
-def test_no_error_is_found_because_an_error_ends_the_run(engine_name: str) -> None:
+def test_without_an_error_the_operand_of_get_err_id_stays(engine_name: str) -> None:
     program = _block(engine_name, "id : WORD := 16#FFFF;", "#id := GET_ERR_ID(); RE_TRIGR();")
     block = program.instance("F")
     block()
-    assert block["id"] == 0
+    assert block["id"] == 0xFFFF
 
 
 def test_stp_stops(engine_name: str) -> None:
