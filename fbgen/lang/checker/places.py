@@ -370,7 +370,7 @@ def _check_one_index(ctx: Context, index: Expression, bounds: tuple[int, int] | 
 
 
 def check_slice(ctx: Context, node: ast.Slice, _expected: Type | None = None) -> Expression:
-    """A part of a bit string or integer."""
+    """A part of a bit string or integer; a part of a part is one of the whole."""
     base = check_expression(ctx, node.base)
     kind = base.type
     if kind == ERRONEOUS:
@@ -383,7 +383,7 @@ def check_slice(ctx: Context, node: ast.Slice, _expected: Type | None = None) ->
     )
     if isinstance(kind, Enumeration | Subrange):
         countable = False
-    if part is None or not countable or not is_place(base) or isinstance(base, SliceRef):
+    if part is None or not countable or not is_place(base):
         ctx.findings.error(
             "FB4018",
             f"{spelled(as_typed(base).type)} cannot be sliced here",
@@ -403,6 +403,9 @@ def check_slice(ctx: Context, node: ast.Slice, _expected: Type | None = None) ->
             "FB4018", f"{kind.name} has no part %{node.size}{node.index}", node.span, help_text
         )
         return erroneous(node.span)
+    if isinstance(base, SliceRef):
+        index = base.index * (kind.bits // part.bits) + node.index
+        return SliceRef(node.span, base.base, index, part)
     return SliceRef(node.span, as_place(base), node.index, part)
 
 

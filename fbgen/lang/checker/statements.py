@@ -45,7 +45,7 @@ from fbgen.lang.checker.variants import (
     is_variant_access,
     variant_access,
 )
-from fbgen.lang.types import BOOL, Elementary, Family, counting_type
+from fbgen.lang.types import BOOL, BYTE, WORD, Elementary, Family, counting_type
 from fbgen.source import Span
 
 _RESULTS = ("OUT", "OUT1", "RET_VAL")
@@ -227,6 +227,9 @@ def _case(ctx: Context, node: ast.Case) -> Sequence[Statement]:
     kind: Elementary | None = None
     if isinstance(selector.type, Elementary) and selector.type.family in _SELECTORS:
         kind = selector.type
+    elif isinstance(selector.type, Elementary) and _selects(ctx, selector.type):
+        kind = selector.type
+        selector = checked.Convert(selector.span, selector, WORD if kind.bits == 16 else BYTE)
     elif selector.type != ERRONEOUS:
         ctx.findings.error(
             "FB4031",
@@ -245,6 +248,11 @@ def _case(ctx: Context, node: ast.Case) -> Sequence[Statement]:
     _report_overlaps(ctx, taken)
     otherwise = check_body(ctx, node.otherwise.body) if node.otherwise else ()
     return (checked.Case(node.span, selector, tuple(arms), otherwise),)
+
+
+def _selects(ctx: Context, kind: Elementary) -> bool:
+    """CASE by a character: IEC 61131-3 takes every elementary type, S7 numbers only."""
+    return kind.family is Family.CHAR and ctx.rules.dialect == "iec"
 
 
 def _label_range(
@@ -281,6 +289,8 @@ def _label(ctx: Context, node: ast.Expression, kind: Elementary | None) -> int |
             "use literals and VAR CONSTANT names only, or IF and ELSIF",
         )
         return None
+    if kind is not None and kind.family is Family.CHAR:
+        return ord(str(value.value))
     return int(value.value) if isinstance(value.value, int) else None
 
 
