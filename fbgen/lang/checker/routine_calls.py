@@ -28,6 +28,7 @@ from fbgen.lang.checker.literals import ERRONEOUS, erroneous, is_untyped
 from fbgen.lang.checker.numbered import number_named
 from fbgen.lang.checker.places import is_place, root_variable
 from fbgen.lang.checker.routines import Direction, Parameter, Routine, routine_named
+from fbgen.lang.checker.routines.hardware_parameters import HARDWARE_PARAMETERS
 from fbgen.lang.checker.routines.signature import ANYTHING, NUMBER, SAME, WHOLE
 from fbgen.lang.checker.standard_blocks import standard_block
 from fbgen.lang.checker.targets import check_target
@@ -47,6 +48,7 @@ from fbgen.lang.types import (
     StructType,
     Type,
 )
+from fbgen.nearest import nearest
 
 RETURN_VALUE = "RET_VAL"
 _ARROW = ast.ArgumentKind.OUTPUT
@@ -122,6 +124,7 @@ def routine_call(
             rest.append(argument)
     plain = ast.Call(node.span, node.callee, tuple(rest))
     if routine.open_ended:
+        _warn_of_names(ctx, plain, routine.name)
         _free_arguments(ctx, plain, routine.name, found)
     elif not _bound_arguments(ctx, plain, routine, found):
         return None
@@ -261,6 +264,21 @@ def _free_arguments(
             found.add_input(argument.name, value)
             if _may_come_back(ctx, value):
                 found.outputs.append((argument.name, value))  # type: ignore[arg-type]  # a place
+
+
+def _warn_of_names(ctx: Context, node: ast.Call, name: str) -> None:
+    """FB4143: a parameter that the function does not have, as far as it is known."""
+    known = HARDWARE_PARAMETERS.get(name)
+    if known is None or ctx.library.is_stubbed(name):
+        return
+    for argument in node.arguments:
+        if argument.name and argument.name.upper() not in known:
+            ctx.findings.warning(
+                "FB4143",
+                f"{name} has no parameter '{argument.name}'",
+                argument.span,
+                nearest(argument.name, known) if known else "it has none",
+            )
 
 
 def _as_known(ctx: Context, value: Expression, kind: Type | None) -> Expression:

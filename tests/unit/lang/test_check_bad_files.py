@@ -146,6 +146,7 @@ def _dialect_of(path: Path) -> str:
         ("FB4291_allow_without_finding.scl", 9, 3),
         ("FB4292_allow_error.scl", 9, 21),
         ("FB4140_without_model.scl", 7, 15),
+        ("FB4143_unknown_hardware_parameter.scl", 4, 35),
         ("FB4141_not_modelled.scl", 3, 11),
         ("FB4142_new.st", 3, 11),
     ],
