@@ -22,7 +22,7 @@ def block(request: pytest.FixtureRequest, engine_name: str) -> BlockInstance:
     """A block that was called twice, two seconds apart."""
     dialect, name = _BLOCKS[request.param]
     path = _HERE / request.param
-    numbers = {"values": 20}
+    numbers = {"values": 20} if dialect == "tia" else {}
     program = load_program([path], dialect=dialect, engine=engine_name, db_numbers=numbers)
     instance = program.instance(name)
     instance()
