@@ -70,11 +70,12 @@ def _attempt(procedure: Procedure, node: Attempt) -> Code:
         code = _exact(procedure, operand)
         text = f"_attempt_whole({flag.text}, lambda: {code.text}, {low}, {high})"
     else:
-        code = value(procedure, operand)
         if isinstance(operand, StandardCall) and operand.name == "LIMIT_OR_IN":
             parts = [value(procedure, one) for one in operand.arguments]
             limited = ", ".join((flag.text, *(one.text for one in parts)))
             code = all_of(parts, f"_attempt_limit({limited})", more_depth=2)
+        else:
+            code = value(procedure, operand)
         text = f"_attempt({flag.text}, lambda: {code.text}, {nothing_text(node.type)})"
     return Code(text, low=low, high=high, depth=code.depth + 2, safe=False, pure=False)
 
