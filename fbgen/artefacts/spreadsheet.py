@@ -19,6 +19,8 @@ _MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
 _OF_DOCUMENT = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
 _OF_PACKAGE = "http://schemas.openxmlformats.org/package/2006"
 _CONTENT = "application/vnd.openxmlformats-officedocument.spreadsheetml."
+_ROW = "\0"
+"""Stands for the number of a row in the pattern of its cells."""
 _TEXT_FORMAT = 49
 """The built-in number format `@`: a text, whatever it looks like."""
 
@@ -71,18 +73,17 @@ def column(index: int) -> str:
 
 def _worksheet(sheet: Sheet, indices: dict[str, int]) -> str:
     width = max((len(row) for row in sheet.rows), default=0)
-    letters = [column(index) for index in range(width)]
+    cells = [f'<c r="{column(index)}{_ROW}" s="1" t="s"><v>%d</v></c>' for index in range(width)]
+    whole_row = "".join(cells)
     rows = []
     for number, row in enumerate(sheet.rows, start=1):
-        placed = [
-            (letter, indices.setdefault(text, len(indices)))
-            for letter, text in zip(letters, row, strict=False)
-            if text
-        ]
-        cells = "".join(
-            f'<c r="{letter}{number}" s="1" t="s"><v>{index}</v></c>' for letter, index in placed
-        )
-        rows.append(f'<row r="{number}">{cells}</row>')
+        places = tuple([indices.setdefault(text, len(indices)) for text in row if text])
+        if len(places) == width:
+            pattern = whole_row
+        else:
+            pattern = "".join(cell for cell, text in zip(cells, row, strict=False) if text)
+        inside = (pattern % places).replace(_ROW, str(number))
+        rows.append(f'<row r="{number}">{inside}</row>')
     return f'<worksheet xmlns="{_MAIN}"><sheetData>{"".join(rows)}</sheetData></worksheet>'
 
 

@@ -15,6 +15,7 @@ Sources: CODESYS help, "Data types" and "Alignment"; TwinCAT 3 help, "Alignment"
 """
 
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.types import (
@@ -31,6 +32,11 @@ from fbgen.lang.types import (
 from fbgen.source import Span
 
 _POINTER_BITS = {"ANY": 80, "POINTER": 48}
+_STRUCTURES: dict[bool, WeakKeyDictionary[StructType, int]] = {
+    True: WeakKeyDictionary(),
+    False: WeakKeyDictionary(),
+}
+"""Sizes that were worked out already: a structure of structures asks for them often."""
 
 
 def no_layout(span: Span | None, kind: Type) -> DiagnosticError:
@@ -59,8 +65,12 @@ class Sizes:
         if isinstance(kind, ArrayType):
             return self._rows_bits(kind, 0)
         if isinstance(kind, StructType):
-            ends = [bit + self.size_bits(field.type) for field, bit in self.placed(kind)]
-            return _up(max(ends, default=0), self.alignment(kind))
+            known = _STRUCTURES[self.is_s7]
+            bits = known.get(kind)
+            if bits is None:
+                ends = [bit + self.size_bits(field.type) for field, bit in self.placed(kind)]
+                bits = known[kind] = _up(max(ends, default=0), self.alignment(kind))
+            return bits
         if isinstance(kind, ReferenceType) and kind.keyword in _POINTER_BITS:
             return _POINTER_BITS[kind.keyword]
         raise no_layout(None, kind)
