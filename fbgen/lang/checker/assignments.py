@@ -22,7 +22,7 @@ from fbgen.lang.checked import (
     VariableRef,
 )
 from fbgen.lang.checker.arguments import Bound
-from fbgen.lang.checker.coercion import coerce, spelled
+from fbgen.lang.checker.coercion import ASSIGNMENT, coerce, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enabling import enabled, speaks_of_enable
 from fbgen.lang.checker.evaluation import check_expression
@@ -34,6 +34,7 @@ from fbgen.lang.checker.objects import Method
 from fbgen.lang.checker.operators import combine
 from fbgen.lang.checker.pointers import has_addresses
 from fbgen.lang.checker.references import bind_reference
+from fbgen.lang.checker.same_structure import copies, is_copied_by_parts, temporary
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.checker.variants import assignment_attempt
 from fbgen.lang.types import (
@@ -47,7 +48,6 @@ from fbgen.lang.types import (
 )
 from fbgen.source import Span
 
-_WHERE = "this assignment"
 _UNKNOWN = ("?=",)
 _BITS = {"S=": True, "R=": False}
 
@@ -62,7 +62,7 @@ class _Link:
         self.node = node.target
         self.operator = node.operator
         self.setter = find_setter(ctx, node.target) if ctx.library.has_members else None
-        self.place = None if self.setter else check_target(ctx, node.target, _WHERE)
+        self.place = None if self.setter else check_target(ctx, node.target, ASSIGNMENT)
 
     @property
     def type(self) -> Type | None:
@@ -102,7 +102,7 @@ def _assignment(ctx: Context, node: ast.Assignment, call: ast.Call | None) -> Se
 
 def _value(ctx: Context, node: ast.Expression, target: Type | None) -> Expression:
     if target is not None and is_area_pointer(target) and points(node):
-        return check_pointer_constant(ctx, node, target, _WHERE)
+        return check_pointer_constant(ctx, node, target, ASSIGNMENT)
     return check_expression(ctx, node, target)
 
 
@@ -149,14 +149,21 @@ def _written(ctx: Context, links: Sequence[_Link], value: Expression) -> list[St
         if place.type == VARIANT_VALUE and not refers_to_anything(value.type):
             ctx.findings.error(
                 "FB4010",
-                f"{_WHERE} takes VARIANT, not {spelled(value.type)}",
+                f"{ASSIGNMENT} takes VARIANT, not {spelled(value.type)}",
                 link.span,
                 "VariantPut(SRC := ..., DST := ...) writes to what a VARIANT refers to",
             )
             return None
         if link.operator != ":=":
             value = combine(ctx, link.span, link.operator[:-1], place, value)
-        value = coerce(ctx, value, place.type, _WHERE)
+        if is_copied_by_parts(ctx, value.type, place.type):
+            parts = copies(ctx, link.span, place, value)
+            if parts is None:
+                return None
+            found += parts
+            value = place
+            continue
+        value = coerce(ctx, value, place.type, ASSIGNMENT)
         if value.type == ERRONEOUS:
             return None
         if number and not (isinstance(value, Constant) or _reads_the_same(place)):
@@ -182,10 +189,7 @@ def _reads_the_same(place: Place) -> bool:
 
 def _kept(ctx: Context, span: Span, value: Expression, found: list[Statement]) -> Expression:
     """The value in a temporary of its own."""
-    name = f"chained{len(ctx.temporaries) + 1}"
-    variable = Variable(span, name, VariableKind.TEMP, value.type)
-    ctx.temporaries.append(variable)
-    place = VariableRef(span, variable, variable.type)
+    place = temporary(ctx, span, value.type)
     found.append(checked.Assignment(span, place, value))
     return place
 
@@ -200,7 +204,7 @@ def _given_to_property(
     if link.operator != ":=":
         before = check_expression(ctx, link.node)
         value = combine(ctx, link.span, link.operator[:-1], before, value)
-    value = coerce(ctx, value, variable.type, _WHERE)
+    value = coerce(ctx, value, variable.type, ASSIGNMENT)
     return None if value.type == ERRONEOUS else value
 
 

@@ -19,8 +19,8 @@ from fbgen.lang.checker.arguments import Bound, bind
 from fbgen.lang.checker.codesys_types import is_any_value
 from fbgen.lang.checker.coercion import coerce, spelled
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.conversions import fits_place
-from fbgen.lang.checker.converted_outputs import converted_output
+from fbgen.lang.checker.conversions import fits_place, is_implicit, is_likely_unchecked
+from fbgen.lang.checker.converted_outputs import converted_output, taken_back
 from fbgen.lang.checker.enabling import ENABLED
 from fbgen.lang.checker.evaluation import check_expression
 from fbgen.lang.checker.literals import ERRONEOUS, default_value
@@ -131,7 +131,13 @@ def bind_variables(
                 value = cannot_run(ctx, argument.span, f"an argument of type {variable.type.name}")
             inputs.append((variable, coerce(ctx, value, variable.type, where)))
         elif variable.kind in IN_OUTS:
-            place = _in_out(ctx, argument.value, variable, where)
+            place = check_target(ctx, argument.value, where)
+            back = None if place is None else _written_back(ctx, place, variable)
+            if place is not None and back is not None:
+                inputs.append((variable, coerce(ctx, place, variable.type, where)))
+                outputs.append((variable, back))
+                continue
+            place = _in_out(ctx, argument.value, place, variable, where)
             complete = complete and place is not None
             if place is not None:
                 in_outs.append((variable, place))
@@ -182,8 +188,32 @@ def _wrong_way(
     return True
 
 
-def _in_out(ctx: Context, node: ast.Expression, variable: Variable, where: str) -> Place | None:
-    place = check_target(ctx, node, where)
+def _written_back(ctx: Context, place: Place, variable: Variable) -> Place | None:
+    """Where an in-out that is copied goes back to, converted; None if that is not what happens.
+
+    Without the IEC check the types may differ, if the one becomes the other by itself and both are
+    as wide (TIA Portal help, "Overview of data type conversion").
+    """
+    kind, own = variable.type, place.type
+    if variable.kind is not VariableKind.KEPT or own == kind:
+        return None
+    if not isinstance(own, Elementary) or not isinstance(kind, Elementary):
+        return None
+    if own.bits != kind.bits or not (_becomes(ctx, own, kind) and _becomes(ctx, kind, own)):
+        return None
+    return taken_back(ctx, place.span, kind, place)
+
+
+def _becomes(ctx: Context, source: Type, target: Type) -> bool:
+    rules = ctx.rules
+    if is_implicit(source, target, rules):
+        return True
+    return rules.iec_check_open and is_likely_unchecked(source, target, rules)
+
+
+def _in_out(
+    ctx: Context, node: ast.Expression, place: Place | None, variable: Variable, where: str
+) -> Place | None:
     if place is None:
         return None
     kind = variable.type

@@ -317,6 +317,14 @@ def _written(constant: Constant) -> str:
     return text if text and len(text) <= 40 and "\n" not in text else str(constant.value)
 
 
+ASSIGNMENT = "this assignment"
+"""Where an assignment takes its value."""
+_SAME_PARTS = {
+    "tia": "both sides need parts of the same types in the same order, and arrays as long",
+    "step7": "both sides need parts with the same names and types, and arrays with the same bounds",
+}
+
+
 def _refuse(ctx: Context, expression: Expression, target: Type, where: str) -> None:
     shown = as_typed(expression)
     source = expression.type if isinstance(shown, Constant) else shown.type
@@ -326,6 +334,8 @@ def _refuse(ctx: Context, expression: Expression, target: Type, where: str) -> N
         code, help_text = "FB4011", f"write the conversion: {function}(...)"
     elif isinstance(expression, Constant) and is_untyped(source):
         help_text = _constant_help(target)
+    elif where == ASSIGNMENT and isinstance(target, StructType | ArrayType):
+        help_text = _SAME_PARTS.get(ctx.rules.dialect, help_text)
     if ctx.rules.dialect == "iec" and converts_in_codesys(source, target):
         help_text += f"; {IN_CODESYS}"
     ctx.findings.error(

@@ -19,6 +19,13 @@ def converted_output(ctx: Context, span: Span, source: Type, place: Place) -> Pl
         if not ctx.rules.iec_check_open or not is_likely_unchecked(source, place.type, ctx.rules):
             return None
         warn_unchecked(ctx, span, source, place.type)
+    return taken_back(ctx, span, source, place)
+
+
+def taken_back(ctx: Context, span: Span, source: Type, place: Place) -> Place | None:
+    """A temporary that takes a value, which goes from there to the place behind the statement."""
+    if ctx.copies is None:
+        return None
     variable = Variable(span, f"output{len(ctx.temporaries) + 1}", VariableKind.TEMP, source)
     ctx.temporaries.append(variable)
     given = VariableRef(span, variable, source)
