@@ -1,7 +1,8 @@
 """PLCopen TC6 XML 2.01 from trees: one project with types, blocks and configurations.
 
-Interfaces become elements, statements stay text. What the format has no element for is refused by
-name. Comments at variables and blocks become their documentation. Source: PLCopen, "XML Formats for
+Interfaces become elements, statements stay text. Methods, properties, bases and interfaces stand in
+the additions of CODESYS; what has no place there either is refused by name. Comments at variables
+and blocks become their documentation. Source: PLCopen, "XML Formats for
 IEC 61131-3", version 2.01, and its schema.
 """
 
@@ -16,6 +17,7 @@ from fbgen.lang.ast import (
     Configuration,
     File,
     Globals,
+    Interface,
     ProgramInstance,
     Resource,
     Task,
@@ -23,6 +25,7 @@ from fbgen.lang.ast import (
     TypeDeclaration,
 )
 from fbgen.lang.containers import code_parts
+from fbgen.lang.containers.codesys_objects import ObjectWriter, added
 from fbgen.lang.containers.places import escape
 from fbgen.lang.containers.plcopen_variables import VariableWriter, documentation, quoted
 from fbgen.lang.containers.twincat_writing import no_place
@@ -57,6 +60,7 @@ class _Writer:
         self.refused: list[Diagnostic] = []
         self._dialect = dialect
         self._variables = VariableWriter(dialect, self.refused)
+        self._objects = ObjectWriter(dialect)
         self._types: list[str] = []
         self._blocks: list[str] = []
         self._configurations: list[str] = []
@@ -65,26 +69,34 @@ class _Writer:
     def units(self, file: File) -> None:
         """All units of one file."""
         for unit in file.units:
-            if isinstance(unit, TypeDeclaration) and unit.extends is None and not unit.modifiers:
+            if isinstance(unit, TypeDeclaration) and not unit.modifiers:
                 self._types.append(self._type(unit))
             elif isinstance(unit, Globals):
                 section = self._variables.section(unit.section, f' name="{quoted(unit.name)}"')
                 self._globals.append(
                     f'<data name="{_GLOBALS}" handleUnknown="implementation">\n{section}</data>\n'
                 )
-            elif isinstance(unit, Block) and self._fits(unit):
+            elif isinstance(unit, Interface):
+                self._globals.append(self._objects.interface(unit))
+            elif isinstance(unit, Block) and unit.kind in _KINDS and not unit.usings:
                 self._blocks.append(self._block(unit))
             elif isinstance(unit, Configuration):
                 self._configurations.append(self._configuration(unit))
             else:
                 self.refused.append(no_place("PLCopen XML", unit.span))
 
-    def _fits(self, block: Block) -> bool:
-        return (
-            block.kind in _KINDS
-            and block.extends is None
-            and not (block.implements or block.modifiers or block.labels)
-            and all(isinstance(member, Action) for member in block.members)
+    def _is_object(self, block: Block) -> bool:
+        """True for a block that the standard's elements cannot describe."""
+        without: list[Diagnostic] = []
+        variables = VariableWriter(self._dialect, without)
+        for section in block.sections:
+            variables.section(section)
+        return bool(
+            without
+            or block.extends is not None
+            or block.implements
+            or block.modifiers
+            or any(not isinstance(member, Action) for member in block.members)
         )
 
     def project(self, name: str) -> str:
@@ -111,6 +123,7 @@ class _Writer:
             f'<dataType name="{quoted(node.name.name)}">\n'
             f"<baseType>{self._variables.type(node.type)}</baseType>\n"
             + self._variables.initial(node.initial)
+            + self._objects.base_of_type(node)
             + documentation((*node.leading, *node.header_comments))
             + "</dataType>\n"
         )
@@ -118,10 +131,15 @@ class _Writer:
     # --- blocks -------------------------------------------------------------------------------
 
     def _block(self, block: Block) -> str:
-        result = ""
-        if block.return_type is not None:
+        is_object = self._is_object(block)
+        result = sections = ""
+        if block.return_type is not None and not is_object:
             result = f"<returnType>{self._variables.type(block.return_type)}</returnType>\n"
-        sections = "".join(self._variables.section(section) for section in block.sections)
+        if not is_object:
+            sections = "".join(self._variables.section(section) for section in block.sections)
+        head = f"<interface>\n{result}{sections}</interface>\n"
+        if is_object:
+            head = self._objects.head(block)
         actions = "".join(
             f'<action name="{quoted(member.name.name)}">\n{self._body(member)}'
             f"{documentation(member.leading)}</action>\n"
@@ -130,10 +148,11 @@ class _Writer:
         )
         return (
             f'<pou name="{quoted(block.name.name)}" pouType="{_KINDS[block.kind]}">\n'
-            f"<interface>\n{result}{sections}</interface>\n"
+            f"{head}"
             + (f"<actions>\n{actions}</actions>\n" if actions else "")
             + self._body(block)
-            + documentation(_about(block))
+            + added(self._objects.members(block) if is_object else [])
+            + documentation(() if is_object else _about(block))
             + "</pou>\n"
         )
 

@@ -247,13 +247,13 @@ def test_the_page_of_a_code_about_xml_shows_it_and_the_way_out(code: str) -> Non
 
 
 def test_what_plcopen_has_no_place_for_is_refused_by_name() -> None:
-    text = (_BAD / "FB3019_extends.st").read_text(encoding="utf-8")
+    text = (_BAD / "FB3019_namespace.st").read_text(encoding="utf-8")
     with pytest.raises(DiagnosticError) as refused:
         new_files([read(text, "iec")], "plcopen", "x")
     (found,) = refused.value.diagnostics
     assert found.span is not None
     assert (found.code, found.span.line, found.span.column) == ("FB3019", 1, 1)
-    assert "FUNCTION_BLOCK Pump" in found.message
+    assert "NAMESPACE Plant" in found.message
 
 
 def test_an_unknown_container_is_refused() -> None:

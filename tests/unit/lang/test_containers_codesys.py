@@ -7,10 +7,14 @@ import pytest
 from fbgen.lang import ast
 from fbgen.lang.checker import check_reporting
 from fbgen.lang.containers import new_files, read_document, read_text
+from fbgen.lang.parser import parse
 from fbgen.lang.printer import print_file
+from fbgen.lang.rewriting import replaced
+from fbgen.lang.same_tree import same_tree
 from fbgen.source import Source
 from harness import load_program
 
+_OBJECTS = Path(__file__).parents[2] / "conformance" / "objects"
 _EXPORT = Path(__file__).parent / "samples" / "codesys_drive.xml"
 _TASK = """\
 <?xml version="1.0" encoding="utf-8"?>
@@ -94,3 +98,41 @@ def test_a_task_without_a_program_that_is_there_is_told() -> None:
     (one,) = found
     assert one.span is not None
     assert (one.code, one.span.line, one.span.column) == ("FB4060", 8, 13)
+
+
+@pytest.mark.parametrize("name", ["abstract", "interfaces", "objects", "shared"])
+def test_objects_come_back_from_plcopen_xml(name: str) -> None:
+    path = _OBJECTS / f"{name}.st"
+    tree = parse(Source(str(path), path.read_text(encoding="utf-8")), "twincat")
+    (new,) = new_files([tree], "plcopen", name)
+    document = read_text(Source("x.xml", new.data.decode()), "twincat", is_xml=True)
+    assert document.findings == ()
+    before = {_name(unit): unit for unit in tree.units}
+    after = {_name(unit): unit for unit in document.file.units}
+    assert before.keys() == after.keys()
+    for key, unit in before.items():
+        if not isinstance(unit, ast.Globals):
+            assert same_tree(_ordered(unit), _ordered(after[key])), key
+
+
+def _name(unit: ast.Unit) -> str:
+    return str(getattr(getattr(unit, "name", ""), "name", type(unit).__name__))
+
+
+def _ordered(unit: ast.Unit) -> ast.Unit:
+    """Actions stand in an element of their own, in front of the other members."""
+    if not isinstance(unit, ast.Block):
+        return unit
+    return replaced(unit, members=tuple(sorted(unit.members, key=lambda one: one.name.name)))
+
+
+def test_what_has_no_element_stands_in_the_text_of_codesys() -> None:
+    text = (
+        "FUNCTION_BLOCK Pump EXTENDS Base\nVAR\nr : REFERENCE TO INT;\nEND_VAR\n"
+        "METHOD PRIVATE Stop\nEND_METHOD\nEND_FUNCTION_BLOCK\n"
+    )
+    (new,) = new_files([parse(Source("x", text), "twincat")], "plcopen", "x")
+    xml = new.data.decode()
+    assert "<Extends>Base</Extends>" in xml
+    assert '<AccessModifiers Private="true"/>' in xml
+    assert "r : REFERENCE TO INT;" in xml
