@@ -305,7 +305,7 @@ def as_place(expression: Expression) -> Place:
 def check_index(ctx: Context, node: ast.Index, _expected: Type | None = None) -> Expression:
     """An element of an array; constant indices are compared with the bounds."""
     base = check_expression(ctx, node.base)
-    if isinstance(base.type, StringType) and has_characters(ctx, base.type, node):
+    if isinstance(base.type, StringType) and has_characters(base.type, node):
         return character(ctx, node, base.type)
     indices = [_index(ctx, one) for one in node.indices]
     kind = base.type

@@ -129,6 +129,29 @@ def bases(item: Element) -> Mapping[str, list[str]]:
     return found
 
 
+@dataclass(frozen=True, slots=True)
+class OpenArray:
+    """An ARRAY[*], which CODESYS exports as a pointer: its type, and the section it stood in."""
+
+    type: str
+    keyword: str
+
+
+def open_array_of(variable: Element) -> OpenArray | None:
+    """What a variable was before it was exported; None for all but ARRAY[*]."""
+    values = {
+        one.get("Name"): one.get("Value")
+        for group in added(variable, "Attributes")
+        for one in group.named("Attribute")
+    }
+    if "variable_length_array" not in values:
+        return None
+    scope = values.get("variable_length_array_original_scope", "").casefold()
+    return OpenArray(
+        values["variable_length_array"], "VAR_INPUT" if scope == "input" else "VAR_IN_OUT"
+    )
+
+
 def attributes(item: Element) -> Iterator[str]:
     """Pragmas such as {attribute 'qualified_only'}."""
     for group in _added_to_head(item, "Attributes"):

@@ -3,6 +3,7 @@
 Source: PLCopen, schema of TC6 XML 2.01: dataType, value, varList.
 """
 
+from fbgen.lang.containers.codesys_data import open_array_of
 from fbgen.lang.containers.embedded import Assembly, content
 from fbgen.lang.containers.xml_tree import Element
 
@@ -52,22 +53,36 @@ class DeclarationReader:
     def section(self, keyword: str, item: Element) -> None:
         """One section."""
         words = [word for name, word in QUALIFIERS.items() if item.get(name) == "true"]
-        self._text.add_at(" ".join((keyword, *words)), item.start)
+        head = " ".join((keyword, *words))
+        self._text.add_at(head, item.start)
         self._text.add("\n")
-        self._variables(item)
+        for variable in item.named("variable"):
+            open_array = open_array_of(variable)
+            if open_array is not None:
+                self._text.add("END_VAR\n" + f"{open_array.keyword}\n")
+            self._variable(variable)
+            if open_array is not None:
+                self._text.add("END_VAR\n" + f"{head}\n")
         self._text.add("END_VAR\n")
 
     def _variables(self, item: Element) -> None:
         for variable in item.named("variable"):
-            self.documentation(variable)
-            self._text.add_attribute(variable, "name")
-            if variable.get("address"):
-                self._text.add(" AT ")
-                self._text.add_attribute(variable, "address")
-            self._text.add(" : ")
+            self._variable(variable)
+
+    def _variable(self, variable: Element) -> None:
+        self.documentation(variable)
+        self._text.add_attribute(variable, "name")
+        if variable.get("address"):
+            self._text.add(" AT ")
+            self._text.add_attribute(variable, "address")
+        self._text.add(" : ")
+        open_array = open_array_of(variable)
+        if open_array is not None:
+            self._text.add_at(open_array.type, variable.start)
+        else:
             self.type_of(variable.child("type"), variable)
-            self.initial(variable)
-            self._text.add(";\n")
+        self.initial(variable)
+        self._text.add(";\n")
 
     # --- types --------------------------------------------------------------------------------
 

@@ -59,6 +59,8 @@ SOFT_KEYWORDS = SOFT_WORDS | words(
 
 _POSTFIX = frozenset({".", "[", "(", "^", ":"})
 _SIGNS = frozenset({"-", "+", "NOT"})
+_FUNCTIONS = frozenset({"AND", "OR", "XOR", "MOD"})
+"""Operators that are functions, too: `AND(a, b)`, as it comes from function block diagrams."""
 _NOTHING = LiteralValue(LiteralKind.INTEGER, 0)
 _make = tuple.__new__
 
@@ -130,7 +132,9 @@ class ExpressionParser(AddressParser):
             name = self.address_or_name()
             self.at -= 1
             at = self.at
-        elif kind in SOFT_KEYWORDS and self.word(at):
+        elif (kind in SOFT_KEYWORDS and self.word(at)) or (
+            kind in _FUNCTIONS and kinds[at + 1] == "("
+        ):
             name = Name(place, text)
         elif kind == "." and kinds[at + 1] == "name" and self._has_outer_names:
             at += 1
@@ -142,6 +146,10 @@ class ExpressionParser(AddressParser):
         if kinds[at] in _POSTFIX:
             return self._postfix(name)
         return name
+
+    def _is_function(self, at: int) -> bool:
+        """Whether an operator stands in front of its operands: `AND(a, b)`."""
+        return self.kinds[at] in _FUNCTIONS and self.kinds[at + 1] == "("
 
     def _new_literal(self, text: str, place: Span) -> LiteralValue:
         try:

@@ -81,3 +81,38 @@ def test_members_in_files_of_their_own_belong_to_the_block_of_that_name(
     pump = program.instance("Pump")
     pump()
     assert pump.n == 111
+
+
+@pytest.mark.parametrize(
+    ("start", "expected"),
+    [("0", ["Abc", 65, 0, "ab", "Abcd"]), ("UINT#0", ["Abc", 65, 0, "ab", "Abcd"])],
+)
+def test_a_text_is_made_of_bytes_that_count_from_0(
+    start: str, expected: list[object], engine_name: str
+) -> None:
+    text = (
+        "FUNCTION_BLOCK F\nVAR_OUTPUT whole, short, long : STRING(10); END_VAR\n"
+        "VAR_OUTPUT first, behind : BYTE; END_VAR\n"
+        "VAR i : UINT; END_VAR\n"
+        f"whole := 'abc'; i := {start}; whole[i] := whole[i] - 32;\n"
+        "first := whole[0]; behind := whole[3];\n"
+        "short := 'abc'; short[2] := 0; short[9] := 65;\n"
+        "long := whole; long[LEN(long)] := 16#64;\nEND_FUNCTION_BLOCK\n"
+    )
+    program = load_program([Source("x.st", text)], "twincat", engine_name)
+    block = program.instance("F")
+    block()
+    assert [block.whole, block.first, block.behind, block.short, block.long] == expected
+
+
+def test_operators_are_functions_too(engine_name: str) -> None:
+    text = (
+        "FUNCTION_BLOCK F\nVAR_INPUT a, b : BOOL; n : INT; END_VAR\n"
+        "VAR_OUTPUT q, r, s : BOOL; m : INT; END_VAR\n"
+        "q := AND(a, b, TRUE); r := NOT(OR(a, b)); s := XOR(a, b) AND a; m := MOD(n, 4);\n"
+        "END_FUNCTION_BLOCK\n"
+    )
+    program = load_program([Source("x.st", text)], "iec", engine_name)
+    block = program.instance("F")
+    block(a=True, b=False, n=7)
+    assert (block.q, block.r, block.s, block.m) == (False, False, True, 3)

@@ -136,3 +136,32 @@ def test_what_has_no_element_stands_in_the_text_of_codesys() -> None:
     assert "<Extends>Base</Extends>" in xml
     assert '<AccessModifiers Private="true"/>' in xml
     assert "r : REFERENCE TO INT;" in xml
+
+
+_OPEN_ARRAY = """\
+<project xmlns="http://www.plcopen.org/xml/tc6_0200"><types><dataTypes/><pous>
+<pou name="Total" pouType="function"><interface><returnType><INT/></returnType><inputVars>
+<variable name="first"><type><INT/></type></variable>
+<variable name="values"><type><pointer><baseType><INT/></baseType></pointer></type><addData>
+<data name="http://www.3s-software.com/plcopenxml/attributes" handleUnknown="implementation">
+<Attributes><Attribute Name="variable_length_array_original_scope" Value="Inout"/>
+<Attribute Name="variable_length_array" Value="ARRAY[*] OF INT"/></Attributes></data></addData>
+</variable><variable name="last"><type><INT/></type></variable></inputVars></interface>
+<body><ST><xhtml xmlns="http://www.w3.org/1999/xhtml">Total := values[first] + values[last];</xhtml>
+</ST></body></pou></pous></types></project>
+"""
+
+
+def test_open_arrays_come_back_from_the_pointers_of_an_export() -> None:
+    document = read_text(Source("x.xml", _OPEN_ARRAY), "twincat", is_xml=True)
+    (block,) = document.file.units
+    assert isinstance(block, ast.Block)
+    kinds = [
+        (section.keyword, one.names[0].name)
+        for section in block.sections
+        for one in section.declarations
+    ]
+    assert kinds == [("VAR_INPUT", "first"), ("VAR_IN_OUT", "values"), ("VAR_INPUT", "last")]
+    program, found = check_reporting([document.file], "twincat")
+    assert program is not None
+    assert [one.code for one in found if one.code < "FB41"] == []
