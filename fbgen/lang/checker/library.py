@@ -26,6 +26,7 @@ from fbgen.lang.checker.lone_members import with_their_members
 from fbgen.lang.checker.memory_use import MemoryUse, is_optimized
 from fbgen.lang.checker.namespaces import Namespaces, written_whole
 from fbgen.lang.checker.objects import RECEIVER, Objects, kept_sections
+from fbgen.lang.checker.own_names import with_own_names
 from fbgen.lang.checker.rules import Rules
 from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS, standard_block
 from fbgen.lang.checker.symbols import Scope
@@ -92,7 +93,7 @@ class Library:
 
     def collect(self, files: Sequence[ast.File]) -> None:
         """Make all units of the files known by name."""
-        files = with_their_members(files, self.findings)
+        files = with_own_names(with_their_members(files, self.findings))
         files, self.namespaces = written_whole(with_values(files, self.findings), self.findings)
         self._files = tuple(with_configured_variables(files, self.findings))
         for file in self._files:

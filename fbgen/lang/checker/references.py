@@ -71,6 +71,10 @@ def check_dereference(ctx: Context, node: ast.Dereference, _expected: Type | Non
     base = check_itself(ctx, node.base)
     if base.type == ERRONEOUS:
         return base
+    if isinstance(base.type, ReferenceType) and base.type.is_implicit:
+        followed_by_itself = check_expression(ctx, node.base)
+        if isinstance(followed_by_itself.type, ReferenceType):
+            base = followed_by_itself
     followed = isinstance(base.type, ReferenceType) and not base.type.is_interface
     if followed and not isinstance(base, Place) and has_addresses(ctx):
         return cannot_run(ctx, node.span, "a part of what a call gives")

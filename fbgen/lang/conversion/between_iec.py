@@ -33,6 +33,7 @@ from fbgen.lang.ast import (
 )
 from fbgen.lang.checker.findings import Findings as CheckFindings
 from fbgen.lang.checker.namespaces import written_whole
+from fbgen.lang.checker.own_names import with_own_names
 from fbgen.lang.conversion.list_names import without_list_names
 from fbgen.lang.conversion.written_conversions import with_written_conversions
 from fbgen.lang.lowering.build import integer
@@ -59,7 +60,8 @@ def twincat_to_iec(files: Sequence[File], findings: Findings) -> list[File]:
         node.name.casefold() for node in walk(tuple(files)) if isinstance(node, Member)
     )
     rewriter = _ToIec(findings, named)
-    plain = without_list_names(with_written_conversions(files, findings), findings)
+    named_out = with_own_names(files)
+    plain = without_list_names(with_written_conversions(named_out, findings), findings)
     return [_file(file, "iec", rewriter) for file in plain]
 
 

@@ -328,6 +328,9 @@ class DeclarationParser(DerivedTypeParser, SetAssignmentParser):
         initial: Expression | None = None
         arguments: tuple[Argument, ...] = ()
         edge = operator = ""
+        behind = at is None and kinds[self.at + 1] == "address"
+        if behind and self.dialect.has(Feature.CONFIGURATIONS) and self.accept_word("AT"):
+            at = self.address()  # behind the type, as OpenPLC writes it
         if kinds[self.at] not in (";", ":="):
             edge, arguments, operator = self._rest_of_type(type_spec)
         if operator or kinds[self.at] == ":=":

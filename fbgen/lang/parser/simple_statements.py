@@ -5,6 +5,7 @@ Source: IEC 61131-3, statements of ST; TIA Portal help, "Value assignments" and 
 
 from fbgen.lang.ast import (
     Assignment,
+    Branch,
     Call,
     CallStatement,
     Chained,
@@ -13,6 +14,7 @@ from fbgen.lang.ast import (
     Empty,
     Expression,
     Goto,
+    If,
     Index,
     IndexedAddress,
     Jump,
@@ -127,6 +129,21 @@ class SimpleStatementParser(StatementListParser):
         leading, trailing = self.finish(leading)
         return Jump(place, keyword, leading, trailing)
 
+    def _return(self) -> Jump | If:
+        """RETURN; of CODESYS also `RETURN(condition);`, the same as an IF around it."""
+        if self.kinds[self.at + 1] != "(" or not self.dialect.has(Feature.JUMPS):
+            return self._jump()
+        leading = self.take_leading()
+        first = self.at
+        self.at += 1
+        condition = self.expression()
+        self.semicolon()
+        place = self.span(first)
+        leading, trailing = self.finish(leading)
+        return If(
+            place, (Branch(place, condition, (Jump(place, "RETURN"),)),), None, leading, trailing
+        )
+
     def _goto(self) -> Goto:
         leading = self.take_leading()
         first = self.at
@@ -144,7 +161,7 @@ enter(
         **dict.fromkeys(("name", "#", '"', '#"', "address", "."), SimpleStatementParser.simple),
         "EXIT": SimpleStatementParser._jump,
         "CONTINUE": SimpleStatementParser._jump,
-        "RETURN": SimpleStatementParser._jump,
+        "RETURN": SimpleStatementParser._return,
         "GOTO": SimpleStatementParser._goto,
         "JMP": SimpleStatementParser._goto,
         ";": SimpleStatementParser._empty,

@@ -116,3 +116,20 @@ def test_operators_are_functions_too(engine_name: str) -> None:
     block = program.instance("F")
     block(a=True, b=False, n=7)
     assert (block.q, block.r, block.s, block.m) == (False, False, True, 3)
+
+
+def test_blocks_tell_their_own_names_and_places(engine_name: str) -> None:
+    program = load_program([_HERE / "own_names.st"], dialect="twincat", engine=engine_name)
+    teller = program.instance("Teller")
+    teller()
+    assert (teller.here, teller.asked, teller.told) == ("Teller", "Teller.Ask", "Teller.Title.Get")
+    assert (teller.line, teller.place) == ("Line 11 (Decl)", "Line 25, Column 10 (Impl)")
+
+
+def test_return_with_a_condition_leaves_the_block(engine_name: str) -> None:
+    program = load_program([_HERE / "own_names.st"], dialect="twincat", engine=engine_name)
+    counter = program.instance("Counter")
+    counter(stop=True)
+    assert (counter.count, counter.behind) == (1, 0)
+    counter(stop=False)
+    assert (counter.count, counter.behind) == (22, 1)

@@ -154,3 +154,16 @@ def test_what_codesys_converts_by_itself_is_written_out() -> None:
         block(w=0xFFFE, d=7, m=1)
         results.append((block.r, block.n, block.b, block.k))
     assert results[0] == results[1] == (7.0, -2, 6, -1)
+
+
+def test_texts_stand_in_the_place_of_own_names() -> None:
+    text = (_OBJECTS.parent / "codesys" / "own_names.st").read_text(encoding="utf-8")
+    teller = text[text.index("FUNCTION_BLOCK Teller") : text.index("FUNCTION_BLOCK Counter")]
+    there = _converted(teller, "twincat", "iec")
+    assert "'Teller.Ask'" in there
+    assert "__" not in there
+
+
+def test_an_address_behind_the_type_is_written_in_front_of_it() -> None:
+    text = "PROGRAM Main\nVAR\n  lamp : BOOL AT %QX0.0 := TRUE;\nEND_VAR\nEND_PROGRAM\n"
+    assert "lamp AT %QX0.0 : BOOL := TRUE;" in print_file(parse(Source("x.st", text), "iec")).text
