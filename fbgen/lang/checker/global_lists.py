@@ -4,12 +4,30 @@ Sources: TwinCAT 3 help, "Object GVL" and "Attribute 'qualified_only'"; CODESYS 
 """
 
 from collections.abc import Mapping, Sequence
+from pathlib import PurePath
 
 from fbgen.lang import ast
 from fbgen.lang.checked import Variable
 from fbgen.source import Span
 
 _QUALIFIED_ONLY = "qualified_only"
+
+
+def named_by_their_files(files: Sequence[ast.File]) -> Sequence[ast.File]:
+    """The program with names for the lists that stand in a text of their own, `GVL.st`."""
+    return [_named(file) for file in files]
+
+
+def _named(file: ast.File) -> ast.File:
+    name, _, suffix = PurePath(file.source.name).name.rpartition(".")
+    if file.dialect != "twincat" or suffix.casefold() != "st" or not name.isidentifier():
+        return file
+    units: list[ast.Unit] = []
+    for unit in file.units:
+        if not isinstance(unit, ast.Globals) or unit.section.keyword != "VAR_GLOBAL":
+            return file
+        units.append(unit if unit.name else ast.Globals(unit.span, unit.section, name))
+    return ast.File(file.source, file.dialect, tuple(units), file.closing)
 
 
 class GlobalLists:

@@ -17,7 +17,7 @@ from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enabling import enable_variables
 from fbgen.lang.checker.findings import Findings
 from fbgen.lang.checker.generic_blocks import with_values
-from fbgen.lang.checker.global_lists import GlobalLists
+from fbgen.lang.checker.global_lists import GlobalLists, named_by_their_files
 from fbgen.lang.checker.initials import Initials
 from fbgen.lang.checker.instance_starts import InstanceStarts
 from fbgen.lang.checker.interfaces import Interfaces
@@ -93,7 +93,8 @@ class Library:
 
     def collect(self, files: Sequence[ast.File]) -> None:
         """Make all units of the files known by name."""
-        files = with_own_names(with_their_members(files, self.findings))
+        files = with_their_members(named_by_their_files(files), self.findings)
+        files = with_own_names(files)
         files, self.namespaces = written_whole(with_values(files, self.findings), self.findings)
         self._files = tuple(with_configured_variables(files, self.findings))
         for file in self._files:

@@ -32,6 +32,7 @@ from fbgen.lang.ast import (
     VarSection,
 )
 from fbgen.lang.checker.findings import Findings as CheckFindings
+from fbgen.lang.checker.global_lists import named_by_their_files
 from fbgen.lang.checker.namespaces import written_whole
 from fbgen.lang.checker.own_names import with_own_names
 from fbgen.lang.conversion.list_names import without_list_names
@@ -60,7 +61,7 @@ def twincat_to_iec(files: Sequence[File], findings: Findings) -> list[File]:
         node.name.casefold() for node in walk(tuple(files)) if isinstance(node, Member)
     )
     rewriter = _ToIec(findings, named)
-    named_out = with_own_names(files)
+    named_out = with_own_names(named_by_their_files(files))
     plain = without_list_names(with_written_conversions(named_out, findings), findings)
     return [_file(file, "iec", rewriter) for file in plain]
 

@@ -133,3 +133,16 @@ def test_return_with_a_condition_leaves_the_block(engine_name: str) -> None:
     assert (counter.count, counter.behind) == (1, 0)
     counter(stop=False)
     assert (counter.count, counter.behind) == (22, 1)
+
+
+def test_a_list_in_a_text_of_its_own_is_named_after_the_file(engine_name: str) -> None:
+    lists = [
+        Source(f"{name}.st", f"VAR_GLOBAL\n  x : INT := {value};\nEND_VAR\n")
+        for name, value in (("GVL", 3), ("Limits", 4))
+    ]
+    text = "FUNCTION_BLOCK F\nVAR_OUTPUT\n  n : INT;\nEND_VAR\nn := GVL.x * 10 + Limits.x;\n"
+    block = Source("f.st", text + "END_FUNCTION_BLOCK\n")
+    program = load_program([*lists, block], "twincat", engine_name)
+    one = program.instance("F")
+    one()
+    assert one.n == 34
