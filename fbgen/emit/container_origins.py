@@ -43,7 +43,9 @@ def origins_of_lines(
 def _key(unit: ast.Unit) -> tuple[str, str]:
     name = getattr(unit, "name", "")
     text = name if isinstance(name, str) else name.name
-    return type(unit).__name__, "" if isinstance(unit, ast.Globals) else text.casefold()
+    if isinstance(unit, ast.Globals):  # a list has its name in the file only
+        text = next((one.names[0].name for one in unit.section.declarations), "")
+    return type(unit).__name__, text.casefold()
 
 
 def _span(node: object) -> Span | None:

@@ -135,7 +135,7 @@ def test_a_sequence_that_differs_between_two_series_is_fb5001(tmp_path: Path) ->
 def test_every_code_has_a_page_with_a_failing_and_a_fixed_example() -> None:
     texts = [
         path.read_text("utf-8")
-        for folder in ("emit", "blocks")
+        for folder in ("emit", "blocks", "artefacts")
         for path in (PACKAGE / folder).rglob("*.py")
     ]
     codes = set(re.findall(r'"(FB5\d{3})"', "\n".join(texts)))
