@@ -32,6 +32,7 @@ def units(example: str) -> list[str]:
 def test_a_parser_of_others_reads_every_unit(example: str) -> None:
     found = units(example)
     assert len(found) > 15
+    assert sum(text.startswith("FUNCTION_BLOCK") for text in found) >= 10
     for text in found:
         if not text.startswith("CONFIGURATION"):
             assert parse_source_code(text).exception is None, text[:200]

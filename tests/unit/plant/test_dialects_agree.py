@@ -1,7 +1,8 @@
 """The text of every dialect, read back and run, moves the same bytes at the same instants.
 
 Each scenario runs on two plants that differ in nothing but the dialect. What is compared is every
-transfer between master and gateway: when, which outputs, which inputs.
+transfer between master and gateway: when, which outputs, which inputs. The same holds for the two
+engines. The long form takes every scenario file.
 """
 
 from pathlib import Path
@@ -11,7 +12,7 @@ import pytest
 
 from fbgen.catalog import load_catalog
 from harness.fieldbus import Transfer
-from harness.scenario import ScenarioCase, load_scenario, prepare
+from harness.scenario import ScenarioCase, find_scenarios, load_scenario, prepare
 from harness.scenario.model import Variation
 
 ROOT = Path(__file__).parents[3]
@@ -22,6 +23,17 @@ SCENARIOS = (
     "tests/scenarios/trip_and_reset.scenario.yaml",
     "tests/scenarios/drive_lost_and_back.scenario.yaml",
     "tests/scenarios/gateway_power_cycle.scenario.yaml",
+    "tests/scenarios/plc_restart_in_a_telegram.scenario.yaml",
+    "tests/scenarios/two_drives_at_once.scenario.yaml",
+)
+FOR_ONE_PLC = ("gateway_lost_", "own_sequences", "torn_process_image")
+"""Scenarios about one family or one access way."""
+
+EVERY = tuple(
+    pytest.param(str(path.relative_to(ROOT)), marks=pytest.mark.slow)
+    for path in find_scenarios([ROOT / "tests" / "scenarios"])
+    if not any(part in str(path) for part in FOR_ONE_PLC)
+    and str(path.relative_to(ROOT)) not in SCENARIOS
 )
 WHOLE = {"layout": "whole10", "access": "dpxx_dat"}
 IMAGE = {"access": "process_image"}
@@ -40,7 +52,9 @@ TWINS: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
 CATALOG = load_catalog()
 
 
-def transfers(path: Path, changes: dict[str, Any]) -> list[tuple[int, str, bytes, bytes]]:
+def transfers(
+    path: Path, changes: dict[str, Any], engine: str = "compiled"
+) -> list[tuple[int, str, bytes, bytes]]:
     """Every transfer of a scenario on the plant with these changes."""
     found: list[tuple[int, str, bytes, bytes]] = []
 
@@ -48,16 +62,34 @@ def transfers(path: Path, changes: dict[str, Any]) -> list[tuple[int, str, bytes
         name = one.station.settings.name
         found.append((one.time_ns, name, bytes(one.outputs), bytes(one.inputs)))
 
-    run = prepare(ScenarioCase(path, load_scenario(path), Variation(**changes)), CATALOG)
+    scenario = load_scenario(path).model_copy(update={"engine": engine})
+    run = prepare(ScenarioCase(path, scenario, Variation(**changes)), CATALOG)
     run.installation.master.taps.append(note)
     run.run()
     return found
 
 
 @pytest.mark.parametrize("twins", TWINS)
-@pytest.mark.parametrize("scenario", SCENARIOS)
+@pytest.mark.parametrize("scenario", [*SCENARIOS, *EVERY])
 def test_a_dialect_does_what_tia_does(scenario: str, twins: str) -> None:
     first, second = (transfers(ROOT / scenario, changes) for changes in TWINS[twins])
+    assert len(first) > 10
+    assert second == first
+
+
+@pytest.mark.parametrize("dialect", ["tia", "step7", "iec"])
+@pytest.mark.parametrize(
+    "scenario", ["tests/scenarios/plc_restart_in_a_telegram.scenario.yaml", *EVERY]
+)
+def test_both_engines_do_the_same(scenario: str, dialect: str) -> None:
+    changes: dict[str, Any] = {
+        "tia": {},
+        "step7": {"plc": "s7-300", "dialect": "step7"},
+        "iec": {"plc": "iec", "dialect": "iec", **IMAGE},
+    }[dialect]
+    first, second = (
+        transfers(ROOT / scenario, changes, engine) for engine in ("compiled", "reference")
+    )
     assert len(first) > 10
     assert second == first
 
