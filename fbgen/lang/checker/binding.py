@@ -28,6 +28,7 @@ from fbgen.lang.checker.memory_instructions import check_pointer_constant, point
 from fbgen.lang.checker.not_run import cannot_run
 from fbgen.lang.checker.numbered import numbered
 from fbgen.lang.checker.pointers import has_addresses
+from fbgen.lang.checker.same_structure import is_array_as_long
 from fbgen.lang.checker.standard_blocks import parameter_name
 from fbgen.lang.checker.targets import check_target
 from fbgen.lang.checker.unknown_callees import (
@@ -129,7 +130,9 @@ def bind_variables(
                 value = check_expression(ctx, argument.value, variable.type)
             if is_any_value(variable.type) and value.type not in (variable.type, ERRONEOUS):
                 value = cannot_run(ctx, argument.span, f"an argument of type {variable.type.name}")
-            inputs.append((variable, coerce(ctx, value, variable.type, where)))
+            if not is_array_as_long(ctx, value.type, variable.type):
+                value = coerce(ctx, value, variable.type, where)
+            inputs.append((variable, value))
         elif variable.kind in IN_OUTS:
             place = check_target(ctx, argument.value, where)
             back = None if place is None else _written_back(ctx, place, variable)

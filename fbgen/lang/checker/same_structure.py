@@ -40,6 +40,15 @@ def is_copied_by_parts(ctx: Context, source: Type, target: Type) -> bool:
     return _have_same_parts(source, target, dialect == "step7")
 
 
+def is_array_as_long(ctx: Context, one: Type, other: Type) -> bool:
+    """Whether an input of TIA Portal takes an array with other bounds and the same elements."""
+    if ctx.rules.dialect != "tia" or one == other:
+        return False
+    if not isinstance(one, ArrayType) or not isinstance(other, ArrayType):
+        return False
+    return one.element == other.element and _have_same_parts(one, other, exactly=False)
+
+
 def _have_same_parts(one: Type, other: Type, exactly: bool) -> bool:
     if one == other:
         return True

@@ -43,3 +43,8 @@ def test_a_result_and_a_chain_are_worked_out_once(copies: BlockInstance) -> None
     assert (copies.first.across, copies.first.others.name) == (3, "made")
     assert list(copies.first.values) == [0, 0, 4]
     assert list(copies.second.list) == [0, 0, 4]
+
+
+def test_inputs_take_arrays_with_other_bounds(copies: BlockInstance) -> None:
+    assert copies.ends == 24
+    assert (copies.keeps.last, list(copies.keeps.list)) == (4, [2, 0, 0, 4])
