@@ -7,13 +7,16 @@ from functools import cache
 import pytest
 from defusedxml.ElementTree import fromstring
 
+from fbgen.artefacts.alarm_lists import wincc_rows
+from fbgen.artefacts.view import PlantLists
 from fbgen.blocks.alarms import LINE_ALARMS, drive_alarms
 from fbgen.lang.checked import Program
-from fbgen.plant import LANGUAGES
+from fbgen.plant import LANGUAGES, read_plant
 from fbgen.source import Source
 from harness.engine.loading import read_program
 from harness.engine.path_types import type_at
-from tests.unit.artefacts.reading import data, generated, sheets, table
+from tests.unit.artefacts.reading import TWO_GATEWAYS, data, generated, sheets, table
+from tests.unit.blocks.programs import shipped_catalog
 
 DIALECTS = ["tia", "step7", "iec", "twincat", "plcopen"]
 
@@ -69,6 +72,19 @@ def test_the_trip_of_a_drive_is_a_field_in_its_alarm() -> None:
 
 def test_the_csv_of_the_alarms_says_what_the_workbook_says() -> None:
     assert table(data("hall_alarms.csv")) == sheets(data("hall_alarms.xlsx"))["DiscreteAlarms"]
+
+
+def test_a_german_plant_has_german_alarms_under_german_columns() -> None:
+    catalog = shipped_catalog()
+    plant = read_plant(Source("plant.yaml", TWO_GATEWAYS), catalog)
+    rows = wincc_rows(PlantLists(plant, catalog, generated(), "de"))
+    assert "Alarm text [de-DE], Alarm text" in rows[0]
+    assert "Info text [de-DE], Info text" in rows[0]
+    assert rows[1][2] == "Hall north: Gateway nimmt nicht teil"
+    english = wincc_rows(PlantLists(plant, catalog, generated(), "en"))
+    for one, other in zip(rows[1:], english[1:], strict=True):
+        assert one[2] != other[2]
+        assert (one[:2], one[3:13]) == (other[:2], other[3:13])
 
 
 def test_every_tag_that_the_alarms_name_is_among_the_hmi_tags() -> None:
