@@ -20,9 +20,13 @@ _OF_SEQUENCE_BLOCK = frozenset(
         *("instdelay", "statdelaying", "statdelay", "statexecute"),
         *("instlimit", "statwaiting", "statlimit"),
         *("tempstart", "tempsend", "tempreleased", "tempnext", "tempstatus"),
+        *("deviations", "deviant"),
     )
 )
 """What templates/blocks/TOS_Seq.scl.jinja and templates/types/typeTosSeq.udt.jinja declare."""
+
+_OF_SEQUENCE_STEPS = ("stat_", "statcount_", "expected_", "found_")
+"""How the names begin that the steps of a sequence bring with them."""
 
 _OF_GATEWAY = frozenset({"line"})
 """What templates/types/typeTosGateway.udt.jinja declares beside the drives."""
@@ -48,7 +52,7 @@ def _sequence(sequence: Sequence) -> Iterator[Diagnostic]:
         yield _taken(f"the sequence's id '{sequence.id}' is a reserved word", place)
     interface: tuple[Parameter | Result, ...] = (*sequence.parameters, *sequence.results)
     for item in interface:
-        if item.name in _OF_SEQUENCE_BLOCK or item.name.startswith(("stat_", "statcount_")):
+        if item.name in _OF_SEQUENCE_BLOCK or item.name.startswith(_OF_SEQUENCE_STEPS):
             message = f"'{item.name}' is called like a variable of the block itself"
             yield _taken(message, item.span_of("name"))
         elif _is_reserved(item.name):

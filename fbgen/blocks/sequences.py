@@ -1,6 +1,6 @@
 """Command sequences as templates see them: steps with their telegrams spelled out in SCL."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from fbgen.blocks.literals import NOTHING, SclText, comno, milliseconds, one_line, real, word
@@ -8,6 +8,7 @@ from fbgen.blocks.words import bits_origin
 from fbgen.catalog import (
     BranchStep,
     Catalog,
+    CheckStep,
     ComNo,
     Condition,
     DelayStep,
@@ -18,6 +19,7 @@ from fbgen.catalog import (
     RepeatStep,
     Result,
     Sequence,
+    Setting,
     Step,
     WaitStep,
     WriteStep,
@@ -56,6 +58,7 @@ class StepView:
     timeout: SclText = NOTHING
     duration: SclText = NOTHING
     store: SclText = NOTHING
+    noted: tuple[SclText, ...] = ()
     condition: SclText = NOTHING
     limit: SclText = NOTHING
     target: SclText = NOTHING
@@ -77,7 +80,12 @@ class SequenceView:
     @property
     def read_steps(self) -> tuple[StepView, ...]:
         """The steps that look at the reply."""
-        return tuple(step for step in self.steps if step.kind in ("read", "wait"))
+        return tuple(step for step in self.steps if step.kind in ("read", "check", "wait"))
+
+    @property
+    def has_checks(self) -> bool:
+        """Whether the block counts what is not as it is to be."""
+        return any(step.kind == "check" for step in self.steps)
 
     @property
     def waits(self) -> tuple[StepView, ...]:
@@ -106,7 +114,7 @@ def sequence_view(sequence: Sequence, drive: Drive, catalog: Catalog) -> Sequenc
         title=one_line(sequence.title),
         description=tuple(line for text in paragraphs for line in _wrap(one_line(text))),
         parameters=tuple(_parameter(item) for item in sequence.parameters),
-        results=tuple(_parameter(item) for item in sequence.results),
+        results=(*(_parameter(item) for item in sequence.results), *builder.noted()),
         steps=steps,
         uses_max_frequency=builder.uses_max_frequency,
     )
@@ -122,7 +130,7 @@ class _Steps:
         self.uses_max_frequency = any(
             isinstance(step, WriteStep) and step.parameter and self._is_setpoint(step.parameter)
             for step in sequence.steps
-        )
+        ) or any(setting.plant == "max_frequency_hz" for _, setting in self._checks())
 
     def view(self, number: int) -> StepView:
         step = self.sequence.steps[number - 1]
@@ -130,6 +138,8 @@ class _Steps:
             return self._write(number, step)
         if isinstance(step, ReadStep):
             return self._read(number, step)
+        if isinstance(step, CheckStep):
+            return self._check(number, step)
         if isinstance(step, WaitStep):
             return self._wait(number, step)
         if isinstance(step, BranchStep):
@@ -165,6 +175,66 @@ class _Steps:
             timeout=self._timeout(step),
             store=SclText(f"#{result.name} := {self._received(result)};", origin("step", step)),
         )
+
+    def _checks(self) -> Iterator[tuple[CheckStep, Setting]]:
+        """Each check with the setting that its value is from."""
+        for step in self.sequence.steps:
+            if isinstance(step, CheckStep):
+                name = self.drive.comno(step.check).name
+                setting = None if step.equals is not None else self.drive.setting(name)
+                yield step, setting or Setting(comno=name, value=step.equals, why=name)
+
+    def noted(self) -> Iterator[ParameterView]:
+        """What checks leave: how many deviate, which was the first, what each was to be and was."""
+        checks = [step for step in self.sequence.steps if isinstance(step, CheckStep)]
+        if not checks:
+            return
+        yield ParameterView("deviations", "Int", "", SclText("how many ComNos deviate"))
+        yield ParameterView("deviant", "Word", "", SclText("the first of them, 0000 for none"))
+        for step in checks:
+            comno_ = self.drive.comno(step.check)
+            place = origin(f"ComNo {comno_.hex}", comno_, comno_.source or "")
+            display = f"{comno_.display}, " if comno_.display else ""
+            title = one_line(f"{display}{comno_.title}")
+            yield ParameterView(f"expected_{comno_.hex}", "Word", "", SclText(title, place))
+            yield ParameterView(f"found_{comno_.hex}", "Word", "", SclText("what was read", place))
+
+    def _check(self, number: int, step: CheckStep) -> StepView:
+        target = self.drive.comno(step.check)
+        setting = next(setting for one, setting in self._checks() if one is step)
+        place = origin(f"setting of {target.name}", setting, setting.source or "")
+        expected, found = f"#expected_{target.hex}", f"#found_{target.hex}"
+        noted = (
+            f"{found} := #channel.reply.data;",
+            f"IF {found} <> {expected} THEN",
+            "   #deviations := #deviations + 1;",
+            "   IF #deviant = 16#0000 THEN",
+            f"      #deviant := 16#{target.hex};",
+            "   END_IF;",
+            "END_IF;",
+        )
+        return StepView(
+            number,
+            "check",
+            _comment(step, f"check {target.name}"),
+            self._command("read_padded"),
+            comno(target),
+            (
+                SclText("#channel.request.data := 16#0000;"),
+                SclText(f"{expected} := {self._wanted(target, setting)};", place),
+            ),
+            timeout=self._timeout(step),
+            noted=tuple(SclText(line, place) for line in noted),
+        )
+
+    def _wanted(self, target: ComNo, setting: Setting) -> str:
+        """What a parameter is to be, as a word."""
+        if setting.plant == "inv_no":
+            return "BYTE_TO_WORD(#invNo)"
+        if setting.plant == "max_frequency_hz":
+            factor = real(round(1 / target.resolution, 6))
+            return f"DWORD_TO_WORD(DINT_TO_DWORD(REAL_TO_DINT(#maxFrequency * {factor})))"
+        return str(word(target.to_word(setting.value or 0.0)))
 
     def _delay(self, number: int, step: DelayStep) -> StepView:
         place = origin(f"step {number} of {self.sequence.id}", step)
@@ -323,7 +393,7 @@ class _Steps:
         place = origin(f"command {command.letter}", command, command.source or "")
         return SclText(f"16#{command.code:02X}", place)
 
-    def _timeout(self, step: WriteStep | ReadStep | WaitStep) -> SclText:
+    def _timeout(self, step: WriteStep | ReadStep | CheckStep | WaitStep) -> SclText:
         if step.timeout_ms is not None:
             return milliseconds(step.timeout_ms, origin("timeout_ms", step))
         return milliseconds(self.sequence.reply_timeout_ms, origin("timeout", self.sequence))

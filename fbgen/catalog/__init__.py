@@ -14,8 +14,10 @@ from fbgen.catalog.located import Located, origin, validate
 from fbgen.catalog.options import Option, OptionValue
 from fbgen.catalog.protocols import Command, ErrorCode, Frame, Protocol
 from fbgen.catalog.sequences import Parameter, Result, Sequence, Telegram
+from fbgen.catalog.settings import Setting, Switch
 from fbgen.catalog.steps import (
     BranchStep,
+    CheckStep,
     Condition,
     Delay,
     DelayStep,
@@ -40,6 +42,7 @@ __all__ = [
     "Delay",
     "DelayStep",
     "BranchStep",
+    "CheckStep",
     "Condition",
     "RepeatStep",
     "WaitStep",
@@ -62,8 +65,10 @@ __all__ = [
     "Replacement",
     "Result",
     "Sequence",
+    "Setting",
     "StatusCode",
     "Step",
+    "Switch",
     "Telegram",
     "Trip",
     "Word",

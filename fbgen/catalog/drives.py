@@ -9,6 +9,7 @@ from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
 from fbgen.catalog.options import Option
 from fbgen.catalog.scalars import EntryId, Flag, HexWord, Number, Real, SnakeName, Text
+from fbgen.catalog.settings import Setting, Switch
 from fbgen.catalog.sourced import Duration, Sourced
 from fbgen.catalog.words import Word
 from fbgen.diagnostics import Diagnostic, error
@@ -159,6 +160,8 @@ class Drive(Sourced):
     comnos: tuple[ComNo, ...]
     trips: tuple[Trip, ...]
     options: tuple[Option, ...] = ()
+    settings: tuple[Setting, ...] = ()
+    switches: tuple[Switch, ...] = ()
 
     def comno(self, key: str | int) -> ComNo:
         """The ComNo of a name, of a number as text (`FA00`) or of a number.
@@ -177,6 +180,10 @@ class Drive(Sourced):
     def word(self, name: str) -> Word:
         """The word of a name. Raises DiagnosticError FB1201 with the nearest names."""
         return pick(self.words, name, "FB1201", f"'{self.id}' has no word '{name}'")
+
+    def setting(self, name: str) -> Setting | None:
+        """How a ComNo is set for this kind of plant, by its name; None if nothing is said."""
+        return next((item for item in self.settings if item.comno == name), None)
 
     @property
     def command_word(self) -> Word:
@@ -197,10 +204,13 @@ class Drive(Sourced):
         yield from no_duplicates(self.words, "name", lambda item: item.name, "word")
         yield from no_duplicates(self.trips, "code", lambda item: f"{item.code:04X}", "trip")
         yield from no_duplicates(self.options, "id", lambda item: item.id, "option")
+        yield from no_duplicates(self.settings, "comno", lambda item: item.comno, "setting")
         names = {comno.name for comno in self.comnos}
         words = {word.name for word in self.words}
         for role in CommandLink.model_fields:
             yield from _known(self.link, role, getattr(self.link, role), names, "ComNo")
+        for setting in self.settings:
+            yield from _known(setting, "comno", setting.comno, names, "ComNo")
         for comno in self.comnos:
             yield from _known(comno, "limited_by", comno.limited_by, names, "ComNo")
             yield from _known(comno, "frozen_copy_of", comno.frozen_copy_of, names, "ComNo")

@@ -10,6 +10,7 @@ from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
 from fbgen.catalog.options import Option
 from fbgen.catalog.scalars import Count, EntryId, Flag, HexByte, HexWord, SnakeName, Text
+from fbgen.catalog.settings import Switch
 from fbgen.catalog.sourced import Duration, Sourced
 from fbgen.catalog.words import Word
 from fbgen.diagnostics import Diagnostic
@@ -141,6 +142,7 @@ class Gateway(Sourced):
     times: GatewayTimes
     leds: tuple[Led, ...]
     options: tuple[Option, ...]
+    switches: tuple[Switch, ...] = ()
 
     def layout(self, name: str) -> Layout:
         """The layout of a name. Raises DiagnosticError FB1105 with the nearest names."""

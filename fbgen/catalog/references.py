@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from fbgen.catalog.drives import ComNo, Drive
 from fbgen.catalog.located import Located
 from fbgen.catalog.sequences import Parameter, Result, Sequence
-from fbgen.catalog.steps import Condition, ReadStep, WaitStep, WriteStep
+from fbgen.catalog.steps import CheckStep, Condition, ReadStep, WaitStep, WriteStep
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.nearest import nearest
 from fbgen.source import Span
@@ -54,12 +54,16 @@ def _sequence(sequence: Sequence, drive: Drive) -> Iterator[Diagnostic]:
     for item in items:
         if item.scaled_by is not None:
             yield from _comno(item, "scaled_by", item.scaled_by, drive, "")
+    checked: set[int] = set()
     for step in sequence.steps:
         if isinstance(step, WriteStep):
             yield from _comno(step, "write", step.write, drive, "w")
             yield from _bits(step, drive)
         elif isinstance(step, ReadStep):
             yield from _comno(step, "read", step.read, drive, "r")
+        elif isinstance(step, CheckStep):
+            yield from _comno(step, "check", step.check, drive, "r")
+            yield from _expected(step, drive, checked)
         elif isinstance(step, WaitStep):
             yield from _comno(step, "wait", step.wait, drive, "r")
             yield from _awaited(step, step.until, drive)
@@ -99,6 +103,30 @@ def _awaited(step: WaitStep, until: Condition, drive: Drive) -> Iterator[Diagnos
                 until.span_of(name),
                 f"use 0 to {comno.to_value(0xFFFF):g} {comno.unit}".rstrip(),
             )
+
+
+def _expected(step: CheckStep, drive: Drive, checked: set[int]) -> Iterator[Diagnostic]:
+    """FB1102 a ComNo that was checked already; FB1107 no value, or one that it cannot have."""
+    try:
+        comno = drive.comno(step.check)
+    except DiagnosticError:
+        return
+    if comno.number in checked:
+        message = f"{comno.hex} '{comno.name}' is checked twice in one sequence"
+        yield Diagnostic("FB1102", message, step.span_of("check"), "leave one of them out")
+    checked.add(comno.number)
+    if step.equals is None:
+        setting = drive.setting(comno.name)
+        if setting is None or not setting.always:
+            yield Diagnostic(
+                "FB1107",
+                f"the settings of '{drive.id}' do not say what {comno.hex} '{comno.name}' is to be",
+                step.span_of("check"),
+                "say it here with equals:, in the unit of the ComNo",
+            )
+    elif not 0 <= comno.to_word(step.equals) <= 0xFFFF:
+        message = f"{step.equals:g} is no value of {comno.hex} '{comno.name}'"
+        yield Diagnostic("FB1107", message, step.span_of("equals"))
 
 
 def _bits(step: WriteStep, drive: Drive) -> Iterator[Diagnostic]:

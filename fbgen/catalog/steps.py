@@ -1,4 +1,4 @@
-"""The steps of a command sequence: write, read, delay, wait, branch, repeat.
+"""The steps of a command sequence: write, read, check, delay, wait, branch, repeat.
 
 A step is a mapping with one of these keys, and may have a `label` to which others go. ComNos and
 bits are named as in the drive series for which the sequence is made.
@@ -82,6 +82,17 @@ class ReadStep(LabelledStep):
     timeout_ms: Annotated[Count, Field(ge=1, le=60_000)] | None = None
 
 
+class CheckStep(LabelledStep):
+    """Read a ComNo and note it if it is not as it is to be; the sequence goes on.
+
+    It is to be `equals`, in its unit, or without that what the `settings` of the series say.
+    """
+
+    check: Text
+    equals: Real | None = None
+    timeout_ms: Annotated[Count, Field(ge=1, le=60_000)] | None = None
+
+
 class Delay(Located):
     """A time: fixed in milliseconds, one that the drive's entry knows, or a TIME parameter."""
 
@@ -161,7 +172,7 @@ class RepeatStep(LabelledStep):
     times: Annotated[Count, Field(ge=2, le=1000)]
 
 
-_KINDS = ("write", "read", "delay", "wait", "branch", "repeat")
+_KINDS = ("write", "read", "check", "delay", "wait", "branch", "repeat")
 
 
 def _kind(step: Any) -> str | None:
@@ -174,6 +185,7 @@ def _kind(step: Any) -> str | None:
 Step = Annotated[
     Annotated[WriteStep, Tag("write_step")]
     | Annotated[ReadStep, Tag("read_step")]
+    | Annotated[CheckStep, Tag("check_step")]
     | Annotated[DelayStep, Tag("delay_step")]
     | Annotated[WaitStep, Tag("wait_step")]
     | Annotated[BranchStep, Tag("branch_step")]

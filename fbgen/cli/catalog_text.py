@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from fbgen.catalog import (
     BranchStep,
+    CheckStep,
     ComNo,
     Condition,
     Drive,
@@ -200,6 +201,9 @@ def _step(step: Step) -> tuple[str, str]:
             return f"write {step.write} = {step.parameter}", title
         bits = [*(step.bits or ()), *(f"{bit}={name}" for bit, name in step.bits_from.items())]
         return f"write {step.write} = {' '.join(bits) or '0000'}", title
+    if isinstance(step, CheckStep):
+        wanted = "as its setting" if step.equals is None else f"{step.equals:g}"
+        return f"check that {step.check} is {wanted}", title
     if isinstance(step, WaitStep):
         return f"read {step.wait} until {_condition(step.until)}, {step.limit_ms} ms at most", title
     if isinstance(step, BranchStep):
