@@ -7,6 +7,7 @@ from pathlib import Path
 from fbgen.artefacts.alarm_lists import alarm_lists
 from fbgen.artefacts.hmi_tags import hmi_tags
 from fbgen.artefacts.memory import too_large, work_memory
+from fbgen.artefacts.parameter_sheets import parameter_sheets
 from fbgen.artefacts.plc_tags import plc_tags
 from fbgen.artefacts.readme import readme
 from fbgen.artefacts.view import PlantLists
@@ -27,6 +28,7 @@ def with_artefacts(
         *hmi_tags(lists),
         *alarm_lists(lists),
         *watch_tables(lists),
+        *parameter_sheets(lists),
     ]
     found.append(readme(lists, memory, found, templates))
     warnings = (*generated.warnings, *too_large(lists, memory))

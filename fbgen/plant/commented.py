@@ -62,6 +62,7 @@ sequences:
   - read_current
   - read_status
   - fault_reset
+  - check_parameters   # reads back what must be set at the inverter; see the parameter sheets
   - emergency_stop
   # - start_and_wait  # one of your own: sequences/start_and_wait.yaml beside this file
 

@@ -1,0 +1,174 @@
+"""The parameter sheet of each drive: what has to be set at inverter, option board and gateway.
+
+For the person at the inverter with its manual in the other hand: one sheet a drive in Markdown, and
+the same as one table in CSV. What the sequence `check_parameters` compares is marked.
+"""
+
+from collections.abc import Iterator
+
+from fbgen.artefacts.text_table import csv_table
+from fbgen.artefacts.view import PlantLists
+from fbgen.catalog import CheckStep, ComNo, Drive, Setting, Switch
+from fbgen.emit.generated import Artefact
+from fbgen.plant import PlantDrive, PlantGateway
+
+CHECK = "check_parameters"
+_HEADINGS = {
+    "en": (
+        *("gateway", "drive", "INV-NO", "parameter", "ComNo", "title", "value", "unit"),
+        *("word", "meaning", "only if", "why", "compared", "source"),
+    ),
+    "de": (
+        *("Gateway", "Antrieb", "INV-NO", "Parameter", "ComNo", "Titel", "Wert", "Einheit"),
+        *("Wort", "Bedeutung", "nur wenn", "Grund", "verglichen", "Quelle"),
+    ),
+}
+
+
+def parameter_sheets(lists: PlantLists) -> Iterator[Artefact]:
+    """The sheets of all drives in Markdown, and as a table in CSV."""
+    text = "\n".join(_document(lists)) + "\n"
+    yield Artefact(lists.file_name("parameters.md"), text.encode("utf-8"))
+    rows = [_HEADINGS[lists.language], *_rows(lists)]
+    yield Artefact(lists.file_name("parameters.csv"), csv_table(rows))
+
+
+def value_of(setting: Setting, drive: PlantDrive) -> float | None:
+    """What a parameter is set to at one drive; None where the machine decides."""
+    if setting.plant == "inv_no":
+        return drive.inv_no
+    return drive.max_frequency_hz if setting.plant == "max_frequency_hz" else setting.value
+
+
+def _compared(lists: PlantLists, series: Drive) -> frozenset[int]:
+    """The ComNos that the plant's own check reads back."""
+    if CHECK not in lists.plant.sequences:
+        return frozenset()
+    steps = lists.catalog.sequence(CHECK).steps
+    return frozenset(
+        series.comno(step.check).number for step in steps if isinstance(step, CheckStep)
+    )
+
+
+def _rows(lists: PlantLists) -> Iterator[tuple[str, ...]]:
+    for gateway in lists.plant.gateways:
+        for drive in gateway.drives:
+            series = lists.catalog.drive(drive.series)
+            compared = _compared(lists, series)
+            for setting in series.settings:
+                comno = series.comno(setting.comno)
+                value = value_of(setting, drive)
+                yes = comno.number in compared
+                yield (
+                    *(gateway.name, drive.name, str(drive.inv_no)),
+                    *(comno.display or "", comno.hex, comno.title),
+                    *(_number(value), comno.unit if value is not None else ""),
+                    "" if value is None else f"{comno.to_word(value):04X}",
+                    *(_meaning(comno, value), setting.when or "", setting.why),
+                    lists.in_words("yes", "ja") if yes else "",
+                    _source(setting),
+                )
+
+
+def _document(lists: PlantLists) -> Iterator[str]:
+    plant = lists.plant
+    title = lists.in_words("Parameter sheets", "Parameterblaetter")
+    yield f"# {title}: {plant.title or plant.name}"
+    yield ""
+    yield lists.in_words(
+        "Set this by hand at each inverter, its option board and each gateway. F800, F801 and F820 "
+        "take effect when the supply was off until the display was dark.",
+        "Das ist an jedem Umrichter, seiner Optionsplatine und jedem Gateway von Hand "
+        "einzustellen. F800, F801 und F820 wirken, wenn die Versorgung aus war, bis die Anzeige dunkel war.",
+    )
+    yield ""
+    if CHECK in plant.sequences:
+        yield lists.in_words(
+            f"`TOS_Seq_{CHECK}` reads the rows marked with * back and reports what deviates.",
+            f"`TOS_Seq_{CHECK}` liest die Zeilen mit * zurueck und meldet Abweichungen.",
+        )
+    else:
+        yield lists.in_words(
+            f"With `{CHECK}` among the sequences of the plant file the PLC reads them back.",
+            f"Mit `{CHECK}` bei den Sequenzen der Anlagendatei liest die SPS sie zurueck.",
+        )
+    for gateway in plant.gateways:
+        yield from _gateway(lists, gateway)
+        for drive in gateway.drives:
+            yield from _sheet(lists, gateway, drive)
+
+
+def _gateway(lists: PlantLists, gateway: PlantGateway) -> Iterator[str]:
+    entry = lists.catalog.gateway(gateway.type)
+    line = entry.subnetwork
+    yield ""
+    yield f"## Gateway {gateway.title or gateway.name}"
+    yield ""
+    address = lists.in_words("PROFIBUS address", "PROFIBUS-Adresse")
+    yield (
+        f"{gateway.type}, {address} {gateway.profibus_address}; "
+        f"{line.baud} bit/s, {line.data_bits} bit, {line.parity}, {line.stop_bits} stop"
+    )
+    yield ""
+    yield from _switches(lists, entry.switches, gateway.profibus_address)
+
+
+def _sheet(lists: PlantLists, gateway: PlantGateway, drive: PlantDrive) -> Iterator[str]:
+    series = lists.catalog.drive(drive.series)
+    compared = _compared(lists, series)
+    yield ""
+    yield f"## {lists.in_words('Drive', 'Antrieb')} {drive.title or drive.name}"
+    yield ""
+    yield f"{series.title}, INV-NO {drive.inv_no}, gateway {gateway.name}"
+    yield ""
+    head = lists.in_words(
+        "| | parameter | ComNo | value | meaning | why | source |",
+        "| | Parameter | ComNo | Wert | Bedeutung | Grund | Quelle |",
+    )
+    yield from (head, "|---|---|---|---|---|---|---|")
+    for setting in series.settings:
+        comno = series.comno(setting.comno)
+        value = value_of(setting, drive)
+        shown = f"**{_number(value)}** {comno.unit}".strip() if value is not None else "-"
+        only = lists.in_words("only if", "nur wenn")
+        why = f"{only} {setting.when}: {setting.why}" if setting.when else setting.why
+        cells = (
+            *("*" if comno.number in compared else "", comno.display or "", comno.hex, shown),
+            *(_meaning(comno, value) or comno.title, why, _source(setting)),
+        )
+        yield f"| {' | '.join(_cell(cell) for cell in cells)} |"
+    yield ""
+    yield from _switches(lists, series.switches, gateway.profibus_address)
+
+
+def _switches(lists: PlantLists, switches: tuple[Switch, ...], address: int) -> Iterator[str]:
+    if not switches:
+        return
+    yield from (
+        lists.in_words(
+            "| switch | where | position | source |", "| Schalter | wo | Stellung | Quelle |"
+        ),
+        "|---|---|---|---|",
+    )
+    for switch in switches:
+        stands = switch.stands
+        if stands is None:
+            stands = f"**{address % 10 if switch.shows == 'ones' else address // 10}**"
+        cells = (switch.name, switch.where, stands, _source(switch))
+        yield f"| {' | '.join(_cell(cell) for cell in cells)} |"
+
+
+def _meaning(comno: ComNo, value: float | None) -> str:
+    return "" if value is None else comno.values.get(comno.to_word(value), "")
+
+
+def _source(entry: Setting | Switch) -> str:
+    return entry.source or "unverified"
+
+
+def _number(value: float | None) -> str:
+    return "" if value is None else f"{value:g}"
+
+
+def _cell(text: str) -> str:
+    return " ".join(text.split()).replace("|", "\\|")
