@@ -79,7 +79,8 @@ def _document(lists: PlantLists) -> Iterator[str]:
         "Set this by hand at each inverter, its option board and each gateway. F800, F801 and F820 "
         "take effect when the supply was off until the display was dark.",
         "Das ist an jedem Umrichter, seiner Optionsplatine und jedem Gateway von Hand "
-        "einzustellen. F800, F801 und F820 wirken, wenn die Versorgung aus war, bis die Anzeige dunkel war.",
+        "einzustellen. F800, F801 und F820 wirken, wenn die Versorgung aus war, bis die Anzeige "
+        "dunkel war.",
     )
     yield ""
     if CHECK in plant.sequences:
