@@ -24,6 +24,8 @@ _WITH_STARTUP_BLOCKS = ("tia", "step7")
 """Dialects of PLCs that may keep data over a restart, and have OB100 to say so."""
 ERROR_BLOCKS = ("OB82", "OB85", "OB86", "OB122")
 """The organization blocks without which an error event takes an S7-300/400 to STOP."""
+SERIAL_COMMANDS = "serial communication"
+"""What the value of a command source is called in the catalogue that stands for the network."""
 _LONGEST_TRIP_TEXT = 40
 _COMMANDS_IN_A_ROW = 8
 """Telegrams of drives after which the status poll has its turn, while more of them wait."""
@@ -271,6 +273,7 @@ def _drive_context(drive: Drive, catalog: Catalog) -> dict[str, object]:
             "output_frequency": comno(drive.comno(drive.link.output_frequency)),
             "output_current": comno(drive.comno(drive.link.output_current)),
             "trip_source": source_text(trip, trip.source),
+            "command_source": _command_source(drive),
         },
         "drive_command": WordView(drive.command_word, drive.id),
         "drive_status": WordView(drive.word(drive.comno(drive.link.status).word or ""), drive.id),
@@ -287,6 +290,18 @@ def _drive_context(drive: Drive, catalog: Catalog) -> dict[str, object]:
 
 def _duration(time: Duration, name: str) -> SclText:
     return milliseconds(time.ms, origin(name, time, time.source or ""))
+
+
+def _command_source(drive: Drive) -> dict[str, SclText] | None:
+    """The ComNo that says who commands, and its value for the network; None if there is none."""
+    if drive.link.command_source is None:
+        return None
+    source = drive.comno(drive.link.command_source)
+    values = [value for value, text in source.values.items() if text == SERIAL_COMMANDS]
+    if not values:
+        return None
+    place = origin(f"ComNo {source.hex}", source, source.source or "")
+    return {"number": comno(source), "network": word(int(values[0]), place)}
 
 
 def _trip(trip: Trip) -> dict[str, SclText]:

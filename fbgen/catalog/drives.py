@@ -131,7 +131,10 @@ class DriveTimes(Located):
 
 
 class CommandLink(Located):
-    """Which ComNos steer the inverter and tell its state, by the ComNos' names."""
+    """Which ComNos steer the inverter and tell its state, by the ComNos' names.
+
+    `command_source` says whether it obeys the network or its panel; not every series has it.
+    """
 
     command: SnakeName
     setpoint: SnakeName
@@ -143,6 +146,7 @@ class CommandLink(Located):
     maximum_frequency: SnakeName
     timeout: SnakeName
     inv_no: SnakeName
+    command_source: SnakeName | None = None
 
 
 class Drive(Sourced):

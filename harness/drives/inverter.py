@@ -174,6 +174,11 @@ class Inverter:
         self.operation.panel = panel
         self._follow()
 
+    def switch_to_local(self, local: bool) -> None:
+        """Switch it at a terminal to local control, or back to what CMOd and the network say."""
+        self.operation.local = local
+        self._follow()
+
     def read_parameter(self, key: str | int) -> float:
         """The value of a ComNo in its unit, as a read over the line gives it. FB1105 if unknown."""
         comno = self.series.comno(key)

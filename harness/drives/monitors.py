@@ -116,6 +116,7 @@ class Monitors:
             "status": lambda: self.status,
             "output_frequency": lambda: _hundredths(operation.output_hz),
             "frequency_command": lambda: _hundredths(operation.wish.hz),
+            "command_source": lambda: operation.command_source,
             "output_current": lambda: _hundredths(operation.current_percent),
             "output_voltage": lambda: _hundredths(motor.voltage_percent(operation.output_hz)),
             "dc_voltage": lambda: _hundredths(self.dc_voltage_percent),

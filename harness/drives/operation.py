@@ -87,6 +87,7 @@ class Operation:
         "_setpoint",
         "command",
         "load",
+        "local",
         "mode",
         "motor",
         "panel",
@@ -115,6 +116,7 @@ class Operation:
         self.motor = motor
         self.load = load
         self.panel = Panel()
+        self.local = False
         self.command = 0
         self.mode = Mode.STOP
         self.ramp = standing(kernel.now_ns)
@@ -123,16 +125,26 @@ class Operation:
 
     @property
     def network_command(self) -> bool:
-        """True while run and stop come from the command word: by bit 15 or by CMOd."""
-        return (
+        """True while run and stop come from the command word: by bit 15 or by CMOd.
+
+        A terminal that forces local control wins over both (VF-AS1 E6581315, 8.1, input 48).
+        """
+        return not self.local and (
             bool(self.command & self._bits.network_command)
             or self._registers.word("command_mode") == self._serial_mode
         )
 
     @property
+    def command_source(self) -> int:
+        """Who commands at present, in the values of CMOd; a forced one is the terminal board."""
+        if self.network_command:
+            return 0 if self._serial_mode is None else int(self._serial_mode)
+        return 0 if self.local else self._registers.word("command_mode")
+
+    @property
     def network_frequency(self) -> bool:
         """True while the set-point comes from FA01, by bit 14."""
-        return bool(self.command & self._bits.network_frequency)
+        return not self.local and bool(self.command & self._bits.network_frequency)
 
     @property
     def output_hz(self) -> float:

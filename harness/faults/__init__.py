@@ -5,6 +5,7 @@ from types import MappingProxyType
 
 from harness.faults import (
     cpu_stopped,
+    drive_local,
     drive_tripped,
     drive_unpowered,
     gateway_unpowered,
@@ -19,6 +20,7 @@ __all__ = ["FAULTS", "Fault", "FaultSettings", "FaultType", "Target"]
 
 _MODULES = (
     cpu_stopped,
+    drive_local,
     drive_tripped,
     drive_unpowered,
     gateway_unpowered,

@@ -14,6 +14,8 @@ from harness.engine.variables import plain
 from tests.unit.blocks.programs import block
 
 CYCLE_MS = 10
+COMMAND_SOURCE, NETWORK, TERMINALS = 0xFD45, 2, 0
+"""Who commands a drive: the ComNo, and two of its values."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,8 +43,8 @@ class Answer:
 
 
 def echo(request: Request) -> Answer:
-    """What a drive that is well does: it repeats what was written."""
-    return Answer(request.data)
+    """What a drive that is well does: it repeats what was written, and obeys the network."""
+    return Answer(NETWORK if request.comno == COMMAND_SOURCE else request.data)
 
 
 class ChannelBench:

@@ -9,7 +9,7 @@ import pytest
 
 from harness import LoadedProgram
 from harness.engine.variables import plain
-from tests.unit.blocks.channel_bench import CYCLE_MS, Answer, ChannelBench, echo
+from tests.unit.blocks.channel_bench import COMMAND_SOURCE, CYCLE_MS, Answer, ChannelBench, echo
 
 RUNNING = 0x0400
 
@@ -43,8 +43,9 @@ class DriveBench(ChannelBench):
         return self.drive["state"]
 
     def words(self) -> list[str]:
-        """ComNo and data of all requests."""
-        return [f"{request.comno:04X} {request.data:04X}" for request in self.requests]
+        """ComNo and data of all requests that write."""
+        written = [one for one in self.requests if one.comno != COMMAND_SOURCE]
+        return [f"{request.comno:04X} {request.data:04X}" for request in written]
 
 
 def running(program: LoadedProgram) -> DriveBench:
