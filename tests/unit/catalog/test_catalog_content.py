@@ -37,6 +37,7 @@ def test_the_shipped_entries_are_there() -> None:
         "fault_reset",
         "emergency_stop",
         "manual_example",
+        "check_parameters",
     }
 
 
