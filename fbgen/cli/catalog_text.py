@@ -13,6 +13,7 @@ from fbgen.catalog import (
     ReadStep,
     RepeatStep,
     Step,
+    Switch,
     WaitStep,
     Word,
     WriteStep,
@@ -112,8 +113,31 @@ def _drive(drive: Drive, sources: _Sources) -> list[str]:
         table(["word", "source", "title"], words),
         table(headings, comnos),
         table(["trip", "panel", "source", "meaning"], trips),
+        *_settings(drive, sources),
+        *_switches(drive.switches, sources),
         *_options(drive.options, sources),
     ]
+
+
+def _settings(drive: Drive, sources: _Sources) -> list[str]:
+    rows = [
+        [
+            drive.comno(item.comno).display or drive.comno(item.comno).hex,
+            item.plant or ("-" if item.value is None else f"{item.value:g}"),
+            sources.of(item),
+            f"if {item.when}: {item.why}" if item.when else item.why,
+        ]
+        for item in drive.settings
+    ]
+    return [table(["set", "to", "source", "why"], rows)] if rows else []
+
+
+def _switches(switches: tuple[Switch, ...], sources: _Sources) -> list[str]:
+    rows = [
+        [item.name, item.where, item.stands or f"{item.shows} of the address", sources.of(item)]
+        for item in switches
+    ]
+    return [table(["switch", "where", "position", "source"], rows)] if rows else []
 
 
 def _gateway(gateway: Gateway, sources: _Sources) -> list[str]:
@@ -149,6 +173,7 @@ def _gateway(gateway: Gateway, sources: _Sources) -> list[str]:
         table(["word", "source", "title"], words),
         table(["status code", "source", "title"], codes),
         table(["LED", "name", "light (* normal)", "source", "meaning"], lamps),
+        *_switches(gateway.switches, sources),
         *_options(gateway.options, sources),
     ]
 

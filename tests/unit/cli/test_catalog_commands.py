@@ -81,3 +81,15 @@ def test_a_kind_that_does_not_exist_is_wrong_usage(fbgen: Fbgen) -> None:
     run = fbgen("catalog", "list", "motors")
     assert (run.status, run.out) == (2, "")
     assert "Usage: fbgen catalog list" in run.err
+
+
+def test_show_gives_what_is_set_by_hand_at_inverter_and_gateway(fbgen: Fbgen) -> None:
+    drive = fbgen("catalog", "show", "vf-s11").out
+    assert "\nF803  1 " in drive
+    assert "\nF802  inv_no " in drive
+    assert "\nSW5 " in drive
+    assert "ones of the address" in fbgen("catalog", "show", "tospbdp001").out
+
+
+def test_show_gives_the_checks_of_a_sequence(fbgen: Fbgen) -> None:
+    assert "check that parity is as its setting" in fbgen("catalog", "show", "check_parameters").out
