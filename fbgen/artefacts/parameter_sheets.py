@@ -72,7 +72,7 @@ def _rows(lists: PlantLists) -> Iterator[tuple[str, ...]]:
 
 def _document(lists: PlantLists) -> Iterator[str]:
     plant = lists.plant
-    title = lists.in_words("Parameter sheets", "Parameterblaetter")
+    title = lists.in_words("Parameter sheets", "Parameterblätter")
     yield f"# {title}: {plant.title or plant.name}"
     yield ""
     yield lists.in_words(
@@ -86,12 +86,12 @@ def _document(lists: PlantLists) -> Iterator[str]:
     if CHECK in plant.sequences:
         yield lists.in_words(
             f"`TOS_Seq_{CHECK}` reads the rows marked with * back and reports what deviates.",
-            f"`TOS_Seq_{CHECK}` liest die Zeilen mit * zurueck und meldet Abweichungen.",
+            f"`TOS_Seq_{CHECK}` liest die Zeilen mit * zurück und meldet Abweichungen.",
         )
     else:
         yield lists.in_words(
             f"With `{CHECK}` among the sequences of the plant file the PLC reads them back.",
-            f"Mit `{CHECK}` bei den Sequenzen der Anlagendatei liest die SPS sie zurueck.",
+            f"Mit `{CHECK}` bei den Sequenzen der Anlagendatei liest die SPS sie zurück.",
         )
     for gateway in plant.gateways:
         yield from _gateway(lists, gateway)
