@@ -56,12 +56,14 @@ def snapshot(plant: Installation) -> dict[str, object]:
             plant.lines["gw1"].master_pair.interference.bit_errors.probability,
             plant.lines["gw1"].slave_pair.interference.bit_errors.probability,
         ),
+        "local": {name for name, drive in plant.drives.items() if drive.operation.local},
         **{name: (drive.powered, drive.trip_display) for name, drive in plant.drives.items()},
     }
 
 
 CASES: list[tuple[str, str, dict[str, object]]] = [
     ("cpu_stopped", "", {"cpu": CpuMode.STOP, "bus": MasterMode.CLEAR}),
+    ("drive_local", "drive3", {"local": {"drive3"}}),
     ("drive_tripped", "drive3", {"drive3": (True, "OC1")}),
     ("drive_unpowered", "drive3", {"drive3": (False, "")}),
     ("gateway_unpowered", "gw1", {"gateway": False}),
