@@ -3,7 +3,10 @@
 from bisect import bisect_right
 from dataclasses import dataclass, field
 from functools import cached_property
+from operator import itemgetter
 from typing import NamedTuple
+
+_offset = itemgetter(0)
 
 TEMPLATE = "template"
 """What the origin of a template line is called."""
@@ -26,7 +29,7 @@ class Origin:
     @property
     def is_template(self) -> bool:
         """Whether it is a line of a template, and no value."""
-        return self.what == TEMPLATE
+        return self.what is TEMPLATE or self.what == TEMPLATE
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +65,7 @@ class Source:
 
     def origin_at(self, offset: int) -> Origin | None:
         """Where the character at `offset` came from, if the text was generated."""
-        index = bisect_right(self.origins, offset, key=lambda item: item[0])
+        index = bisect_right(self.origins, offset, key=_offset)
         return self.origins[index - 1][1] if index else None
 
 

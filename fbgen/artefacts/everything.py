@@ -21,7 +21,7 @@ def with_artefacts(
     generated: GeneratedSet, plant: Plant, catalog: Catalog, templates: Sequence[Path] = ()
 ) -> GeneratedSet:
     """What `fbgen.emit.generate` has made of a plant, with the files beside it."""
-    lists = PlantLists(plant, catalog, generated, "en")
+    lists = PlantLists(plant, catalog, generated, plant.language)
     memory = work_memory(lists)
     found = [
         *plc_tags(lists),

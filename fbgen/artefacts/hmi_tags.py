@@ -67,7 +67,7 @@ def hmi_tags(lists: PlantLists) -> list[Artefact]:
 def for_an_operator(lists: PlantLists) -> Iterator[PlcVariable]:
     """Everything of the lines; of the drives commands, states, polled values and alarm words."""
     for variable in lists.variables:
-        owner, part = variable.path[1:3]
+        owner, part = (*variable.path[1:3], "", "")[:2]
         if owner == "line":
             is_shown = part != "restart"
         elif part == "polled":

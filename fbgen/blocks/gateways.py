@@ -57,6 +57,7 @@ class GatewayView:
 
     name: str
     profibus_address: SclText
+    station: SclText
     access: str
     layout_id: str
     identifiers: str
@@ -107,6 +108,7 @@ def gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> Gatew
     return GatewayView(
         name=gateway.name,
         profibus_address=SclText(str(gateway.profibus_address), place),
+        station=SclText(str(_station(plant, gateway)), place),
         access=gateway.access,
         layout_id=layout.name,
         identifiers=layout.identifiers.hex(" ").upper(),
@@ -125,6 +127,17 @@ def gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> Gatew
         times=limits,
         drives=tuple(_drive(item) for item in gateway.drives),
     )
+
+
+def several_masters(plant: Plant) -> bool:
+    """Whether the gateways belong to more than one DP master system."""
+    return len({gateway.dp_master for gateway in plant.gateways}) > 1
+
+
+def _station(plant: Plant, gateway: PlantGateway) -> int:
+    """How OB86 tells the station: its address, above it the master where there are several."""
+    master = gateway.dp_master if several_masters(plant) else 0
+    return master << 8 | gateway.profibus_address
 
 
 def missing_fields(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:

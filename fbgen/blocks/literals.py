@@ -20,6 +20,10 @@ class SclText:
         return self.text
 
 
+_UMLAUTS = str.maketrans(
+    {"ä": "ae", "ö": "oe", "ü": "ue", "ß": "ss", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue"}
+)
+
 NOTHING = SclText("")
 """What prints as nothing."""
 
@@ -71,7 +75,7 @@ def source_text(entry: Located, source: str | None) -> SclText:
 
 def one_line(text: str) -> str:
     """A text for a comment: one line, ASCII, and nothing in it that could end the comment."""
-    flat = " ".join(text.split())
+    flat = " ".join(text.translate(_UMLAUTS).split())
     ascii_text = "".join(char if " " <= char <= "~" else "?" for char in flat)
     for mark in ("*)", "(*", "*/", "/*"):
         ascii_text = ascii_text.replace(mark, f"{mark[0]} {mark[1]}")

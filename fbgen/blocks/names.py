@@ -31,6 +31,9 @@ _OF_SEQUENCE_STEPS = ("stat_", "statcount_", "expected_", "found_")
 _OF_GATEWAY = frozenset({"line"})
 """What templates/types/typeTosGateway.udt.jinja declares beside the drives."""
 
+_OF_PLANT = frozenset({"inputshash"})
+"""What templates/data/TOS_Plant.db.jinja declares beside the gateways."""
+
 _OF_DRIVE_TYPE = frozenset({"control", "state", "polled", "alarms"})
 """What templates/types/typeTosDrive.udt.jinja declares beside the sequences."""
 
@@ -68,6 +71,11 @@ def _drives(plant: Plant) -> Iterator[Diagnostic]:
 
 def _units(plant: Plant) -> Iterator[Diagnostic]:
     """A gateway x has the block TOS_Gateway_x and the data block TOS_Gateway_x_DB."""
+    for gateway in plant.gateways:
+        if gateway.name.lower() in _OF_PLANT:
+            message = f"the gateway is called '{gateway.name}' like a variable of TOS_Plant"
+            place = gateway.span_of("name")
+            yield Diagnostic("FB5007", message, place, "call the gateway otherwise")
     seen = {gateway.name.casefold(): gateway for gateway in plant.gateways}
     for gateway in plant.gateways:
         other = seen.get(f"{gateway.name}_db".casefold())

@@ -4,11 +4,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from fbgen.blocks.alarms import LINE_ALARMS, drive_alarms
-from fbgen.blocks.gateways import GatewayView, gateway_view, missing_fields
+from fbgen.blocks.gateways import GatewayView, gateway_view, missing_fields, several_masters
 from fbgen.blocks.literals import SclText, byte, comno, milliseconds, one_line, source_text, word
 from fbgen.blocks.names import name_conflicts
 from fbgen.blocks.poll_cycle import slow_polls
 from fbgen.blocks.sequences import SequenceView, sequence_view
+from fbgen.blocks.texts import ENGLISH, Texts
 from fbgen.blocks.words import WordView, bits_origin
 from fbgen.catalog import Catalog, ComNo, Drive, Gateway, Trip, WriteStep, origin
 from fbgen.catalog.sourced import Duration
@@ -71,21 +72,24 @@ class PlantView:
     most_drives: int
 
 
-def plan_blocks(plant: Plant, catalog: Catalog) -> BlockPlan:
-    """Which blocks the plant needs. Raises DiagnosticError for what cannot be generated."""
+def plan_blocks(plant: Plant, catalog: Catalog, texts: Texts = ENGLISH) -> BlockPlan:
+    """Which blocks the plant needs; the catalogue is in the language of `texts` already.
+
+    Raises DiagnosticError for what cannot be generated.
+    """
     known = [catalog.sequence(name) for name in plant.sequences]
     found = [*name_conflicts(plant, known), *missing_fields(plant, catalog), *_other_types(plant)]
     if found:
         raise DiagnosticError(found)
     drives = _series(plant, catalog)
-    sequences = tuple(_sequence(name, drives, catalog) for name in plant.sequences)
+    sequences = tuple(_sequence(name, drives, catalog, texts) for name in plant.sequences)
     gateways = tuple(gateway_view(plant, item, catalog) for item in plant.gateways)
     context = _plant_context(plant, gateways, sequences)
     context |= _gateway_context(catalog.gateway(plant.gateways[0].type))
-    context |= _drive_context(drives[0], catalog)
+    context |= _drive_context(drives[0], catalog, texts)
     first = gateways[0]
     context["times"] = {"timeout": first.timeout, "gap": first.gap, "apart": first.apart}
-    context["line"] = _line_context(drives[0], gateways)
+    context["line"] = _line_context(drives[0], gateways, texts)
     specs = [*_types(gateways, sequences), *_blocks(gateways, sequences), *_data(gateways)]
     if plant.dialect in _WITH_STARTUP_BLOCKS:
         specs.append(_block("TOS_Restart"))
@@ -179,9 +183,9 @@ def _series(plant: Plant, catalog: Catalog) -> list[Drive]:
     return [catalog.drive(name) for name in names]
 
 
-def _sequence(name: str, drives: list[Drive], catalog: Catalog) -> SequenceView:
+def _sequence(name: str, drives: list[Drive], catalog: Catalog, texts: Texts) -> SequenceView:
     sequence = catalog.sequence(name)
-    views = [sequence_view(sequence, drive, catalog) for drive in drives]
+    views = [sequence_view(sequence, drive, catalog, texts) for drive in drives]
     for drive, view in zip(drives[1:], views[1:], strict=True):
         if str(view) != str(views[0]):
             raise DiagnosticError(
@@ -220,6 +224,7 @@ def _plant_context(
         "on_delay": _CLASSIC_TIMER if plant.family.classic else _TIMER,
         "plant": PlantView(plant.name, max(len(item.drives) for item in gateways)),
         "gateways": gateways,
+        "station_mask": "16#0000FFFF" if several_masters(plant) else "16#000000FF",
         "sequences": sequences,
         "alarms": {
             "line": LINE_ALARMS,
@@ -248,7 +253,7 @@ def _gateway_context(gateway: Gateway) -> dict[str, object]:
     }
 
 
-def _drive_context(drive: Drive, catalog: Catalog) -> dict[str, object]:
+def _drive_context(drive: Drive, catalog: Catalog, texts: Texts) -> dict[str, object]:
     protocol = catalog.protocol(drive.protocol)
     numbers = protocol.inv_numbers["binary"]
     read = protocol.command("read_padded")
@@ -284,7 +289,7 @@ def _drive_context(drive: Drive, catalog: Catalog) -> dict[str, object]:
             "second": comno(status),
             "third": comno(drive.comno(drive.link.output_frequency)),
         },
-        "scaling": _scaling(drive.comno(drive.link.setpoint), drive),
+        "scaling": _scaling(drive.comno(drive.link.setpoint), drive, texts),
     }
 
 
@@ -312,7 +317,9 @@ def _trip(trip: Trip) -> dict[str, SclText]:
     return {"code": SclText(str(trip.code), place), "text": SclText(f"'{quoted}'", place)}
 
 
-def _line_context(drive: Drive, gateways: tuple[GatewayView, ...]) -> dict[str, object]:
+def _line_context(
+    drive: Drive, gateways: tuple[GatewayView, ...], texts: Texts
+) -> dict[str, object]:
     bits = drive.command_word
     place = bits_origin(drive.id, bits, _EMERGENCY_STOP)
     reply = drive.times.reply_max
@@ -322,27 +329,36 @@ def _line_context(drive: Drive, gateways: tuple[GatewayView, ...]) -> dict[str, 
     return {
         "commands_in_a_row": _COMMANDS_IN_A_ROW,
         "emergency_stop": word(bits.encode(_EMERGENCY_STOP), place),
-        "longest_wait_comment": SclText(f"{wait_ms:.0f} ms at most", times),
-        "longest_stop_comment": SclText(f"{stop_ms:.0f} ms at most", times),
+        "longest_wait_comment": SclText(texts("{time} ms at most", time=f"{wait_ms:.0f}"), times),
+        "longest_stop_comment": SclText(texts("{time} ms at most", time=f"{stop_ms:.0f}"), times),
         "apart_source": source_text(reply, (reply.source or "").split(";")[0]),
     }
 
 
-def _scaling(setpoint: ComNo, drive: Drive) -> dict[str, object]:
+def _scaling(setpoint: ComNo, drive: Drive, texts: Texts) -> dict[str, object]:
     current = drive.comno(drive.link.output_current)
     frequency_origin = origin(f"ComNo {setpoint.hex}", setpoint, setpoint.source or "")
     return {
         "frequency_factor": SclText(f"{round(1 / setpoint.resolution, 6)}", frequency_origin),
         "frequency_largest": SclText(f"{0xFFFF * setpoint.resolution:.2f}", frequency_origin),
         "frequency_comment": SclText(
-            one_line(f"One count is {setpoint.resolution} {setpoint.unit} (ComNo {setpoint.hex})"),
+            one_line(_one_count(setpoint, texts)),
             frequency_origin,
         ),
         "percent_factor": SclText(
             f"{round(1 / current.resolution, 6)}", origin(f"ComNo {current.hex}", current)
         ),
         "percent_comment": SclText(
-            one_line(f"One count is {current.resolution} {current.unit} (ComNo {current.hex})"),
+            one_line(_one_count(current, texts)),
             origin(f"ComNo {current.hex}", current),
         ),
     }
+
+
+def _one_count(number: ComNo, texts: Texts) -> str:
+    return texts(
+        "One count is {size} {unit} (ComNo {number})",
+        size=number.resolution,
+        unit=number.unit,
+        number=number.hex,
+    )

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from fbgen.blocks.literals import NOTHING, SclText, comno, milliseconds, one_line, real, word
+from fbgen.blocks.texts import Texts
 from fbgen.blocks.words import bits_origin
 from fbgen.catalog import (
     BranchStep,
@@ -103,18 +104,19 @@ class SequenceView:
         return any(step.kind in ("delay", "wait") for step in self.steps)
 
 
-def sequence_view(sequence: Sequence, drive: Drive, catalog: Catalog) -> SequenceView:
+def sequence_view(sequence: Sequence, drive: Drive, catalog: Catalog, texts: Texts) -> SequenceView:
     """The sequence as it is for one series."""
     protocol = catalog.protocol(drive.protocol)
-    builder = _Steps(sequence, drive, protocol)
+    builder = _Steps(sequence, drive, protocol, texts)
     steps = tuple(builder.view(number) for number in range(1, len(sequence.steps) + 1))
-    paragraphs = (sequence.description, sequence.does_not_protect, f"Source: {sequence.source}")
+    source = f"{texts('Source')}: {sequence.source}"
+    paragraphs = (sequence.description, sequence.does_not_protect, source)
     return SequenceView(
         id=sequence.id,
         title=one_line(sequence.title),
         description=tuple(line for text in paragraphs for line in _wrap(one_line(text))),
-        parameters=tuple(_parameter(item) for item in sequence.parameters),
-        results=(*(_parameter(item) for item in sequence.results), *builder.noted()),
+        parameters=tuple(_parameter(item, texts) for item in sequence.parameters),
+        results=(*(_parameter(item, texts) for item in sequence.results), *builder.noted()),
         steps=steps,
         uses_max_frequency=builder.uses_max_frequency,
     )
@@ -123,7 +125,8 @@ def sequence_view(sequence: Sequence, drive: Drive, catalog: Catalog) -> Sequenc
 class _Steps:
     """Spells the steps of one sequence out, for one series."""
 
-    def __init__(self, sequence: Sequence, drive: Drive, protocol: Protocol) -> None:
+    def __init__(self, sequence: Sequence, drive: Drive, protocol: Protocol, texts: Texts) -> None:
+        self.texts = texts
         self.sequence = sequence
         self.drive = drive
         self.protocol = protocol
@@ -154,7 +157,7 @@ class _Steps:
         return StepView(
             number,
             "write",
-            _comment(step, f"write {target.name}"),
+            _comment(step, self.texts("write {name}", name=target.name)),
             self._command(command),
             comno(target),
             tuple(self._value(step, target)),
@@ -168,7 +171,7 @@ class _Steps:
         return StepView(
             number,
             "read",
-            _comment(step, f"read {target.name}"),
+            _comment(step, self.texts("read {name}", name=target.name)),
             self._command("read_padded"),
             comno(target),
             (SclText("#channel.request.data := 16#0000;"),),
@@ -189,8 +192,10 @@ class _Steps:
         checks = [step for step in self.sequence.steps if isinstance(step, CheckStep)]
         if not checks:
             return
-        yield ParameterView("deviations", "Int", "", SclText("how many ComNos deviate"))
-        yield ParameterView("deviant", "Word", "", SclText("the first of them, 0000 for none"))
+        yield ParameterView("deviations", "Int", "", SclText(self.texts("how many ComNos deviate")))
+        yield ParameterView(
+            "deviant", "Word", "", SclText(self.texts("the first of them, 0000 for none"))
+        )
         for step in checks:
             comno_ = self.drive.comno(step.check)
             place = origin(f"ComNo {comno_.hex}", comno_, comno_.source or "")
@@ -216,7 +221,7 @@ class _Steps:
         return StepView(
             number,
             "check",
-            _comment(step, f"check {target.name}"),
+            _comment(step, self.texts("check {name}", name=target.name)),
             self._command("read_padded"),
             comno(target),
             (
@@ -246,7 +251,7 @@ class _Steps:
             duration = milliseconds(known.ms, origin(name, known, known.source or ""))
         else:
             duration = milliseconds(step.delay.ms or 0, place)
-        return StepView(number, "delay", _comment(step, "wait"), duration=duration)
+        return StepView(number, "delay", _comment(step, self.texts("pause")), duration=duration)
 
     def _wait(self, number: int, step: WaitStep) -> StepView:
         target = self.drive.comno(step.wait)
@@ -254,7 +259,7 @@ class _Steps:
         return StepView(
             number,
             "wait",
-            _comment(step, f"wait for {target.name}"),
+            _comment(step, self.texts("wait for {name}", name=target.name)),
             self._command("read_padded"),
             comno(target),
             (SclText("#channel.request.data := 16#0000;"),),
@@ -284,7 +289,9 @@ class _Steps:
         return StepView(
             number,
             "branch",
-            _comment(step, f"go to {step.to} if {step.branch} says so"),
+            _comment(
+                step, self.texts("go to {label} if {name} says so", label=step.to, name=step.branch)
+            ),
             condition=SclText(self._compared(step), place),
             target=SclText(target, place),
         )
@@ -310,7 +317,7 @@ class _Steps:
         return StepView(
             number,
             "repeat",
-            _comment(step, f"back to {step.repeat}"),
+            _comment(step, self.texts("back to {label}", label=step.repeat)),
             target=SclText(str(self.sequence.position(step.repeat)), place),
             times=SclText(str(step.times), place),
         )
@@ -407,9 +414,9 @@ def _comment(step: Step, fallback: str) -> SclText:
     return SclText(one_line(step.title or fallback), origin("step", step))
 
 
-def _parameter(item: Parameter | Result) -> ParameterView:
+def _parameter(item: Parameter | Result, texts: Texts) -> ParameterView:
     default = item.default if isinstance(item, Parameter) else None
-    unit = f" in {item.unit}" if item.unit else ""
+    unit = f" {texts('in {unit}', unit=item.unit)}" if item.unit else ""
     return ParameterView(
         item.name,
         _SCL_TYPES[item.type],

@@ -129,13 +129,15 @@ def origin(
 ) -> Origin | None:
     """The origin mark of a model: its name for a person, its file and line, its manual section.
 
-    `inputs` are the entries that a value was worked out from, too.
+    The section is the entry's own where none is given. `inputs` are the entries that a value was
+    worked out from, too.
     """
     span = model.span
     if span is None:
         return None
     known = tuple(dict.fromkeys(item for item in inputs if item is not None))
-    return Origin(what, span.source.name, span.line, source, known)
+    section = source or getattr(model, "source", None) or ""
+    return Origin(what, span.source.name, span.line, section, known)
 
 
 Model = TypeVar("Model", bound=Located)

@@ -28,6 +28,7 @@ def register(program: typer.Typer) -> None:
             "fbgen generate plant.yaml -o out --diff",
             "fbgen generate plant.yaml -o out --check",
             "fbgen generate plant.yaml -o out --prefix HALL2_ --files one",
+            "fbgen generate plant.yaml -o out --language de",
             "fbgen generate plant.yaml -o out --dialect step7 --block-numbers 500-599",
             "fbgen generate plant.yaml -o out --catalog our_catalog --templates our_templates",
         )
@@ -40,6 +41,12 @@ def _known_layout(name: str | None) -> str | None:
     return name
 
 
+def _known_language(name: str | None) -> str | None:
+    if name not in (None, "en", "de"):
+        raise typer.BadParameter(f"'{name}' is none of en, de")
+    return name
+
+
 def generate(
     plant: Annotated[Path, typer.Argument(metavar="PLANT", help="The plant file, see fbgen init.")],
     folder: Annotated[
@@ -49,6 +56,15 @@ def generate(
     prefix: Annotated[
         str | None,
         typer.Option("--prefix", metavar="P_", help="How names of blocks begin instead of TOS_."),
+    ] = None,
+    language: Annotated[
+        str | None,
+        typer.Option(
+            "--language",
+            metavar="en|de",
+            callback=_known_language,
+            help="Language of comments, titles and trip texts.",
+        ),
     ] = None,
     files: Annotated[
         str | None,
@@ -93,8 +109,8 @@ def generate(
     removed. A file that was changed by hand since it was generated is never overwritten without
     --force, and never removed.
     The dialect is that of the plant file unless --dialect names another one; if the PLC of the
-    plant file does not read that, the usual PLC of the dialect takes its place. --prefix and
-    --files take the place of what the plant file says.
+    plant file does not read that, the usual PLC of the dialect takes its place. --prefix,
+    --files and --language take the place of what the plant file says.
     """
     from fbgen.artefacts import with_artefacts
     from fbgen.catalog import load_catalog, with_own_sequences
@@ -106,7 +122,7 @@ def generate(
 
     known = with_own_sequences(load_catalog(catalog or ()), plant.parent)
     wanted = _in_dialect(load_plant(plant, known), dialect, known)
-    wanted = _changed(wanted, known, prefix=prefix, files=files)
+    wanted = _changed(wanted, known, prefix=prefix, files=files, language=language)
     if block_numbers is not None:
         wanted = _with_numbers(wanted, block_numbers)
     own = templates or ()

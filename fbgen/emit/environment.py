@@ -17,9 +17,11 @@ from jinja2.exceptions import SecurityError
 from jinja2.ext import Extension
 
 from fbgen.blocks.literals import SclText
+from fbgen.blocks.texts import ENGLISH, Texts
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.emit.marks import OriginTable, is_marked, without_marks
 from fbgen.emit.sandbox import TemplateSandbox
+from fbgen.emit.template_texts import translated
 from fbgen.resources import shipped
 from fbgen.source import TEMPLATE, Origin, Source, Span
 
@@ -32,7 +34,8 @@ class LineMarks(Extension):
     def preprocess(self, source: str, name: str | None, filename: str | None = None) -> str:
         table: OriginTable = self.environment.origin_table  # type: ignore[attr-defined]
         place: str = self.environment.place_of(name)  # type: ignore[attr-defined]
-        source = without_marks(source)
+        texts: Texts = self.environment.texts  # type: ignore[attr-defined]
+        source = translated(without_marks(source), texts)
         inside = _places_inside_tags(source)
         lines = source.split("\n")
         start = 0
@@ -53,10 +56,14 @@ def _places_inside_tags(source: str) -> set[int]:
 
 
 class TemplateRenderer:
-    """Renders templates of the shipped folder, with folders of the user's own in front of it."""
+    """Renders templates of the shipped folder, with folders of the user's own in front of it.
 
-    def __init__(self, extra: Sequence[Path] = ()) -> None:
+    `texts` are those of the language in which their comments come out.
+    """
+
+    def __init__(self, extra: Sequence[Path] = (), texts: Texts = ENGLISH) -> None:
         self.table = OriginTable()
+        self.texts = texts
         self._folders = [*reversed(extra), shipped("templates")]
         for folder in extra:
             if not folder.is_dir():
@@ -73,6 +80,7 @@ class TemplateRenderer:
             keep_trailing_newline=True,
             finalize=self._finalize,
         )
+        self._environment.texts = texts  # type: ignore[attr-defined]
         self._environment.origin_table = self.table  # type: ignore[attr-defined]
         self._environment.place_of = self._place  # type: ignore[attr-defined]
         self._environment.add_extension(LineMarks)

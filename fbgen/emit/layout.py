@@ -45,7 +45,7 @@ def laid_out(units: Sequence[ast.File], plant: Plant) -> tuple[GeneratedFile, ..
     schedule = Schedule(interval_ns=round(plant.cycle_time_ms * 1_000_000))
     if plant.family.classic:
         units = with_copies(units)
-    converted = convert(units, plant.language, schedule)
+    converted = convert(units, plant.code_dialect, schedule)
     layout = plant.files or FILE_LAYOUTS[plant.dialect][0]
     blocks = [file for file in converted if not _is_error_block(file)]
     errors = [file for file in converted if _is_error_block(file)]

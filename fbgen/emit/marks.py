@@ -18,6 +18,7 @@ class OriginTable:
     def __init__(self) -> None:
         self._origins: list[Origin] = []
         self._indices: dict[Origin, int] = {}
+        self._seen: dict[int, tuple[Origin, int]] = {}
         self._lines: set[int] = set()
 
     def line_mark(self, origin: Origin) -> str:
@@ -49,10 +50,14 @@ class OriginTable:
         return Source(name, text, origins)
 
     def _index(self, origin: Origin) -> int:
+        seen = self._seen.get(id(origin))
+        if seen is not None:
+            return seen[1]
         index = self._indices.get(origin)
         if index is None:
             index = self._indices[origin] = len(self._origins)
             self._origins.append(origin)
+        self._seen[id(origin)] = (origin, index)
         return index
 
 

@@ -31,7 +31,7 @@ def names_that_do_not_fit(
     units: Sequence[ast.File], plant: Plant, catalog: Catalog
 ) -> Iterator[Diagnostic]:
     """FB5010 for each name of the plant that makes a name too long, or is an address."""
-    dialect = dialect_named(plant.language)
+    dialect = dialect_named(plant.code_dialect)
     parts = sorted(_parts(plant, catalog), key=lambda part: -len(part.name))
     prefix = _Part(plant.prefix, "prefix", plant.span_of("prefix"))
     otherwise = None if plant.prefix == USUAL_PREFIX else prefix

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from fbgen.blocks.plan import BlockPlan, BlockSpec
 from fbgen.emit.environment import TemplateRenderer
+from fbgen.emit.heading import with_head
 from fbgen.lang import ast
 from fbgen.lang.parser import parse
 from fbgen.plant import with_prefix
@@ -25,7 +26,7 @@ class RenderedUnit:
 def render_unit(
     spec: BlockSpec, plan: BlockPlan, renderer: TemplateRenderer, heading: str, prefix: str
 ) -> RenderedUnit:
-    """One unit of the plan in canonical SCL, below a comment with `heading`.
+    """One unit of the plan in canonical SCL; `heading` is the first line of its head.
 
     Raises DiagnosticError where the template is wrong or what it gives is no SCL; the places name
     the template lines.
@@ -34,4 +35,5 @@ def render_unit(
     marked = renderer.render(spec.template, context)
     text = with_prefix(f"// {heading}\n{marked}", prefix)
     name = with_prefix(f"{spec.name}.{spec.kind}", prefix)
-    return RenderedUnit(spec, marked, parse(renderer.table.source(name, text), CANONICAL_DIALECT))
+    file = parse(renderer.table.source(name, text), CANONICAL_DIALECT)
+    return RenderedUnit(spec, marked, with_head(file, renderer.texts))

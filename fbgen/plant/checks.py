@@ -183,10 +183,10 @@ def plant(item: "Plant") -> Iterator[Diagnostic]:
     yield from _twice(
         item.gateways,
         "profibus_address",
-        lambda part: str(part.profibus_address),
+        lambda part: f"{part.dp_master} {part.profibus_address}",
         code="FB2015",
         message="the PROFIBUS address {} is given twice",
-        help_text="every slave needs its own address",
+        help_text="every slave of a DP master system (dp_master) needs its own address",
     )
     with_identifier = [part for part in item.gateways if part.hardware_identifier is not None]
     yield from _twice(

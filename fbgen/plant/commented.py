@@ -28,6 +28,9 @@ dialect: tia
 # twincat (twincat or plcopen).
 plc: s7-1500
 
+# The language of comments, titles and trip texts in the generated blocks: en or de.
+language: en
+
 # How the names of generated blocks begin.
 prefix: TOS_
 
@@ -79,6 +82,9 @@ gateways:
 
     # As set on the rotary switches (B x 10 + A); a change counts after switching off and on.
     profibus_address: 2
+
+    # Which DP master system, where the PLC has several: more than 99 gateways need them.
+    dp_master: 1
 
     # How the blocks reach the data:
     #   per_identifier  identifier by identifier, the trigger byte last (gsd10, doc9)

@@ -24,6 +24,10 @@ HIGHEST_BLOCK = 7999
 """The highest number of a block that an S7-300 or S7-400 takes; small CPUs take fewer."""
 
 
+TextLanguage = Literal["en", "de"]
+"""The language of comments, titles and trip texts."""
+
+
 class PlantDrive(Located):
     """One inverter. `inv_no` is its number on the line, `max_frequency_hz` its parameter FH."""
 
@@ -44,6 +48,8 @@ class PlantDrive(Located):
 class PlantGateway(Located):
     """One gateway with the drives on its line.
 
+    `dp_master` is the number of the DP master system that it belongs to: a plant with more gateways
+    than a PROFIBUS has addresses has several.
     `input_address` and `output_address` are the first bytes of its data in the PLC's input and
     output area; identifiers follow each other without a gap. `hardware_identifier` is what
     DPRD_DAT and DPWR_DAT of S7-1200 and S7-1500 take. `status_poll` reads the trip code and the
@@ -55,6 +61,7 @@ class PlantGateway(Located):
     type: str
     layout: str
     profibus_address: Whole
+    dp_master: Annotated[Whole, Field(ge=1, le=32)] = 1
     access: AccessWay
     input_address: Whole | None = None
     output_address: Whole | None = None
@@ -89,10 +96,10 @@ class Plant(Located):
     """A plant file. Sequences are ids of the catalogue, generated for every drive they fit.
 
     `cpu` is the CPU of the family, for its work memory. `poll_limit_ms` is how long reading the
-    state of all drives of a gateway may take. `prefix` is how the names of blocks begin; `files`
-    says whether each stands in a file of its own, None what is usual for the dialect. `error_obs`
-    says whether the organization blocks for errors that an S7-300 or S7-400 needs are generated, or
-    whether the project has its own.
+    state of all drives of a gateway may take. `language` is that of comments and texts. `prefix` is
+    how the names of blocks begin; `files` says whether each stands in a file of its own, None what
+    is usual for the dialect. `error_obs` says whether the organization blocks for errors that an
+    S7-300 or S7-400 needs are generated, or whether the project has its own.
     """
 
     version: Literal[1]
@@ -104,6 +111,7 @@ class Plant(Located):
     cycle_time_ms: Annotated[Real, Field(gt=0, le=6000)] = 10
     poll_limit_ms: Annotated[Real, Field(gt=0, le=3_600_000)] = 2000
     prefix: str = USUAL_PREFIX
+    language: TextLanguage = "en"
     files: FileLayout | None = None
     block_numbers: BlockNumbers = Field(default_factory=BlockNumbers)
     error_obs: Literal["generate", "mine"] = "generate"
@@ -116,7 +124,7 @@ class Plant(Located):
         return FAMILIES[self.plc]
 
     @property
-    def language(self) -> str:
+    def code_dialect(self) -> str:
         """The dialect of the language in which its text is written."""
         return LANGUAGES[self.dialect]
 

@@ -44,6 +44,7 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     Raises DiagnosticError FB7501 for conditions of drives that the plant does not have, FB7502 for
     a gateway that cannot be simulated, and whatever is wrong in the PLC text.
     """
+    _one_master(plan)
     unknown = [name for name in setup.drives if name not in {item.name for item in plan.drives}]
     if unknown:
         raise _unknown_drive(unknown[0], plan)
@@ -71,7 +72,7 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     if setup.sources is None:
         program = generated_program(plan, catalog)
     else:
-        program = read_program(setup.sources, plan.language)
+        program = read_program(setup.sources, plan.code_dialect)
     cpu.load(program, engine_named(setup.engine))
     return Installation(
         plan, catalog, kernel, cpu, master, gateways, stations, lines, drives, spacing
@@ -91,6 +92,19 @@ def _cpu_settings(plan: Plant, times: CpuSettings) -> CpuSettings:
         memory_bytes=max(times.memory_bytes, last + 1),
         obs=replace(times.obs, main_function=with_prefix("TOS_Main", plan.prefix)),
     )
+
+
+def _one_master(plan: Plant) -> None:
+    first = plan.gateways[0]
+    for entry in plan.gateways:
+        if entry.dp_master != first.dp_master:
+            raise error(
+                "FB7502",
+                f"the gateway '{entry.name}' belongs to DP master system {entry.dp_master}, "
+                f"'{first.name}' to {first.dp_master}",
+                entry.span_of("dp_master"),
+                "the harness has one master: simulate the gateways of each in a plant of their own",
+            )
 
 
 def _topology(catalog: Catalog, entry: PlantGateway) -> Topology:

@@ -28,7 +28,7 @@ def generated_program(plan: Plant, catalog: Catalog) -> Program:
     """
     key = (plan.model_dump_json(), id(catalog))
     if key not in _programs:
-        program = read_program(generated_sources(plan, catalog), plan.language)
+        program = read_program(generated_sources(plan, catalog), plan.code_dialect)
         _programs[key] = (catalog, program)
         while len(_programs) > _KEPT:
             _programs.popitem(last=False)

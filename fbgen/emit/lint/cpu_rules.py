@@ -21,8 +21,8 @@ _OPTIMIZED = re.compile(r"S7_Optimized_Access\s*:=\s*'TRUE'", re.IGNORECASE)
 def types_of_the_cpu(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5049: every elementary type is one that the CPU has."""
     missing = MISSING_TYPES[_CPUS[emitted.plc]] if emitted.plc in _CPUS else frozenset()
-    for item in emitted.nodes:
-        if isinstance(item, ast.NamedType) and item.name.upper() in missing:
+    for item in emitted.of(ast.NamedType):
+        if item.name.upper() in missing:
             yield Diagnostic(
                 "FB5049",
                 f"{emitted.plc} has no type {item.name.upper()}",

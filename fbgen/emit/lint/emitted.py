@@ -1,24 +1,38 @@
-"""A generated text as the rules see it: read once, all nodes collected once."""
+"""A generated text as the rules see it: read once, all nodes collected once, by their kinds."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any, TypeVar
 
 from fbgen.lang import ast
 from fbgen.plant.families import PlcFamily
 from fbgen.source import Source
 
+Node = TypeVar("Node")
+
 
 @dataclass(frozen=True, slots=True)
 class EmittedText:
-    """One file. `nodes` are all nodes of its tree, `plc` the family it is made for."""
+    """One file. `kinds` are all nodes of its tree by their types, `plc` the family it is for."""
 
     source: Source
     file: ast.File
-    nodes: tuple[object, ...]
+    kinds: Mapping[type, Sequence[Any]]
     plc: PlcFamily
+
+    def of(self, kind: type[Node]) -> Sequence[Node]:
+        """Every node of a kind, wherever it stands."""
+        return self.kinds.get(kind, ())
 
     def names_longer_than(self, limit: int) -> Iterator[ast.Name | ast.DeclaredName]:
         """Every name with more characters, wherever it stands."""
-        for item in self.nodes:
-            if isinstance(item, ast.Name | ast.DeclaredName) and len(item.name) > limit:
-                yield item
+        yield from (item for item in self.of(ast.Name) if len(item.name) > limit)
+        yield from (item for item in self.of(ast.DeclaredName) if len(item.name) > limit)
+
+
+def by_kind(nodes: Iterable[object]) -> dict[type, list[object]]:
+    """The nodes by their types."""
+    kinds: dict[type, list[object]] = {}
+    for item in nodes:
+        kinds.setdefault(type(item), []).append(item)
+    return kinds

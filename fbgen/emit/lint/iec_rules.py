@@ -17,15 +17,15 @@ _DOUBLE_UNDERSCORE = re.compile(r"__|_$|^_[0-9]")
 
 def no_line_comments(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5050: MATIEC knows only comments in (* *)."""
-    for item in emitted.nodes:
-        if isinstance(item, ast.Trivia) and item.kind is ast.TriviaKind.LINE_COMMENT:
+    for item in emitted.of(ast.Trivia):
+        if item.kind is ast.TriviaKind.LINE_COMMENT:
             yield Diagnostic("FB5050", "a // comment", item.span, "write (* ... *)")
 
 
 def plain_names(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5051: no name with two underscores in a row or one at its end."""
-    for item in emitted.nodes:
-        if isinstance(item, ast.DeclaredName) and _DOUBLE_UNDERSCORE.search(item.name):
+    for item in emitted.of(ast.DeclaredName):
+        if _DOUBLE_UNDERSCORE.search(item.name):
             yield Diagnostic(
                 "FB5051",
                 f"'{item.name}' is no name of IEC 61131-3",

@@ -110,9 +110,7 @@ def calls_of_instances(emitted: EmittedText) -> Iterator[Diagnostic]:
         for unit in emitted.file.units
         if isinstance(unit, ast.DataBlock) and unit.type is not None
     }
-    for item in emitted.nodes:
-        if not isinstance(item, ast.CallStatement):
-            continue
+    for item in emitted.of(ast.CallStatement):
         callee = item.call.callee
         if isinstance(callee, ast.Name) and callee.quoted:
             yield from _called_alone(callee, instances)
@@ -139,12 +137,11 @@ def _called_alone(callee: ast.Name, instances: Mapping[str, str]) -> Iterator[Di
 
 def numbers_with_their_type(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5059: `16#7001` is an integer to S7-SCL, which no bit string takes, but CASE does."""
-    labels = [item.labels for item in emitted.nodes if isinstance(item, ast.CaseArm)]
+    labels = [item.labels for item in emitted.of(ast.CaseArm)]
     integers = {id(item) for item in walk(tuple(labels))}
-    for item in emitted.nodes:
+    for item in emitted.of(ast.Literal):
         if (
-            isinstance(item, ast.Literal)
-            and id(item) not in integers
+            id(item) not in integers
             and item.kind is ast.LiteralKind.INTEGER
             and "#" in item.text
             and not item.type_name
@@ -159,17 +156,18 @@ def numbers_with_their_type(emitted: EmittedText) -> Iterator[Diagnostic]:
 
 def nothing_of_tia_portal(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5060: blocks and attributes that only TIA Portal knows."""
-    for item in emitted.nodes:
-        if isinstance(item, ast.NamedType) and item.name.upper() in _EDGES and not item.quoted:
+    for header in emitted.of(ast.HeaderItem):
+        if _TIA_ATTRIBUTES.search(header.text):
+            message = "an attribute of TIA Portal stands in the header"
+            yield Diagnostic("FB5060", message, header.span, "leave it out")
+    for item in emitted.of(ast.NamedType):
+        if item.name.upper() in _EDGES and not item.quoted:
             yield Diagnostic(
                 "FB5060",
                 f"STEP 7 has no block {item.name}",
                 item.span,
                 "keep the last value in a variable and compare with it",
             )
-        elif isinstance(item, ast.HeaderItem) and _TIA_ATTRIBUTES.search(item.text):
-            message = "an attribute of TIA Portal stands in the header"
-            yield Diagnostic("FB5060", message, item.span, "leave it out")
 
 
 RULES = (

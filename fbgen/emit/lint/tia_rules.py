@@ -91,24 +91,28 @@ def no_block_of_the_user(emitted: EmittedText) -> Iterator[Diagnostic]:
 
 def locals_and_globals_marked(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5045: in code, locals carry # and globals stand in quotes, as TIA Portal exports them."""
-    for unit in emitted.file.units:
-        if not isinstance(unit, ast.Block):
-            continue
-        items = tuple(walk(unit.body))
-        instructions = {item.callee for item in items if isinstance(item, ast.Call)}
-        for item in items:
-            if (
-                isinstance(item, ast.Name)
-                and not item.local
-                and not item.quoted
-                and item not in instructions
-            ):
-                yield Diagnostic(
-                    "FB5045",
-                    f"'{item.name}' has neither # nor quotes",
-                    item.span,
-                    f'write #{item.name} for a local, "{item.name}" for a global',
-                )
+    instructions = {id(item.callee) for item in emitted.of(ast.Call)}
+    plain = [
+        item
+        for item in emitted.of(ast.Name)
+        if not item.local and not item.quoted and id(item) not in instructions
+    ]
+    if not plain:
+        return
+    in_code = {
+        id(item)
+        for unit in emitted.file.units
+        if isinstance(unit, ast.Block)
+        for item in walk(unit.body)
+    }
+    for item in plain:
+        if id(item) in in_code:
+            yield Diagnostic(
+                "FB5045",
+                f"'{item.name}' has neither # nor quotes",
+                item.span,
+                f'write #{item.name} for a local, "{item.name}" for a global',
+            )
 
 
 def overlays_only_without_optimization(emitted: EmittedText) -> Iterator[Diagnostic]:
@@ -128,8 +132,8 @@ def overlays_only_without_optimization(emitted: EmittedText) -> Iterator[Diagnos
 
 def timers_with_their_instruction(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5047: an instance of an IEC timer names its instruction and library version."""
-    for item in emitted.nodes:
-        if not (isinstance(item, ast.Declaration) and isinstance(item.type, ast.NamedType)):
+    for item in emitted.of(ast.Declaration):
+        if not isinstance(item.type, ast.NamedType):
             continue
         attributes = item.type_attributes + "".join(name.attributes for name in item.names)
         if item.type.name.upper() in _TIMERS and "InstructionName" not in attributes:
@@ -143,11 +147,12 @@ def timers_with_their_instruction(emitted: EmittedText) -> Iterator[Diagnostic]:
 
 def powers_in_parentheses(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5048: Siemens contradicts itself on ** against the unary minus: parentheses decide."""
-    for item in emitted.nodes:
-        if isinstance(item, ast.Unary) and _is_power(item.operand):
-            yield Diagnostic("FB5048", "a sign stands before a power", item.span, "-(a ** b)")
-        elif _is_power(item) and isinstance(item, ast.Binary) and isinstance(item.left, ast.Unary):
-            yield Diagnostic("FB5048", "a sign stands before a power", item.span, "(-a) ** b")
+    for unary in emitted.of(ast.Unary):
+        if _is_power(unary.operand):
+            yield Diagnostic("FB5048", "a sign stands before a power", unary.span, "-(a ** b)")
+    for binary in emitted.of(ast.Binary):
+        if _is_power(binary) and isinstance(binary.left, ast.Unary):
+            yield Diagnostic("FB5048", "a sign stands before a power", binary.span, "(-a) ** b")
 
 
 def _is_power(item: object) -> bool:

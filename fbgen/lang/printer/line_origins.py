@@ -3,12 +3,14 @@
 import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
+from operator import itemgetter
 
 from fbgen.source import Origin, Span
 
 LineOrigins = tuple[Origin, ...]
 """The line of the template first, then each value in its order. Empty for a text of a person."""
 
+_offset = itemgetter(0)
 _WORD = re.compile(r"\w+")
 
 
@@ -20,11 +22,10 @@ def line_origins(lines: Sequence[str], place: Span | None) -> list[LineOrigins]:
     """
     if place is None or not place.source.origins:
         return [() for _ in lines]
+    if len(lines) == 1:
+        return [_of_one_line(place)]
     pieces = list(_pieces(place))
     values = [(text, origin) for text, origin in pieces if not origin.is_template]
-    if len(lines) == 1:
-        first = next((origin for _, origin in pieces if origin.is_template), None)
-        return [_unique((*((first,) if first else ()), *(origin for _, origin in values)))]
     found: list[LineOrigins] = []
     for line, home in zip(lines, _homes(lines, pieces), strict=True):
         inside = (
@@ -36,12 +37,33 @@ def line_origins(lines: Sequence[str], place: Span | None) -> list[LineOrigins]:
     return found
 
 
+def _of_one_line(place: Span) -> LineOrigins:
+    """The first line of a template in the place, or the one in front of it, and all values."""
+    origins = place.source.origins
+    at = max(0, bisect_right(origins, place.start, key=_offset) - 1)
+    values: list[Origin] = []
+    template = origins[at][1]
+    back = at
+    while back and (template is None or not template.is_template):
+        back -= 1
+        template = origins[back][1]
+    while at < len(origins) and (origins[at][0] < place.end or at == back):
+        origin = origins[at][1]
+        at += 1
+        if origin is not None and not origin.is_template:
+            values.append(origin)
+        elif template is None:
+            template = origin
+    first = (template,) if template is not None and template.is_template else ()
+    return _unique((*first, *values)) if values else first
+
+
 def _pieces(place: Span) -> Iterator[tuple[str, Origin]]:
     """Each piece of the place with its text; in front of them the line of the template that the
     first one stands in."""
     source = place.source
     origins = source.origins
-    at = max(0, bisect_right(origins, place.start, key=lambda item: item[0]) - 1)
+    at = max(0, bisect_right(origins, place.start, key=_offset) - 1)
     back = at
     while back >= 0:
         origin = origins[back][1]

@@ -134,7 +134,7 @@ def test_a_plant_in_another_dialect_gets_a_plc_that_reads_it(
     dialect: str, plc: str, language: str
 ) -> None:
     changed = in_dialect(plant(IMAGE), dialect, CATALOG)
-    assert (changed.dialect, changed.plc, changed.language) == (dialect, plc, language)
+    assert (changed.dialect, changed.plc, changed.code_dialect) == (dialect, plc, language)
 
 
 def test_a_plc_that_reads_the_other_dialect_stays() -> None:
