@@ -202,7 +202,8 @@ class _Steps:
             display = f"{comno_.display}, " if comno_.display else ""
             title = one_line(f"{display}{comno_.title}")
             yield ParameterView(f"expected_{comno_.hex}", "Word", "", SclText(title, place))
-            yield ParameterView(f"found_{comno_.hex}", "Word", "", SclText("what was read", place))
+            read = SclText(self.texts("what was read"), place)
+            yield ParameterView(f"found_{comno_.hex}", "Word", "", read)
 
     def _check(self, number: int, step: CheckStep) -> StepView:
         target = self.drive.comno(step.check)
