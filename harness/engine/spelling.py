@@ -96,9 +96,7 @@ def _number(kind: Elementary, text: str) -> int | float:
     if wanted := LITERALS.get(kind.name):
         if literal.kind is not wanted[0] or not isinstance(value, int) or sign < 0:
             raise WrongSpellingError(f"write it as the PLC does, such as {wanted[1]}")
-        if counted_in(kind):
-            return count_of(kind, value)
-        return value // NS_PER_MS if counts_ms(kind) else value
+        return counted(kind, value)
     if literal.kind is LiteralKind.INTEGER or (
         literal.kind is LiteralKind.REAL and kind.family is Family.REAL
     ):
@@ -114,6 +112,13 @@ def _literal(text: str) -> LiteralValue:
         return read_literal(text)
     except BadLiteralError as wrong:
         raise WrongSpellingError(wrong.help or str(wrong)) from None
+
+
+def counted(kind: Elementary, literal: int) -> int:
+    """What a variable of the type holds for a duration, date or time of day of a literal."""
+    if counted_in(kind):
+        return count_of(kind, literal)
+    return literal // NS_PER_MS if counts_ms(kind) else literal
 
 
 def counts_ms(kind: Elementary) -> bool:

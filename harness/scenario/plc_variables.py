@@ -24,9 +24,8 @@ from fbgen.lang.types import (
 )
 from harness.engine.interface import Value
 from harness.engine.path_types import type_at
-from harness.engine.spelling import LITERALS, counts_ms
+from harness.engine.spelling import LITERALS, counted
 from harness.engine.values import accept_scalar
-from harness.kernel import NS_PER_MS
 from harness.scenario.kinds import Found, ValueKind, WrongValueError, show
 from harness.scenario.scalars import Scalar
 
@@ -62,7 +61,7 @@ def _as_python(kind: Elementary | StringType, value: Scalar) -> Scalar:
         literal = _literal(value)
         if literal is None or literal.kind is not wanted[0] or not isinstance(literal.value, int):
             raise WrongValueError(_spelling(kind))
-        return literal.value // NS_PER_MS if counts_ms(kind) else literal.value
+        return counted(kind, literal.value)
     literal = _literal(value)
     if literal is not None and literal.kind in (LiteralKind.INTEGER, LiteralKind.REAL):
         return literal.value

@@ -70,9 +70,19 @@ def sequence(**changes: Any) -> dict[str, Any]:
 
 
 def code(text: str) -> str:
-    """The text of a file without its comments, titles and blanks."""
+    """The text of a file without its comments, titles, blanks and the hash of the inputs."""
     lines = (line.partition("//")[0].strip() for line in text.splitlines())
-    return "\n".join(line for line in lines if line and not line.startswith("TITLE"))
+    kept = (line for line in lines if line and not line.startswith("TITLE"))
+    return "\n".join(line for line in kept if "inputsHash :=" not in line)
+
+
+def program_of(outcome: Outcome) -> dict[str, str]:
+    """The PLC text of what was written, by file name."""
+    return {
+        name: data.decode("ascii")
+        for name, data in outcome.written.items()
+        if Path(name).suffix in (".scl", ".udt", ".db", ".st")
+    }
 
 
 def evil_everywhere(text: str) -> dict[str, Any]:
@@ -98,7 +108,7 @@ def harmless(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
         tmp_path_factory.mktemp("harmless"), "sequences", sequence(), plant(sequences=["evil"])
     )
     assert outcome.status == 0, outcome.said
-    return {name: code(data.decode("ascii")) for name, data in outcome.written.items()}
+    return {name: code(text) for name, text in program_of(outcome).items()}
 
 
 @pytest.mark.parametrize("name", EVIL)
@@ -113,9 +123,7 @@ def test_texts_of_a_sequence_stay_in_comments(
         assert outcome.written == {}
         assert "error[FB1" in outcome.said
         return
-    found = {file: code(data.decode("ascii")) for file, data in outcome.written.items()}
-    for file in set(found) - {"fbgen-files.json"}:
-        assert found[file] == harmless[file], file
+    assert {file: code(text) for file, text in program_of(outcome).items()} == harmless
 
 
 @given(text=st.text(min_size=1, max_size=60).filter(str.strip))
@@ -130,9 +138,8 @@ def test_whatever_the_text_the_code_stays(
         plant(sequences=["evil"]),
     )
     assert "Traceback" not in outcome.said
-    for file, data in outcome.written.items():
-        if file != "fbgen-files.json":
-            assert code(data.decode("ascii")) == harmless[file], file
+    if outcome.status == 0:
+        assert {file: code(text) for file, text in program_of(outcome).items()} == harmless
 
 
 @pytest.mark.parametrize("dialect", ["tia", "iec"])
@@ -154,10 +161,7 @@ def test_what_is_generated_with_an_evil_text_is_read_back(
         ),
     )
     assert outcome.status == 0, outcome.said
-    files = [item for item in outcome.written if not item.endswith(".json")]
-    program = read_program(
-        [Source(name, outcome.written[name].decode("ascii")) for name in files], dialect
-    )
+    program = read_program([Source(*file) for file in program_of(outcome).items()], dialect)
     assert "tos_seq_evil" in program.blocks
 
 

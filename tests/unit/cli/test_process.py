@@ -18,6 +18,7 @@ COMMANDS = [
     *[
         ("decode",),
         ("encode",),
+        ("diff",),
         ("explain",),
         ("schemas",),
         ("catalog",),

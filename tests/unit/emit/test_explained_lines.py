@@ -75,7 +75,8 @@ def test_twenty_lines_at_random_are_from_the_lines_that_they_name(
         for origin in (*values, *(item for value in values for item in value.inputs)):
             assert line_of(origin).strip()
         mine = words(found.text)
-        if found.own and mine and not found.text.lstrip().startswith("<"):
+        # the head of a block, which the generator writes itself, is from its first line
+        if found.own and mine and template.line > 1 and not found.text.lstrip().startswith("<"):
             told += 1
             printed = "{{" in line_of(template)
             exact += printed or bool(mine & words(line_of(template)))

@@ -68,7 +68,7 @@ def test_what_cannot_be_set_says_what_can(tmp_path: Path, path: str) -> None:
         (f"{READ}.status", "16#XY", "16#FF or 2#1010"),
         (f"{READ}.status", "open", "whole number"),
         ("plc.TOS_Plant.gw1.pump.start_forward.frequency", "fast", "a number"),
-        ("plc.TOS_Plant.gw1.pump", "1", "polled, start_forward"),
+        ("plc.TOS_Plant.gw1.pump", "1", "polled, alarms, start_forward"),
         ("drive.pump.comno.acceleration_time", "soon", "write a number"),
         ("drive.pump.comno.acceleration_time", "1.0e308", "nothing in a plant"),
     ],
