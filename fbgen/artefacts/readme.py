@@ -16,6 +16,7 @@ from fbgen.artefacts.memory import (
     WorkMemory,
 )
 from fbgen.artefacts.view import PlantLists
+from fbgen.blocks.line_times import line_times
 from fbgen.blocks.literals import one_line
 from fbgen.blocks.poll_cycle import poll_cycle
 from fbgen.emit.environment import TemplateRenderer
@@ -49,6 +50,11 @@ _LISTS = {
     "alarms.xlsx": ("alarms of the HMI", "Meldungen der HMI"),
     "alarms.csv": ("alarms with word and bit", "Meldungen mit Wort und Bit"),
     "watch.csv": ("what to watch", "was zu beobachten ist"),
+    "parameters.md": (
+        "what must be set at each drive and gateway",
+        "was an jedem Antrieb und Gateway einzustellen ist",
+    ),
+    "parameters.csv": ("the same as a table", "dasselbe als Tabelle"),
 }
 _ACCESS = {
     "per_identifier": (
@@ -132,6 +138,8 @@ def _context(
         "access_notes": list(_access_notes(lists)),
         "sequences": [_sequence(name, lists) for name in plant.sequences],
         "polls": [_poll(item, lists) for item in plant.gateways if item.status_poll],
+        "worst": [_worst(item, lists) for item in plant.gateways],
+        "sheets": next((name for name in names if name.endswith("_parameters.md")), ""),
         "memory": _memory(memory, lists) if cpus_of(plant.plc) else None,
         "files": list(_files(lists, artefacts)),
         "numbered": bool(lists.numbers),
@@ -186,6 +194,16 @@ def _poll(gateway: PlantGateway, lists: PlantLists) -> dict[str, object]:
         "reads": found.reads,
         "read_ms": f"{found.read_ms:g}",
         "round_ms": f"{found.round_ms:g}",
+    }
+
+
+def _worst(entry: PlantGateway, lists: PlantLists) -> Mapping[str, str]:
+    times = line_times(lists.plant, entry, lists.catalog)
+    return {
+        "gateway": entry.name,
+        "telegram": f"{times.telegram_ms:.0f}",
+        "wait": f"{times.wait_ms:.0f}",
+        "emergency_stop": f"{times.emergency_stop_ms:.0f}",
     }
 
 

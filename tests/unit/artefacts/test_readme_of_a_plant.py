@@ -8,6 +8,7 @@ import pytest
 from fbgen.artefacts.memory import work_memory
 from fbgen.artefacts.readme import readme
 from fbgen.artefacts.view import PlantLists
+from fbgen.blocks.line_times import line_times
 from fbgen.lang import ast
 from fbgen.plant import in_dialect, read_plant
 from fbgen.source import Source
@@ -121,6 +122,23 @@ def test_poll_and_memory_are_the_calculated_ones() -> None:
     assert found
     assert int(found[1]) + int(found[2]) == sum(sizes)
     assert {row[0].rstrip(" *") for row in rows(text, "Work memory")} >= {"1511-1", "1513-1"}
+
+
+def test_the_worst_cases_are_those_that_the_sweep_measures() -> None:
+    catalog = shipped_catalog()
+    plant = read_plant(Source("plant.yaml", TWO_GATEWAYS), catalog)
+    expected = []
+    for entry in plant.gateways:
+        times = line_times(plant, entry, catalog)
+        figures = (times.telegram_ms, times.wait_ms, times.emergency_stop_ms)
+        expected.append([entry.name, *(f"{figure:.0f} ms" for figure in figures)])
+    assert rows(page("tia"), "Worst cases") == expected
+    assert rows(page("tia", "de"), "Ungünstigste Fälle") == expected
+
+
+def test_only_a_watch_table_is_called_one() -> None:
+    named = {row[0] for row in rows(page("tia"), "Files") if row[1] == "a watch table"}
+    assert named == {name for name in generated().contents if "_watch_" in name}
 
 
 def test_a_layout_that_no_gsd_file_has_is_called_invented() -> None:
