@@ -251,6 +251,7 @@ if __name__ == "__main__":
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGINT for other processes")
+@pytest.mark.usefixtures("usual_ctrl_c")
 @pytest.mark.parametrize("jobs", ["1", "2"])
 def test_an_interrupted_run_leaves_whole_files(tmp_path: Path, jobs: str) -> None:
     blocks = tmp_path / "blocks"

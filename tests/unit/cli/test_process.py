@@ -134,6 +134,7 @@ def test_a_file_that_the_system_refuses_is_fb9002(
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGINT for other processes")
+@pytest.mark.usefixtures("usual_ctrl_c")
 def test_ctrl_c_in_a_process_is_status_130_without_a_word() -> None:
     script = (
         "import sys, fbgen.cli.program, fbgen.catalog, time\n"
