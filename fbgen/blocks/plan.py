@@ -139,11 +139,10 @@ def _blocks(
         "TOS_Handshake",
         "TOS_Telegram",
         "TOS_Line",
-        "TOS_TripText",
         "TOS_Drive",
     ]
     if any(item.status_poll for item in gateways):
-        names.append("TOS_StatusPoll")
+        names += ["TOS_StatusPoll", "TOS_TripText"]
     specs = [_block(name) for name in names]
     specs += [_block(f"TOS_Seq_{item.id}", "TOS_Seq", {"sequence": item}) for item in sequences]
     if sequences:

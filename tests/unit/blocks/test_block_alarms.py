@@ -84,11 +84,3 @@ def test_an_alarm_is_gone_with_its_cause(program: LoadedProgram) -> None:
     drive["polled"]["tripped"] = False
     alarms(line={"online": True}, drive=drive)
     assert (plain(alarms.line)["alarms"], plain(alarms.drive)["alarms"]) == (0, 0)
-
-
-def test_the_trip_stands_in_words_beside_its_alarm(program: LoadedProgram) -> None:
-    alarms = block(program, "TOS_Alarms")
-    drive = plain(alarms.drive)
-    drive["polled"].update(tripped=True, tripCode=0x0E)
-    alarms(line={"online": True}, drive=drive)
-    assert plain(alarms.drive)["state"]["trip"].startswith("OL2: ")
