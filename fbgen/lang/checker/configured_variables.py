@@ -7,6 +7,7 @@ Source: IEC 61131-3 third edition, section 6.8.2; CODESYS online help, "Variable
 """
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
 from fbgen.diagnostics import Diagnostic, Severity
@@ -49,7 +50,7 @@ def with_configured_variables(files: Sequence[ast.File], findings: Findings) -> 
                 "FB4001",
                 f"VAR_CONFIG names '{one.name.name}', which no PROGRAM has",
                 one.name.span,
-                lambda one=one, known=known: nearest(one.path[0], known),  # type: ignore[misc]  # defaults bind the values of this pass
+                partial(nearest, one.path[0], known),
             )
         else:
             programs[key] = changed

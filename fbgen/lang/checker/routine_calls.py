@@ -5,6 +5,7 @@ Sources as for `routines`.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import TypeGuard
 
 from fbgen.lang import ast
 from fbgen.lang.checked import (
@@ -262,8 +263,8 @@ def _free_arguments(
             )
             value = _as_known(ctx, value, None if variable is None else variable.type)
             found.add_input(argument.name, value)
-            if _may_come_back(ctx, value):
-                found.outputs.append((argument.name, value))  # type: ignore[arg-type]  # a place
+            if _may_come_back(value, ctx):
+                found.outputs.append((argument.name, value))
 
 
 def _warn_of_names(ctx: Context, node: ast.Call, name: str) -> None:
@@ -294,7 +295,7 @@ def _as_known(ctx: Context, value: Expression, kind: Type | None) -> Expression:
     return as_typed(value)
 
 
-def _may_come_back(ctx: Context, value: Expression) -> bool:
+def _may_come_back(value: Expression, ctx: Context) -> TypeGuard[Place]:
     if not is_place(value) or isinstance(value.type, AnyType):
         return False
     variable = root_variable(value)

@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
+import yaml
 
 import fbgen
 from fbgen.blocks.literals import one_line
@@ -50,8 +51,9 @@ def test_a_template_that_is_not_translated_stays_as_it_is(template: Path) -> Non
     assert translated(text, lambda english: english) == text
 
 
-def test_every_text_of_the_generator_has_a_german_one() -> None:
-    used = {
+def of_generator() -> set[str]:
+    """What the generator says by `texts("...")`."""
+    return {
         argument.value
         for folder in ("blocks", "emit")
         for path in (PACKAGE / folder).rglob("*.py")
@@ -62,6 +64,10 @@ def test_every_text_of_the_generator_has_a_german_one() -> None:
         for argument in node.args
         if isinstance(argument, ast.Constant) and isinstance(argument.value, str)
     }
+
+
+def test_every_text_of_the_generator_has_a_german_one() -> None:
+    used = of_generator()
     assert "Inputs and outputs: none" in used
     assert not {text for text in used if text not in GERMAN}
 
@@ -70,7 +76,8 @@ def shown(entry: Located, names: tuple[str, ...]) -> set[str]:
     return {one_line(str(value)) for name in names if (value := getattr(entry, name, None))}
 
 
-def test_every_trip_and_sequence_of_the_catalogue_has_german_texts() -> None:
+def of_catalogue() -> set[str]:
+    """What blocks show of trips and sequences."""
     found: set[str] = set()
     for drive in CATALOG.drives.values():
         found |= {text for trip in drive.trips for text in shown(trip, ("meaning",))}
@@ -78,8 +85,31 @@ def test_every_trip_and_sequence_of_the_catalogue_has_german_texts() -> None:
         found |= shown(sequence, ("title", "description", "does_not_protect"))
         for entry in (*sequence.parameters, *sequence.results, *sequence.steps):
             found |= shown(entry, ("title",))
+    return found
+
+
+def test_every_trip_and_sequence_of_the_catalogue_has_german_texts() -> None:
+    found = of_catalogue()
     assert len(found) > 60
     assert not {text for text in found if text not in GERMAN}
+
+
+def test_no_german_text_is_left_of_what_is_not_said_any_more() -> None:
+    used = of_catalogue() | {
+        node.value
+        for folder in ("blocks", "emit")
+        for path in (PACKAGE / folder).rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text("utf-8")))
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    }
+    for drive in CATALOG.drives.values():
+        used |= {text for comno in drive.comnos for text in shown(comno, ("title",))}
+    for template in TEMPLATES:
+        used |= set(texts_of(template.read_text("utf-8")))
+    file = yaml.safe_load((shipped("templates") / "texts" / "de.yaml").read_text("utf-8"))
+    known = [entry["en"] for entry in file["texts"]]
+    assert not set(known) - used
+    assert len(known) == len(set(known))
 
 
 def test_trip_texts_fit_in_german_too() -> None:
