@@ -43,6 +43,20 @@ def test_the_band_says_when_a_drive_is_at_set_point(
     assert bench.state["atSetpoint"] is at_set_point
 
 
+@pytest.mark.parametrize(
+    ("asked", "runs_at"), [(60.0, 45.0), (5.0, 10.0), (float("nan"), 0.0), (1e30, 45.0)]
+)
+def test_at_set_point_means_the_one_that_was_sent(
+    asked: float, runs_at: float, program: LoadedProgram
+) -> None:
+    bench = DriveBench(program)
+    bench.parameters.update(minFrequency=10.0, maxFrequency=45.0)
+    bench.control(run=True, frequency=asked)
+    bench.drive["polled"].update(statusWord=0x0400, frequency=runs_at)
+    bench.cycles(20)
+    assert bench.state["atSetpoint"]
+
+
 @pytest.mark.parametrize("retries", [0, 1, 4])
 def test_a_telegram_without_reply_is_repeated_as_often_as_the_line_says(
     retries: int, program: LoadedProgram
