@@ -54,7 +54,6 @@ class _HandedOn(Rewriter):
     """Rewrites one unit."""
 
     def __init__(self, plant: PlantText, unit: object) -> None:
-        self._plant = plant
         self._scope = BlockScope(plant, unit) if isinstance(unit, Block) else None
         self._parameters = _structured(self._scope) if self._scope else frozenset()
         self._copies: dict[tuple[str, int], Declaration] = {}
@@ -104,13 +103,7 @@ class _HandedOn(Rewriter):
 
     def _formal(self, callee: Expression) -> dict[str, str]:
         """The section of each parameter of a user's block, by casefolded name."""
-        if self._scope is None:
-            return {}
-        kind = self._scope.type_of(callee)
-        name = kind.name if isinstance(kind, NamedType) else ""
-        if kind is None and isinstance(callee, Name):
-            name = callee.name
-        block = self._plant.blocks.get(name.casefold())
+        block = self._scope.block_called(callee) if self._scope else None
         return {
             declared.name.casefold(): section.keyword
             for section in (block.sections if block else ())

@@ -120,15 +120,19 @@ class Scope:
                 return _all(block.sections)
         return ()
 
-    def parameters_of(self, callee: Expression) -> tuple[tuple[str, TypeSpec], ...]:
-        """Names and types of the parameters of a function or instance, in their order."""
+    def block_called(self, callee: Expression) -> Block | None:
+        """The user's function, or block of an instance, that a call means."""
         name: str | None = None
         if isinstance(callee, Name) and not self.is_declared(callee):
             name = callee.name
         kind = self.type_of(callee)
         if isinstance(kind, NamedType):
             name = kind.name
-        block = self.plant.blocks.get(name.casefold()) if name else None
+        return self.plant.blocks.get(name.casefold()) if name else None
+
+    def parameters_of(self, callee: Expression) -> tuple[tuple[str, TypeSpec], ...]:
+        """Names and types of the parameters of a function or instance, in their order."""
+        block = self.block_called(callee)
         return tuple(
             (declared.name, declaration.type)
             for section in (block.sections if block else ())
