@@ -9,15 +9,13 @@ in which they stand, all its instances together; what a block calls counts for t
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from functools import partial
 from pathlib import Path
 
 from fbgen.catalog import load_catalog
 from fbgen.lang import checked
 from fbgen.lang.checked import Program
 from fbgen.plant import load_plant
-from harness.engine.compiled import CompiledEngine
-from harness.engine.compiled.procedure import Probe, Probed
+from harness.engine.compiled.probes import Moment, Probe, Probed
 from harness.engine.compiled.walk import every_node
 from harness.installation import Installation, PlantSetup, build_plant
 from harness.kernel import NS_PER_MS
@@ -58,8 +56,8 @@ class StatementCount:
         """Statements by block."""
         return dict(zip(self.blocks, self._reached, strict=True))
 
-    def _line(self, node: Probed) -> str:
-        place = self._owners.get(id(node))
+    def _line(self, node: Probed, moment: Moment) -> str:
+        place = self._owners.get(id(node)) if moment is Moment.BEFORE else None
         return "" if place is None else f"{_REACHED}[{place}] += 1"
 
 
@@ -69,10 +67,15 @@ def worst_scans(*, sequences: bool) -> Mapping[str, int]:
     `sequences` runs every sequence of every drive at once.
     """
     catalog = load_catalog()
-    installation = build_plant(load_plant(_PLANT, catalog), catalog, PlantSetup())
-    program = installation.cpu.engine.program
-    count = StatementCount(program)
-    installation.cpu.load(program, partial(CompiledEngine, probe=count.probe))
+    counts: list[StatementCount] = []
+
+    def probe(program: Program) -> Probe:
+        counts.append(StatementCount(program))
+        return counts[0].probe
+
+    plan = load_plant(_PLANT, catalog)
+    installation = build_plant(plan, catalog, PlantSetup(probes=(probe,)))
+    (count,) = counts
     worst = dict.fromkeys((*count.blocks, TOTAL), 0)
 
     def scanned() -> None:

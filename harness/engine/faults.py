@@ -293,6 +293,12 @@ def unknown_engine(name: str, known: Sequence[str]) -> DiagnosticError:
     return error("FB6025", f"there is no engine '{name}'", None, f"known: {', '.join(known)}")
 
 
+def engine_without_probes(name: str, instead: str) -> DiagnosticError:
+    """FB6026: somebody wants to look on while an engine runs that cannot be looked at."""
+    message = f"nobody can look on at the engine '{name}', as coverage does"
+    return error("FB6026", message, None, f'use engine="{instead}"; both give the same results')
+
+
 def _shortened(value: object) -> str:
     text = repr(value)
     return text if len(text) <= 60 else text[:57] + "..."

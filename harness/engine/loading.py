@@ -9,11 +9,12 @@
 Errors in the text are raised together as `DiagnosticError`.
 """
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from datetime import timedelta
 from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang import ast
@@ -24,7 +25,7 @@ from fbgen.lang.tag_files import global_file
 from fbgen.lang.tags import ConstantValue, Tag
 from fbgen.source import Source
 from harness.engine.environment import StandaloneEnvironment
-from harness.engine.faults import unknown_engine
+from harness.engine.faults import engine_without_probes, unknown_engine
 from harness.engine.interface import (
     Engine,
     EngineFactory,
@@ -41,11 +42,16 @@ from harness.engine.type_texts import type_written
 from harness.engine.variables import BlockInstance, Globals
 from harness.kernel import NS_PER_MS, NS_PER_S, NS_PER_US, Kernel
 
+if TYPE_CHECKING:
+    from harness.engine.compiled import ProbeMaker
+
 ENGINES = {
     "compiled": ("harness.engine.compiled", "CompiledEngine"),
     "reference": ("harness.engine.reference", "ReferenceEngine"),
 }
 """What `load_program` takes as `engine`: module and name of the factory."""
+PROBED = "compiled"
+"""The engine that takes probes."""
 
 
 def load_program(
@@ -60,6 +66,7 @@ def load_program(
     stubs: Mapping[str, Stub] = MappingProxyType({}),
     cycle_ms: float = 10,
     obs: ObSettings | None = None,
+    probes: "Sequence[ProbeMaker]" = (),
 ) -> "LoadedProgram":
     """Read, check and load PLC text on a controller without hardware.
 
@@ -70,10 +77,11 @@ def load_program(
     functions for blocks that the program calls and that neither the files nor the harness have; see
     `harness.engine.stubs`. `cycle_ms` is the time from one program cycle to the next, `obs` has the
     numbers and periods of organization blocks; both matter to `start`, `scan` and `run_for` only.
+    `probes` look on while the program runs, such as a `Coverage`; only "compiled" takes any.
 
     Raises one `DiagnosticError` with everything that is wrong in them.
     """
-    factory = engine_named(engine)
+    factory = engine_named(engine, probes)
     program = read_program(sources, dialect, db_numbers, constants, tags, stubbed=tuple(stubs))
     kernel = Kernel()
     environment = StandaloneEnvironment(kernel)
@@ -130,10 +138,19 @@ def _tree(source: str | Path | Source, dialect: str) -> tuple[ast.File, Sequence
     return document.file, document.findings
 
 
-def engine_named(name: str) -> EngineFactory:
-    """The engine of that name; raises FB6025. An engine is only imported when it is used."""
+def engine_named(name: str, probes: "Sequence[ProbeMaker]" = ()) -> EngineFactory:
+    """The engine of that name; raises FB6025. An engine is only imported when it is used.
+
+    `probes` look on while programs run. Raises FB6026 for an engine that takes none.
+    """
     if name not in ENGINES:
         raise unknown_engine(name, tuple(ENGINES))
+    if probes:
+        if name != PROBED:
+            raise engine_without_probes(name, PROBED)
+        probing: Callable[[Sequence[ProbeMaker]], EngineFactory]
+        probing = import_module("harness.engine.compiled.probing").probing
+        return probing(probes)
     module, factory_name = ENGINES[name]
     factory: EngineFactory = getattr(import_module(module), factory_name)
     return factory

@@ -73,7 +73,7 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
         program = generated_program(plan, catalog)
     else:
         program = read_program(setup.sources, plan.code_dialect)
-    cpu.load(program, engine_named(setup.engine))
+    cpu.load(program, engine_named(setup.engine, setup.probes))
     return Installation(
         plan, catalog, kernel, cpu, master, gateways, stations, lines, drives, spacing
     )

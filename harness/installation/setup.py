@@ -2,12 +2,16 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from fbgen.source import Source
 from harness.drives import Load
 from harness.fieldbus import CycleTimes
 from harness.kernel import NS_PER_MS
 from harness.plc import CpuSettings
+
+if TYPE_CHECKING:
+    from harness.engine.compiled import ProbeMaker
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +34,8 @@ class PlantSetup:
     `engine` is "compiled" or "reference". `drives` has conditions by the drive's name. `sources`
     are the PLC text; None takes what fbgen generates for the plant. `cpu` gives the times of the
     CPU; its family, cycle and memory come from the plant file. `watchdog_ns` is the DP watchdog
-    of every gateway, None for none.
+    of every gateway, None for none. `probes` look on while the program runs; only the compiled
+    engine takes them.
     """
 
     seed: int = 0
@@ -40,3 +45,4 @@ class PlantSetup:
     cpu: CpuSettings = field(default_factory=CpuSettings)
     bus: CycleTimes = field(default_factory=CycleTimes)
     watchdog_ns: int | None = 100 * NS_PER_MS
+    probes: "Sequence[ProbeMaker]" = ()

@@ -24,12 +24,8 @@ from harness.engine.compiled.jumps import has_jumps
 from harness.engine.compiled.model import Model, Part, Record, has_memory, is_scalar
 from harness.engine.compiled.outside_calls import input_types
 from harness.engine.compiled.placement import Bytes
-from harness.engine.compiled.procedure import (
-    BlockContext,
-    FrameNeededError,
-    Probe,
-    Procedure,
-)
+from harness.engine.compiled.probes import Probe
+from harness.engine.compiled.procedure import BlockContext, FrameNeededError, Procedure
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.statements import write_long
 from harness.engine.compiled.temporaries import read_unfilled

@@ -30,7 +30,7 @@ from harness.engine.compiled.outside_calls import write_keyword_call
 from harness.engine.compiled.outside_variants import new_variable, reference_to
 from harness.engine.compiled.passes import may_exceed
 from harness.engine.compiled.placement import Bytes
-from harness.engine.compiled.procedure import Probe
+from harness.engine.compiled.probes import Probe
 from harness.engine.compiled.programs import programs
 from harness.engine.compiled.routines import Routines, unmodelled_classes
 from harness.engine.compiled.signatures import signature
@@ -47,7 +47,7 @@ _GIVEN = (VariableKind.INPUT, *IN_OUTS)
 
 
 class CompiledEngine:
-    """One program on one controller. `probe` adds lines to the generated code, for coverage."""
+    """One program on one controller. `probe` looks on while it runs, as for coverage."""
 
     __slots__ = (
         *("_bytes", "_cpu", "_environment", "_facts", "_globals", "_initial", "_listings", "_own"),

@@ -24,6 +24,7 @@ from fbgen.lang.checked import (
 )
 from harness.engine.compiled.evaluation import condition, value
 from harness.engine.compiled.loops import Counting, count_passes
+from harness.engine.compiled.probes import Moment, Probed
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.selection import arm_condition, write_case, write_if
 from harness.engine.compiled.walk import Node, children, every_node
@@ -56,12 +57,6 @@ class WritePlain(Protocol):
     def __call__(self, procedure: Procedure, body: Sequence[Statement]) -> None: ...
 
 
-class WriteProbe(Protocol):
-    """Writes what looks on at a statement or branch."""
-
-    def __call__(self, procedure: Procedure, node: Statement | Branch | CaseArm) -> None: ...
-
-
 class _Loop:
     """A loop that was taken apart: where EXIT and CONTINUE go."""
 
@@ -76,14 +71,13 @@ class Dispatcher:
     """Writes one body with jumps."""
 
     __slots__ = (
-        *("_at", "_count", "_jumped", "_jumps", "_loops", "_numbers", "_plain", "_probe"),
+        *("_at", "_count", "_jumped", "_jumps", "_loops", "_numbers", "_plain"),
         *("_procedure", "_segments", "_start"),
     )
 
-    def __init__(self, procedure: Procedure, plain: WritePlain, probe: WriteProbe) -> None:
+    def __init__(self, procedure: Procedure, plain: WritePlain) -> None:
         self._procedure = procedure
         self._plain = plain
-        self._probe = probe
         self._at = procedure.context.names.give("at")
         self._numbers: dict[str, int] = {}
         self._jumps: list[tuple[int, str]] = []
@@ -168,6 +162,8 @@ class Dispatcher:
             self._procedure.enter(statement.span)
             self._begin(statement)
             write(statement)
+            if isinstance(statement, If | Case | For | While | Repeat):
+                self._probe(statement, Moment.AFTER)
             self._procedure.nesting -= 1
         self._whole(plain)
 
@@ -178,7 +174,7 @@ class Dispatcher:
             self._plain(self._procedure, body)
 
     def _nested(
-        self, procedure: Procedure, body: Sequence[Statement], owner: Branch | CaseArm | None = None
+        self, procedure: Procedure, body: Sequence[Statement], owner: Probed | None = None
     ) -> None:
         """A branch that stays where it is: jumps lead out of it, but not into it."""
         listing = procedure.listing
@@ -186,7 +182,7 @@ class Dispatcher:
         before = len(listing.lines)
         self._jumped = False
         if owner is not None:
-            self._probe(procedure, owner)
+            self._probe(owner, Moment.INSIDE)
         self._statements(body)
         if len(listing.lines) == before:
             procedure.line("pass")
@@ -198,7 +194,13 @@ class Dispatcher:
         procedure.listing.span = statement.span
         procedure.forget_sites()
         if not isinstance(statement, Label):
-            self._probe(procedure, statement)
+            self._probe(statement, Moment.BEFORE)
+
+    def _probe(self, node: Probed, moment: Moment) -> None:
+        if self._procedure.probed(node, moment):
+            self._procedure.listing.span = node.span
+            self._procedure.probe(node, moment)
+            self._jumped = False
 
     def _writer(self, statement: Statement) -> Callable[..., None] | None:
         """How a statement is taken apart; None for one that stays whole."""
@@ -270,10 +272,11 @@ class Dispatcher:
         for branch in node.branches:
             other = self._new_label()
             self._jump_if(f"not ({self._condition(branch)})", other)
-            self._probe(self._procedure, branch)
+            self._probe(branch, Moment.INSIDE)
             self._statements(branch.body)
             self._jump(end)
             self._land(other)
+        self._probe(node, Moment.INSIDE)
         self._statements(node.otherwise)
         self._land(end)
 
@@ -286,20 +289,22 @@ class Dispatcher:
         for arm, label in zip(node.arms, labels, strict=True):
             procedure.listing.span = arm.span
             self._jump_if(arm_condition(name, arm), label)
+        self._probe(node, Moment.INSIDE)
         self._statements(node.otherwise)
         for arm, label in zip(node.arms, labels, strict=True):
             self._jump(end)
             self._land(label)
-            self._probe(procedure, arm)
+            self._probe(arm, Moment.INSIDE)
             self._statements(arm.body)
         self._land(end)
 
     # --- loops --------------------------------------------------------------------------------
 
-    def _body(self, body: Sequence[Statement], exit_label: str, next_label: str) -> None:
+    def _body(self, node: For | While | Repeat, exit_label: str, next_label: str) -> None:
         self._loops.append(_Loop(exit_label, next_label))
         count_passes(self._procedure, "1")
-        self._statements(body)
+        self._probe(node, Moment.INSIDE)
+        self._statements(node.body)
         self._loops.pop()
 
     def _while(self, node: While) -> None:
@@ -307,16 +312,17 @@ class Dispatcher:
         self._land(top)
         self._jump_if(f"not ({self._condition(node)})", end)
         self._procedure.listing.span = node.span
-        self._body(node.body, end, top)
+        self._body(node, end, top)
         self._jump(top)
         self._land(end)
 
     def _repeat(self, node: Repeat) -> None:
         end, top, until = self._new_label(), self._new_label(), self._new_label()
         self._land(top)
-        self._body(node.body, end, until)
+        self._body(node, end, until)
         self._land(until)
         self._jump_if(f"not ({self._condition(node)})", top)
+        self._probe(node, Moment.ENDED)
         self._land(end)
 
     def _for(self, node: For) -> None:
@@ -325,7 +331,7 @@ class Dispatcher:
         counting = Counting(procedure, node)
         self._land(top)
         self._jump_if(f"not ({counting.goes_on})", end)
-        self._body(node.body, end, following)
+        self._body(node, end, following)
         self._land(following)
         counting.advance(lambda: self._jump(end))
         self._jumped = False

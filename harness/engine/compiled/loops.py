@@ -8,8 +8,6 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from fbgen.lang.checked import (
-    Branch,
-    CaseArm,
     Constant,
     Exit,
     Expression,
@@ -24,6 +22,7 @@ from harness.engine.compiled.caching import is_quiet
 from harness.engine.compiled.code import Code, Level
 from harness.engine.compiled.evaluation import condition, value
 from harness.engine.compiled.places import assign, pinned, place
+from harness.engine.compiled.probes import Moment, Probed
 from harness.engine.compiled.procedure import Loop, Procedure
 from harness.engine.compiled.ranges import wrapped
 from harness.engine.compiled.walk import every_node
@@ -31,7 +30,7 @@ from harness.engine.compiled.walk import every_node
 MOST_WRITTEN_OUT = 16
 """Passes up to which the numbers are a constant: cheaper than making a range at each start."""
 
-WriteBody = Callable[[Procedure, Sequence[Statement], Branch | CaseArm | None], None]
+WriteBody = Callable[[Procedure, Sequence[Statement], Probed | None], None]
 
 
 def count_passes(procedure: Procedure, passes: str) -> None:
@@ -44,7 +43,7 @@ def count_passes(procedure: Procedure, passes: str) -> None:
 
 def _body(
     procedure: Procedure,
-    body: Sequence[Statement],
+    node: For | While | Repeat,
     before_continue: Callable[[Procedure], None] | None,
     write_body: WriteBody,
     counted: bool,
@@ -55,7 +54,7 @@ def _body(
         count_passes(procedure, "1")
         procedure.listing.indent -= 4
     procedure.loops.append(Loop(before_continue))
-    write_body(procedure, body, None)
+    write_body(procedure, node.body, node)
     procedure.loops.pop()
 
 
@@ -64,7 +63,7 @@ def write_while(procedure: Procedure, node: While, write_body: WriteBody) -> Non
     procedure.listing.span = node.condition.span
     procedure.line(f"while {condition(procedure, node.condition)}:")
     procedure.listing.span = node.span
-    _body(procedure, node.body, None, write_body, counted=True)
+    _body(procedure, node, None, write_body, counted=True)
 
 
 def write_repeat(procedure: Procedure, node: Repeat, write_body: WriteBody) -> None:
@@ -72,11 +71,19 @@ def write_repeat(procedure: Procedure, node: Repeat, write_body: WriteBody) -> N
 
     def until(procedure: Procedure) -> None:
         span, procedure.listing.span = procedure.listing.span, node.condition.span
-        procedure.line(f"if {condition(procedure, node.condition)}: break")
+        text = condition(procedure, node.condition)
+        if procedure.probed(node, Moment.ENDED):
+            procedure.line(f"if {text}:")
+            procedure.listing.indent += 4
+            procedure.probe(node, Moment.ENDED)
+            procedure.line("break")
+            procedure.listing.indent -= 4
+        else:
+            procedure.line(f"if {text}: break")
         procedure.listing.span = span
 
     procedure.line("while True:")
-    _body(procedure, node.body, until, write_body, counted=True)
+    _body(procedure, node, until, write_body, counted=True)
     procedure.listing.indent += 4
     until(procedure)
     procedure.listing.indent -= 4
@@ -183,7 +190,7 @@ def _write_range_loop(
     procedure.known = {**known, variable.variable: loop.interval}
     if not is_local:
         procedure.aliases = {**aliases, variable.variable: local}
-    _body(procedure, node.body, None, write_body, counted=not quiet)
+    _body(procedure, node, None, write_body, counted=not quiet)
     procedure.known, procedure.aliases = known, aliases
     procedure.listing.span = node.span
     if procedure.unwritten is not None:
@@ -251,7 +258,7 @@ def _write_counting(procedure: Procedure, node: For, write_body: WriteBody) -> N
     def advance(procedure: Procedure) -> None:
         counting.advance(lambda: procedure.line("break"))
 
-    _body(procedure, node.body, advance, write_body, counted=True)
+    _body(procedure, node, advance, write_body, counted=True)
     procedure.listing.indent += 4
     advance(procedure)
     procedure.listing.indent -= 4

@@ -8,6 +8,7 @@ from fbgen.lang.checked import Binary, Constant, Convert, Expression, Unary
 from fbgen.lang.types import BOOL, REAL, Elementary, Family, Type
 from harness.engine.compiled.code import Code, Level
 from harness.engine.compiled.conversions import convert
+from harness.engine.compiled.decisions import write_decision
 from harness.engine.compiled.evaluation import Write, expression, named, value
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import WIDEST, is_counted, limits, wrapped
@@ -24,6 +25,8 @@ _SHORT_CIRCUIT = {"AND_THEN": ("and", Level.AND), "OR_ELSE": ("or", Level.OR)}
 
 
 def _chain(procedure: Procedure, node: Binary | Convert) -> Code:
+    if names := procedure.decisions(node):
+        return write_decision(procedure, node, names)
     links: list[Binary | Convert] = []
     first: Expression = node
     while isinstance(first, Binary | Convert):
@@ -270,6 +273,8 @@ def _floating(procedure: Procedure, node: Binary, left: Code) -> Code:
 
 
 def _unary(procedure: Procedure, node: Unary) -> Code:
+    if names := procedure.decisions(node):
+        return write_decision(procedure, node, names)
     kind = node.type
     assert isinstance(kind, Elementary)
     if node.operator == "-":

@@ -7,9 +7,7 @@ functions share; such a block is written a second time with `framed` set.
 """
 
 import re
-from collections.abc import Callable, Mapping, Sequence, Set
-from dataclasses import dataclass
-from typing import TypeAlias
+from collections.abc import Callable, Sequence, Set
 
 from fbgen.diagnostics import error
 from fbgen.lang import checked
@@ -24,26 +22,13 @@ from harness.engine.compiled.model import GLOBALS, Model, has_memory, is_scalar
 from harness.engine.compiled.names import Names
 from harness.engine.compiled.paths import Path
 from harness.engine.compiled.placement import Bytes
+from harness.engine.compiled.probes import Moment, Probe, Probed
 
 DEEPEST_EXPRESSION = 60
 DEEPEST_INDENT = 60
 DEEPEST_LOOPS = 15
 DEEPEST_NESTING = 1000
 """How deep statements or expressions may be nested in all; beyond that FB6050 is raised."""
-
-Probed: TypeAlias = checked.Statement | checked.Branch | checked.CaseArm
-
-
-@dataclass(frozen=True, slots=True)
-class Probe:
-    """Something that looks on while a program runs, such as a counter of what was reached.
-
-    `line` gives the Python that runs before a statement, or first in a branch; "" for none.
-    `names` are the objects that these lines name.
-    """
-
-    line: Callable[[Probed], str]
-    names: Mapping[str, object]
 
 
 class FrameNeededError(Exception):
@@ -202,6 +187,22 @@ class Procedure:
         """Write several lines."""
         for text in texts:
             self.line(text)
+
+    def probed(self, node: Probed, moment: Moment) -> str:
+        """What a probe wants to run at a moment of a node; "" if there is none that does."""
+        probe = self.context.probe
+        return probe.line(node, moment) if probe is not None else ""
+
+    def probe(self, node: Probed, moment: Moment) -> None:
+        """Write what a probe wants to run at a moment of a node."""
+        if line := self.probed(node, moment):
+            self.forget_sites()
+            self.lines(line.split("\n"))
+
+    def decisions(self, node: checked.Expression) -> Sequence[str]:
+        """The mappings that a probe wants a decision to take its result from."""
+        probe = self.context.probe
+        return probe.decisions(node) if probe is not None else ()
 
     def enter(self, span: Span) -> None:
         """One level of statements or expressions deeper; raises FB6050 at the limit."""

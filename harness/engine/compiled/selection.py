@@ -12,13 +12,14 @@ from fbgen.lang.checked import Branch, Case, CaseArm, If, Statement
 from harness.engine.compiled.code import Code
 from harness.engine.compiled.evaluation import condition, value
 from harness.engine.compiled.intervals import calls_anything, learned
+from harness.engine.compiled.probes import Moment, Probed
 from harness.engine.compiled.procedure import Procedure
 
 LONGEST_CHAIN = 40
 MOST_ARMS_IN_CHAIN = 8
 LARGEST_TABLE = 10_000
 
-WriteBody = Callable[[Procedure, Sequence[Statement], Branch | CaseArm | None], None]
+WriteBody = Callable[[Procedure, Sequence[Statement], Probed | None], None]
 
 
 def write_if(procedure: Procedure, node: If, write_body: WriteBody) -> None:
@@ -26,9 +27,9 @@ def write_if(procedure: Procedure, node: If, write_body: WriteBody) -> None:
     before = procedure.known
     if len(node.branches) <= LONGEST_CHAIN:
         _chain(procedure, node.branches, write_body)
-        if node.otherwise:
+        if _has_otherwise(procedure, node):
             procedure.line("else:")
-            _write_knowing(procedure, node.otherwise, None, write_body)
+            _write_knowing(procedure, node.otherwise, node, write_body)
         procedure.known = before
         return
     flag = procedure.temporary()
@@ -42,9 +43,14 @@ def write_if(procedure: Procedure, node: If, write_body: WriteBody) -> None:
         procedure.line("else:")
         procedure.line(f"    {flag} = True")
         procedure.listing.indent -= 4
-    if node.otherwise:
+    if _has_otherwise(procedure, node):
         procedure.line(f"if {flag}:")
-        write_body(procedure, node.otherwise, None)
+        write_body(procedure, node.otherwise, node)
+
+
+def _has_otherwise(procedure: Procedure, node: If | Case) -> bool:
+    """True if something is to be done where no branch or arm is chosen."""
+    return bool(node.otherwise or procedure.probed(node, Moment.INSIDE))
 
 
 def _chain(procedure: Procedure, branches: Sequence[Branch], write_body: WriteBody) -> None:
@@ -66,7 +72,7 @@ def _chain(procedure: Procedure, branches: Sequence[Branch], write_body: WriteBo
 def _write_knowing(
     procedure: Procedure,
     body: Sequence[Statement],
-    owner: Branch | None,
+    owner: Branch | If,
     write_body: WriteBody,
 ) -> None:
     """A branch in which only that is known which nobody else can change."""
@@ -85,19 +91,17 @@ def write_case(procedure: Procedure, node: Case, write_body: WriteBody) -> None:
     if not node.arms:
         procedure.line(selector.text)
         procedure.listing.span = node.span
-        if node.otherwise:
+        if _has_otherwise(procedure, node):
             procedure.line("if True:")
-            write_body(procedure, node.otherwise, None)
+            write_body(procedure, node.otherwise, node)
         return
     if len(node.arms) <= MOST_ARMS_IN_CHAIN:
         _few_arms(procedure, node, selector, write_body)
         return
     name = procedure.temporary()
     procedure.line(f"{name} = {_arm_number(procedure, node, selector)}")
-    bodies: list[tuple[Sequence[Statement], CaseArm | None]] = [
-        (arm.body, arm) for arm in node.arms
-    ]
-    bodies.append((node.otherwise, None))
+    bodies: list[tuple[Sequence[Statement], Probed]] = [(arm.body, arm) for arm in node.arms]
+    bodies.append((node.otherwise, node))
     _halve(procedure, name, bodies, 0, write_body)
 
 
@@ -112,9 +116,9 @@ def _few_arms(procedure: Procedure, node: Case, selector: Code, write_body: Writ
         procedure.line(f"{keyword} {arm_condition(name, arm)}:")
         write_body(procedure, arm.body, arm)
         keyword = "elif"
-    if node.otherwise:
+    if _has_otherwise(procedure, node):
         procedure.line("else:")
-        write_body(procedure, node.otherwise, None)
+        write_body(procedure, node.otherwise, node)
 
 
 def arm_condition(name: str, arm: CaseArm) -> str:
@@ -159,15 +163,15 @@ def _search(
 def _halve(
     procedure: Procedure,
     name: str,
-    bodies: list[tuple[Sequence[Statement], CaseArm | None]],
+    bodies: list[tuple[Sequence[Statement], Probed]],
     first: int,
     write_body: WriteBody,
 ) -> None:
     """Statements that find one of the bodies, which are numbered from `first` on, by halving."""
     if len(bodies) == 1:
-        body, arm = bodies[0]
+        body, owner = bodies[0]
         procedure.listing.indent -= 4
-        write_body(procedure, body, arm)
+        write_body(procedure, body, owner)
         procedure.listing.indent += 4
         return
     middle = len(bodies) // 2

@@ -42,6 +42,7 @@ from harness.engine.compiled.local_errors import write_guarded
 from harness.engine.compiled.loops import write_for, write_repeat, write_while
 from harness.engine.compiled.model import has_memory
 from harness.engine.compiled.places import assign, place
+from harness.engine.compiled.probes import Moment, Probed
 from harness.engine.compiled.procedure import DEEPEST_INDENT, DEEPEST_LOOPS, Procedure
 from harness.engine.compiled.routines import routine_statement
 from harness.engine.compiled.selection import write_case, write_if
@@ -57,23 +58,25 @@ LONGEST_SEGMENT = 1000
 
 
 def write_body(
-    procedure: Procedure, body: Sequence[Statement], owner: Branch | CaseArm | None = None
+    procedure: Procedure, body: Sequence[Statement], owner: Probed | None = None
 ) -> None:
-    """Statements one level deeper; `pass` if there are none."""
+    """Statements one level deeper; `pass` if there are none.
+
+    They are the inside of `owner`: a branch, an arm, a loop, or the ELSE of an IF or CASE.
+    """
     listing = procedure.listing
-    if (
-        listing.indent >= 4 * DEEPEST_INDENT or len(procedure.loops) >= DEEPEST_LOOPS
-    ) and _is_nested(body):
-        listing.indent += 4
-        _split(procedure, body)
-        listing.indent -= 4
-        return
     listing.indent += 4
     before = len(listing.lines)
     if owner is not None:
-        _probe(procedure, owner)
+        procedure.probe(owner, Moment.INSIDE)
+    if (
+        listing.indent > 4 * DEEPEST_INDENT or len(procedure.loops) >= DEEPEST_LOOPS
+    ) and _is_nested(body):
+        _split(procedure, body)
+        listing.indent -= 4
+        return
     aliases, paths = procedure.aliases, procedure.paths
-    if owner is not None:
+    if isinstance(owner, Branch | CaseArm):
         _keep_in_locals(procedure, body)
     write_statements(procedure, body)
     procedure.aliases, procedure.paths = aliases, paths
@@ -107,12 +110,6 @@ def _is_nested(body: Sequence[Statement]) -> bool:
     return any(isinstance(one, If | Case | For | While | Repeat | Try) for one in body)
 
 
-def _probe(procedure: Procedure, node: Statement | Branch | CaseArm) -> None:
-    probe = procedure.context.probe
-    if probe is not None and (line := probe.line(node)):
-        procedure.line(line)
-
-
 def write_statements(procedure: Procedure, body: Sequence[Statement]) -> None:
     """Statements at the present level."""
     at = 0
@@ -142,7 +139,7 @@ def write_statement(procedure: Procedure, statement: Statement) -> None:
     procedure.listing.span = statement.span
     procedure.enter(statement.span)
     procedure.forget_sites()
-    _probe(procedure, statement)
+    procedure.probe(statement, Moment.BEFORE)
     match statement:
         case Assignment():
             _assignment(procedure, statement)
@@ -175,6 +172,9 @@ def write_statement(procedure: Procedure, statement: Statement) -> None:
             _return(procedure)
         case Stop():
             procedure.line(f"_cannot_run({statement.what!r})")
+    if not isinstance(statement, Exit | Continue | Return | Stop):
+        procedure.listing.span = statement.span
+        procedure.probe(statement, Moment.AFTER)
     procedure.nesting -= 1
 
 
@@ -300,7 +300,7 @@ def _write_plain(procedure: Procedure, body: Sequence[Statement]) -> None:
 def write_long(procedure: Procedure, body: Sequence[Statement]) -> None:
     """The statements of a whole block; in several functions if there are very many."""
     if has_jumps(body):
-        Dispatcher(procedure, _write_plain, _probe).write(body)
+        Dispatcher(procedure, _write_plain).write(body)
         return
     if len(body) <= LONGEST_FUNCTION:
         _keep_in_locals(procedure, body)

@@ -4,7 +4,7 @@ import re
 
 from fbgen.lang.checked import Assignment, Branch, CaseArm, Statement
 from fbgen.source import Source
-from harness.engine.compiled import CompiledEngine, Probe
+from harness.engine.compiled import CompiledEngine, Moment, Probe
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.loading import read_program
 
@@ -159,7 +159,10 @@ def test_a_probe_can_count_statements_and_branches() -> None:
     counts: dict[str, int] = {}
     nodes: list[Statement | Branch | CaseArm] = []
 
-    def line(node: Statement | Branch | CaseArm) -> str:
+    def line(node: Statement | Branch | CaseArm, moment: Moment) -> str:
+        is_branch = isinstance(node, Branch | CaseArm)
+        if moment is not (Moment.INSIDE if is_branch else Moment.BEFORE):
+            return ""
         nodes.append(node)
         return f"count({type(node).__name__!r})"
 

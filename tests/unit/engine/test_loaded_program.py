@@ -8,6 +8,7 @@ import pytest
 from fbgen.diagnostics import DiagnosticError
 from fbgen.source import Source
 from harness import LoadedProgram, load_program
+from harness.engine.compiled import Probe
 
 FILE = Path(__file__).with_name("engine_program.scl")
 
@@ -201,3 +202,8 @@ def test_errors_of_all_files_come_together(tmp_path: Path) -> None:
 def test_an_unknown_engine_is_reported() -> None:
     with pytest.raises(DiagnosticError, match=r"FB6025.*'fast'"):
         load_program([], engine="fast")
+
+
+def test_only_the_compiled_engine_takes_probes() -> None:
+    with pytest.raises(DiagnosticError, match=r"FB6026.*'reference'"):
+        load_program([], engine="reference", probes=[lambda _: Probe(lambda *_: "", {})])

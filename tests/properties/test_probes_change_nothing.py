@@ -1,0 +1,82 @@
+"""A program does the same whether or not somebody looks on: at all moments, at all decisions."""
+
+from collections.abc import Sequence
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from plc_programs import program_texts
+from test_engines_agree import LIMITS, QUICK, SWEEP, Scan, scans
+
+from fbgen.diagnostics import DiagnosticError
+from fbgen.lang.checked import Expression, Program
+from fbgen.source import Source
+from harness.engine.compiled import Moment, Probe
+from harness.engine.compiled.decisions import Results, decision
+from harness.engine.compiled.probes import Probed
+from harness.engine.environment import StandaloneEnvironment
+from harness.engine.loading import engine_named, read_program
+from harness.engine.variables import BlockInstance, plain
+from harness.kernel import Kernel
+
+
+def looking_on(name: str) -> Probe:
+    """Has a line wherever one can be, and notes the vectors of all decisions."""
+    counts: dict[tuple[int, str], int] = {}
+    results: dict[int, Results] = {}
+    kept: list[Probed] = []
+
+    def line(node: Probed, moment: Moment) -> str:
+        kept.append(node)
+        key = (id(node), moment.name)
+        return f"_seen = {name}_counts.get({key}, 0)\n{name}_counts[{key}] = _seen + 1"
+
+    def decisions(node: Expression) -> Sequence[str]:
+        found = decision(node)
+        if found is None:
+            return ()
+        results[id(node)] = Results(found.tree)
+        return (f"{name}_results[{id(node)}]",)
+
+    return Probe(line, {f"{name}_counts": counts, f"{name}_results": results}, decisions)
+
+
+def history(program: Program, steps: list[Scan], probes: Sequence[Probe]) -> list[str]:
+    """What can be seen after each call; a fault ends it."""
+    kernel = Kernel()
+    factory = engine_named("compiled", [lambda _, probe=probe: probe for probe in probes])
+    engine = factory(program, StandaloneEnvironment(kernel), LIMITS)
+    block = BlockInstance(engine.instance("Outer"), program)
+    seen = []
+    for wait_ms, inputs in steps:
+        kernel.run_for(wait_ms * 1_000_000)
+        try:
+            block(**inputs)
+        except DiagnosticError as fault:
+            return [*seen, str(fault)]
+        seen.append(repr(plain(block)))
+    return seen
+
+
+def compare(dialect: str, data: st.DataObject, steps: list[Scan]) -> None:
+    program = read_program([Source("random.scl", data.draw(program_texts(dialect)))], dialect)
+    alone = history(program, steps, ())
+    assert history(program, steps, [looking_on("one")]) == alone
+    assert history(program, steps, [looking_on("one"), looking_on("two")]) == alone
+
+
+@pytest.mark.parametrize("dialect", ["tia", "iec"])
+@settings(QUICK, max_examples=15)
+@given(data=st.data(), steps=scans())
+def test_probes_change_nothing(dialect: str, data: st.DataObject, steps: list[Scan]) -> None:
+    compare(dialect, data, steps)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("dialect", ["tia", "iec"])
+@SWEEP
+@given(data=st.data(), steps=scans())
+def test_probes_change_nothing_in_many_programs(
+    dialect: str, data: st.DataObject, steps: list[Scan]
+) -> None:
+    compare(dialect, data, steps)
