@@ -12,7 +12,6 @@ from pathlib import Path
 
 from fbgen.cli.plc_files import ProgramFiles
 from fbgen.cli.progress import Progress
-from fbgen.cli.workers import in_order
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang import ast
 from fbgen.lang.analysis.cpu import missing_on
@@ -22,6 +21,7 @@ from fbgen.lang.containers import read_document
 from fbgen.lang.families import Cpu
 from fbgen.lang.tag_files import global_file
 from fbgen.lang.unread_parts import unread_parts
+from fbgen.workers import in_order
 
 _CONVERSIONS = frozenset({"FB4010", "FB4011", "FB4012", "FB4058"})
 """Errors that Structured Text can have because nobody has said that it is of CODESYS."""

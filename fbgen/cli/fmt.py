@@ -81,8 +81,8 @@ def _formatted(paths: list[Path], dialect: str | None, jobs: int) -> "Iterator[F
 
     from fbgen.cli.plc_files import programs_of
     from fbgen.cli.progress import Progress
-    from fbgen.cli.workers import in_order
     from fbgen.lang.formatting import format_or_findings
+    from fbgen.workers import in_order
 
     programs_of(paths, dialect)
     progress = Progress(len(paths), shown=on_error_terminal())

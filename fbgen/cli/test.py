@@ -1,18 +1,24 @@
-"""`fbgen test`: runs scenario files on simulated plants."""
+"""`fbgen test`: runs scenario files on simulated plants.
+
+A report that somebody asks for by an option is a `ReportWriter`: its module has the option and
+makes the writer; here it is only named.
+"""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fbgen.cli import FINDINGS
+from fbgen.cli import FINDINGS, INTERRUPTED
 from fbgen.cli.dialects import PlantDialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import JsonOption
-from fbgen.cli.output import report, result, result_json, say
+from fbgen.cli.output import on_error_terminal, report, result, result_json, say
+from fbgen.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from harness.scenario import ScenarioResult
+    from fbgen.diagnostics import DiagnosticError
+    from harness.scenario import ReportWriter, ScenarioReport, ScenarioResult
 
 NS_PER_S = 1_000_000_000
 
@@ -24,7 +30,7 @@ def register(program: typer.Typer) -> None:
         epilog=examples(
             "fbgen test",
             "fbgen test scenarios/start.scenario.yaml",
-            "fbgen test scenarios -k 'start and not reverse'",
+            "fbgen test scenarios -k 'start and not reverse' -j 4",
             "fbgen test scenarios --dialect step7",
             "fbgen test scenarios --seed 7 --json",
         ),
@@ -52,36 +58,79 @@ def run_scenarios(
         int | None,
         typer.Option("--seed", metavar="N", min=0, help="This seed instead of the files' own."),
     ] = None,
+    jobs: Annotated[
+        int,
+        typer.Option("-j", "--jobs", metavar="N", min=1, help="Processes: one scenario each."),
+    ] = 1,
     dialect: PlantDialectOption = None,
     as_json: JsonOption = False,
 ) -> None:
     """Run scenario files on simulated plants.
 
     Each generates its plant, reads that text, simulates the plant, does its steps and checks what
-    they expect. The same seed gives the same run. Exit status 1 if a scenario fails.
+    they expect. The same seed gives the same run, with however many processes. Exit status 1 if a
+    scenario fails, 130 after Ctrl-C.
     """
-    from fbgen.diagnostics import error
-    from harness.scenario import run_paths
+    from harness.scenario import RunOptions, run_paths
 
+    writers: tuple[ReportWriter, ...] = ()
+    observers = tuple(dict.fromkeys(one for writer in writers for one in writer.observers))
+    session = _Session()
     done = run_paths(
         paths or [Path()],
-        seed=seed,
-        select=select,
-        dialect=dialect,
-        finished=(lambda _: None) if as_json else _show,
+        RunOptions(seed, select, dialect, jobs, observers),
+        planned=session.planned,
+        finished=session.counted if as_json else session.shown,
     )
-    if not done.results:
-        raise error(
-            "FB9006",
-            f"no scenario fits -k '{select}'",
-            help="without -k all run, each with its title",
-        )
-    failed = sum(not scenario.passed for scenario in done.results)
+    if not done.results and not done.interrupted:
+        raise _nothing_selected(select)
+    findings = [found for writer in writers for found in writer.write(done)]
     if as_json:
         result_json({"scenarios": [scenario.as_json() for scenario in done.results]})
-    say(f"{len(done.results) - failed} passed, {failed} failed")
-    if failed:
+    report(findings)
+    say(session.summary(done))
+    if done.interrupted:
+        raise typer.Exit(INTERRUPTED)
+    if findings or not done.passed:
         raise typer.Exit(FINDINGS)
+
+
+def _nothing_selected(select: str) -> "DiagnosticError":
+    from fbgen.diagnostics import error
+
+    return error(
+        "FB9006",
+        f"no scenario fits -k '{select}'",
+        help="without -k all run, each with its title",
+    )
+
+
+class _Session:
+    """Shows how far it is and what came of each scenario, as soon as that is known."""
+
+    def __init__(self) -> None:
+        self._progress = Progress(0, shown=False)
+        self._total = 0
+
+    def planned(self, total: int) -> None:
+        self._total = total
+        self._progress = Progress(total, shown=on_error_terminal())
+
+    def counted(self, scenario: "ScenarioResult") -> None:
+        self._progress.step(scenario.name)
+
+    def shown(self, scenario: "ScenarioResult") -> None:
+        self._progress.end()
+        _show(scenario)
+        self.counted(scenario)
+
+    def summary(self, done: "ScenarioReport") -> str:
+        self._progress.end()
+        failed = sum(not scenario.passed for scenario in done.results)
+        counts = f"{len(done.results) - failed} passed, {failed} failed"
+        if done.interrupted:
+            return f"stopped by Ctrl-C: {counts}, {self._total - len(done.results)} not run"
+        return counts
 
 
 def _show(scenario: "ScenarioResult") -> None:

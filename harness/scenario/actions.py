@@ -93,21 +93,31 @@ class CompareAction:
 
 
 Action: TypeAlias = SetAction | WaitAction | ExpectAction | FaultAction | CompareAction
+
+
+@dataclass(frozen=True, slots=True)
+class PreparedStep:
+    """A step of the file with what it does."""
+
+    step: Step
+    action: Action
+
+
 Result = TypeVar("Result")
 
 
 def prepare_steps(
     steps: Sequence[Step], plant: Installation, catalog: Catalog
-) -> tuple[Action, ...]:
-    """The steps of a scenario as actions on a plant.
+) -> tuple[PreparedStep, ...]:
+    """The steps of a scenario with their actions on a plant.
 
     Raises DiagnosticError FB8002 to FB8005, FB8009, FB8010, FB8013 with everything that is wrong.
     """
     preparing = _Preparing(plant, catalog)
-    actions = [action for step in steps for action in preparing.step(step)]
+    prepared = [PreparedStep(step, action) for step in steps for action in preparing.step(step)]
     if preparing.found:
         raise DiagnosticError(preparing.found)
-    return tuple(actions)
+    return tuple(prepared)
 
 
 class _Preparing:

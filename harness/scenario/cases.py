@@ -1,7 +1,7 @@
 """One scenario on one plant: the file's plant with the changes of one variation, built and run."""
 
 import os.path
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -13,9 +13,10 @@ from harness.drives import Inverter, InverterSettings
 from harness.installation import PlantSetup, build_plant
 from harness.kernel import Kernel
 from harness.line import Line
+from harness.results import ScenarioResult
 from harness.scenario.model import DriveSetup, Scenario, Variation
+from harness.scenario.observers import Observer, ObserverMaker
 from harness.scenario.places import at, key_span, value_span
-from harness.scenario.results import ScenarioResult
 from harness.scenario.runner import ScenarioRun
 
 
@@ -58,26 +59,41 @@ class ScenarioCase:
         return (self.name, self.path.as_posix(), *self.scenario.tags)
 
 
-def run_case(case: ScenarioCase, catalog: Catalog, seed: int | None = None) -> ScenarioResult:
+def run_case(
+    case: ScenarioCase,
+    catalog: Catalog,
+    seed: int | None = None,
+    observers: Sequence[ObserverMaker] = (),
+) -> ScenarioResult:
     """Run a scenario; whatever is found becomes a failure of the result."""
     used = case.scenario.seed if seed is None else seed
     result = ScenarioResult(
         case.name, case.path.as_posix(), used, True, changes=case.changes, dialect=case.dialect
     )
-    checks = virtual_ns = 0
+    watching = [make(case) for make in observers]
+    try:
+        run = prepare(case, catalog, used, watching)
+    except DiagnosticError as wrong:
+        return replace(result, passed=False, failures=wrong.diagnostics)
     found: tuple[Diagnostic, ...] = ()
     try:
-        run = prepare(case, catalog, used)
-        try:
-            run.run()
-        finally:
-            checks, virtual_ns = run.checks, run.installation.kernel.now_ns
+        run.run()
     except DiagnosticError as wrong:
         found = wrong.diagnostics
-    return replace(result, passed=not found, failures=found, checks=checks, virtual_ns=virtual_ns)
+    virtual_ns = run.installation.kernel.now_ns
+    result = replace(
+        result, passed=not found, failures=found, checks=run.checks, virtual_ns=virtual_ns
+    )
+    left = (observer.finish(result) for observer in watching)
+    return replace(result, observations=tuple(item for item in left if item is not None))
 
 
-def prepare(case: ScenarioCase, catalog: Catalog, seed: int | None = None) -> ScenarioRun:
+def prepare(
+    case: ScenarioCase,
+    catalog: Catalog,
+    seed: int | None = None,
+    observers: Sequence[Observer] = (),
+) -> ScenarioRun:
     """The scenario on its plant, ready to run.
 
     Raises DiagnosticError with everything that is wrong in the plant, or in the scenario for that
@@ -91,10 +107,15 @@ def prepare(case: ScenarioCase, catalog: Catalog, seed: int | None = None) -> Sc
         plan = in_dialect(plan, case.dialect, catalog)
     if found := list(_drive_problems(scenario, plan, catalog)):
         raise DiagnosticError(found)
-    drives = {name: setup.conditions() for name, setup in scenario.drives.items()}
-    used = scenario.seed if seed is None else seed
-    plant = build_plant(plan, catalog, PlantSetup(used, scenario.engine, drives))
-    return ScenarioRun(scenario, plant, catalog)
+    setup = PlantSetup(
+        scenario.seed if seed is None else seed,
+        scenario.engine,
+        {name: setup.conditions() for name, setup in scenario.drives.items()},
+    )
+    run = ScenarioRun(scenario, build_plant(plan, catalog, setup), catalog)
+    for observer in observers:
+        observer.attach(run)
+    return run
 
 
 def _plant_file(case: ScenarioCase) -> Path:

@@ -1,16 +1,19 @@
-"""Scenario files: found, read, run, one after the other."""
+"""Scenario files: found, read, run, one after the other or several at the same time."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import cache, partial
 from pathlib import Path
 
 from fbgen.catalog import Catalog, load_catalog, load_yaml, validate
 from fbgen.catalog.catalog import read_source
 from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.workers import in_order
+from harness.results import ScenarioReport, ScenarioResult
 from harness.scenario.cases import ScenarioCase, run_case
 from harness.scenario.model import Scenario
-from harness.scenario.results import ScenarioReport, ScenarioResult
-from harness.scenario.selection import Selection, parse_selection
+from harness.scenario.options import RunOptions
+from harness.scenario.selection import parse_selection
 
 SUFFIX = ".scenario.yaml"
 """Files with this ending in a folder are taken as scenarios."""
@@ -47,47 +50,66 @@ def scenario_cases(path: Path) -> tuple[ScenarioCase, ...]:
 
 def run_paths(
     paths: Sequence[Path],
+    options: RunOptions | None = None,
     *,
-    seed: int | None = None,
-    select: str = "",
-    dialect: str | None = None,
+    planned: Callable[[int], None] = lambda count: None,
     finished: Callable[[ScenarioResult], None] = lambda result: None,
 ) -> ScenarioReport:
     """Run the scenarios of files and folders.
 
-    `seed` takes the place of the files' own seeds; `select` is an expression over titles, files,
-    variations and tags, see `harness.scenario.selection`; `finished` is told of each result as
-    soon as it is there. `dialect` takes the place of that of each plant file.
+    `planned` is told how many there are, `finished` of each result as soon as it is there. Ctrl-C
+    ends the session: what had ended until then is in the report.
 
     Raises DiagnosticError FB8007 for missing files and FB8011 for a wrong expression. What is wrong
     in a file is a failure of its result.
     """
-    selection = parse_selection(select)
-    files = find_scenarios(paths)
-    catalog = load_catalog()
+    options = options or RunOptions()
+    selection = parse_selection(options.select)
+    work = [
+        item
+        for path in find_scenarios(paths)
+        for item in _of_file(path, options)
+        if isinstance(item, ScenarioResult) or selection(item.names)
+    ]
+    planned(len(work))
     results: list[ScenarioResult] = []
-    for path in files:
-        for result in _run_file(path, catalog, seed, selection, dialect):
+    try:
+        for result in in_order(partial(_run, options), work, options.jobs):
+            if results and _tells_nothing_new(result, results[-1]):
+                continue
             results.append(result)
             finished(result)
+    except KeyboardInterrupt:
+        return ScenarioReport(tuple(results), interrupted=True)
     return ScenarioReport(tuple(results))
 
 
-def _run_file(
-    path: Path, catalog: Catalog, seed: int | None, selection: Selection, dialect: str | None
-) -> Iterable[ScenarioResult]:
-    """The results of one file. What is wrong in the file itself is told once, not per variation."""
+def _of_file(path: Path, options: RunOptions) -> Sequence[ScenarioCase | ScenarioResult]:
+    """The cases of a file, or what is wrong in it."""
     try:
-        cases = [replace(case, dialect=dialect) for case in scenario_cases(path)]
+        return [replace(case, dialect=options.dialect) for case in scenario_cases(path)]
     except DiagnosticError as wrong:
-        yield ScenarioResult(path.name, path.as_posix(), seed or 0, False, wrong.diagnostics)
-        return
-    told: tuple[Diagnostic, ...] = ()
-    for case in cases:
-        if not selection(case.names):
-            continue
-        result = run_case(case, catalog, seed)
-        if result.failures and not result.virtual_ns and result.failures == told:
-            continue
-        told = result.failures
-        yield result
+        name, file = path.name, path.as_posix()
+        return [ScenarioResult(name, file, options.seed or 0, False, wrong.diagnostics)]
+
+
+def _run(options: RunOptions, item: ScenarioCase | ScenarioResult) -> ScenarioResult:
+    if isinstance(item, ScenarioResult):
+        return item
+    return run_case(item, _shipped_catalog(), options.seed, options.observers)
+
+
+@cache
+def _shipped_catalog() -> Catalog:
+    """Read once in each process."""
+    return load_catalog()
+
+
+def _tells_nothing_new(result: ScenarioResult, before: ScenarioResult) -> bool:
+    """Whether a scenario could not begin for the reason that its variation before has told."""
+    return (
+        result.file == before.file
+        and not result.virtual_ns
+        and bool(result.failures)
+        and result.failures == before.failures
+    )

@@ -4,7 +4,7 @@ Expectations are looked at every virtual millisecond while they wait. The first 
 fulfilled ends the scenario.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from fbgen.catalog import Catalog
 from fbgen.diagnostics import Diagnostic, DiagnosticError
@@ -21,8 +21,9 @@ from harness.scenario.actions import (
     WaitAction,
     prepare_steps,
 )
+from harness.scenario.events import StepEvent, StepMoment
 from harness.scenario.failures import Failures
-from harness.scenario.model import ExpectStep, Scenario
+from harness.scenario.model import ExpectStep, Scenario, Step
 from harness.scenario.places import at
 from harness.scenario.telegram_patterns import bytes_match
 
@@ -30,15 +31,19 @@ _RESOLUTION_NS = NS_PER_MS
 
 
 class ScenarioRun:
-    """One scenario on one plant. `checks` counts what was demanded and held."""
+    """One scenario on one plant. `checks` counts what was demanded and held.
+
+    The functions in `on_step` are told when a step begins, is done, or has failed.
+    """
 
     def __init__(self, scenario: Scenario, plant: Installation, catalog: Catalog) -> None:
         """Raises DiagnosticError with everything in the steps that the plant does not allow."""
         self.checks = 0
+        self.on_step: list[Callable[[StepEvent], None]] = []
         self.installation = plant
         self.recorders: Mapping[str, TelegramRecorder] = plant.record_telegrams()
         self._plant = plant
-        self._actions = prepare_steps(scenario.steps, plant, catalog)
+        self._steps = prepare_steps(scenario.steps, plant, catalog)
         self._failures = Failures(plant, catalog, self.recorders)
         self._seen = dict.fromkeys(self.recorders, 0)
         self._watches_the_cpu = any(
@@ -48,10 +53,20 @@ class ScenarioRun:
     def run(self) -> None:
         """All steps. Raises DiagnosticError FB8001, FB8006, FB8012, or what a device refuses."""
         self._plant.start()
-        for action in self._actions:
-            self._carry_out(action)
+        for prepared in self._steps:
+            self._tell(prepared.step, StepMoment.BEGUN)
+            try:
+                self._carry_out(prepared.action)
+            except DiagnosticError:
+                self._tell(prepared.step, StepMoment.FAILED)
+                raise
+            self._tell(prepared.step, StepMoment.DONE)
         if self._plant.cpu.diagnostics and not self._watches_the_cpu:
             raise DiagnosticError([self._failures.stopped()])
+
+    def _tell(self, step: Step, moment: StepMoment) -> None:
+        for told in self.on_step:
+            told(StepEvent(self._plant.kernel.now_ns, step, moment))
 
     def _carry_out(self, action: Action) -> None:
         if isinstance(action, SetAction):

@@ -13,6 +13,7 @@ BASE = {
     "fbgen.nearest",
     "fbgen.resources",
     "fbgen.source",
+    "fbgen.workers",
     "fbgen.writing",
 }
 BASE |= {"fbgen.pages"}
@@ -26,6 +27,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "fbgen.resources": set(),
     "fbgen.nearest": set(),
     "fbgen.writing": set(),
+    "fbgen.workers": {"fbgen.worker_pool"},
+    "fbgen.worker_pool": {"fbgen.diagnostics"},
     "fbgen.diagnostics": {"fbgen.excerpt", "fbgen.source"},
     "fbgen.excerpt": {"fbgen.source"},
     "fbgen.pages": {"fbgen.diagnostics", "fbgen.resources"},
@@ -53,7 +56,11 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.faults": BASE | TEXT | PLANT | {"harness.report"},
     "harness.sweep": BASE | TEXT | PLANT,
     "harness.trial": BASE | {"fbgen.lang", "harness.engine", "harness.kernel"},
-    "harness.scenario": BASE | TEXT | PLANT | {"harness.faults", "harness.report"},
+    "harness.results": BASE,
+    "harness.scenario": BASE
+    | TEXT
+    | PLANT
+    | {"harness.faults", "harness.report", "harness.results"},
     "harness.demo": BASE | TEXT | PLANT | {"harness.report", "harness.scenario"},
 }
 """Part -> the parts that it may import. A new part gets a line of its own here."""

@@ -1,8 +1,5 @@
 """Runs commands in this process: what they print, and their exit status."""
 
-import signal
-from collections.abc import Iterator
-
 import pytest
 
 from fbgen.cli import main
@@ -19,14 +16,3 @@ def fbgen(capsys: pytest.CaptureFixture[str]) -> Fbgen:
         return Run(status, captured.out, captured.err)
 
     return run
-
-
-@pytest.fixture
-def usual_ctrl_c() -> Iterator[None]:
-    """Ctrl+C reaches the processes of a test, also where pytest runs in the background itself.
-
-    A shell starts background jobs with SIGINT ignored, and children inherit that.
-    """
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    yield
-    signal.signal(signal.SIGINT, before)

@@ -118,3 +118,24 @@ def test_an_unknown_dialect_of_a_plant_is_wrong_usage(fbgen: Fbgen, scenarios: P
     run = fbgen("test", str(scenarios), "--dialect", "basic")
     assert run.status == 2
     assert "'basic' is none of tia, step7, iec, twincat, plcopen" in run.err
+
+
+def test_scenarios_run_in_several_processes(fbgen: Fbgen, scenarios: Path) -> None:
+    shutil.copy(scenarios / "clock.scenario.yaml", scenarios / "again.scenario.yaml")
+    run = fbgen("test", str(scenarios), "-j", "2")
+    assert (run.status, run.err) == (0, "2 passed, 0 failed\n")
+    assert [line.split()[3].rpartition("/")[2] for line in run.out.splitlines()] == [
+        "again.scenario.yaml",
+        "clock.scenario.yaml",
+    ]
+
+
+def test_ctrl_c_says_what_ran_and_is_status_130(
+    fbgen: Fbgen, scenarios: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(scenario: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("fbgen.cli.test._show", interrupted)
+    run = fbgen("test", str(scenarios))
+    assert (run.status, run.err) == (130, "stopped by Ctrl-C: 1 passed, 0 failed, 0 not run\n")

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from fbgen.diagnostics import DiagnosticError
-from harness.scenario import ScenarioReport, find_scenarios, run_paths
+from harness.scenario import RunOptions, ScenarioReport, find_scenarios, run_paths
 from tests.unit.scenario.scenario_files import PLANT, steps, written
 
 PASSES = steps("- expect: {drive.pump.running: false}")
@@ -53,20 +53,20 @@ def test_everything_runs_and_what_is_wrong_in_a_file_is_told_once(folder: Path) 
 
 def test_an_expression_chooses_single_variations(folder: Path) -> None:
     path = folder / "b.scenario.yaml"
-    report = run_paths([path], select="layouts and not (doc9 or s7-300)")
+    report = run_paths([path], RunOptions(select="layouts and not (doc9 or s7-300)"))
     assert names(report) == [("b.scenario.yaml", "Tried out", True)]
-    replay = run_paths([path], select='"[doc9]"').results
+    replay = run_paths([path], RunOptions(select='"[doc9]"')).results
     assert [item.name for item in replay] == ["Tried out [doc9]"]
     assert replay[0].replay == f"""fbgen test {path.as_posix()} --seed 0 -k '"[doc9]"'"""
 
 
 def test_an_expression_that_fits_nothing_runs_nothing(folder: Path) -> None:
-    assert run_paths([folder / "b.scenario.yaml"], select="nothing_of_it").results == ()
+    assert run_paths([folder / "b.scenario.yaml"], RunOptions(select="nothing_of_it")).results == ()
 
 
 def test_a_wrong_expression_is_told_before_anything_runs(folder: Path) -> None:
     with pytest.raises(DiagnosticError) as failure:
-        run_paths([folder], select="and")
+        run_paths([folder], RunOptions(select="and"))
     assert [item.code for item in failure.value.diagnostics] == ["FB8011"]
 
 
@@ -102,7 +102,7 @@ def test_all_mistakes_of_the_plant_file_are_told(tmp_path: Path) -> None:
 
 
 def test_results_as_data_say_how_to_run_again(folder: Path) -> None:
-    (result,) = run_paths([folder / "b.scenario.yaml"], select="doc9", seed=7).results
+    (result,) = run_paths([folder / "b.scenario.yaml"], RunOptions(select="doc9", seed=7)).results
     data = result.as_json()
     assert (data["passed"], data["seed"], data["checks"]) == (True, 7, 1)
     assert data["replay"] == result.replay

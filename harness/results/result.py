@@ -3,8 +3,11 @@
 import shlex
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from fbgen.diagnostics import Diagnostic, render
+
+Kind = TypeVar("Kind")
 
 
 @dataclass(frozen=True, slots=True)
@@ -12,6 +15,7 @@ class ScenarioResult:
     """One run of one scenario. `virtual_ns` is how long it took in the plant's own time.
 
     `changes` is what the variation changes, in brackets; `dialect` what was asked for beside it.
+    `observations` are what the observers of the run have left, such as its trace.
     """
 
     name: str
@@ -23,6 +27,11 @@ class ScenarioResult:
     checks: int = 0
     changes: str = ""
     dialect: str | None = None
+    observations: tuple[object, ...] = ()
+
+    def observed(self, kind: type[Kind]) -> Kind | None:
+        """The observation of this kind, `result.observed(Trace)`; None if nobody has made one."""
+        return next((item for item in self.observations if isinstance(item, kind)), None)
 
     @property
     def replay(self) -> str:
@@ -56,9 +65,10 @@ class ScenarioResult:
 
 @dataclass(frozen=True, slots=True)
 class ScenarioReport:
-    """All runs of a session, in their order."""
+    """The runs of a session in their order; after Ctrl-C those that had ended by then."""
 
     results: Sequence[ScenarioResult] = field(default_factory=tuple)
+    interrupted: bool = False
 
     @property
     def passed(self) -> bool:

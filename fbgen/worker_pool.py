@@ -1,0 +1,54 @@
+"""Processes that work for this one, and end with it."""
+
+import multiprocessing
+import os
+import signal
+from collections.abc import Callable, Generator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from multiprocessing.synchronize import Event
+from threading import Thread
+from typing import TypeVar
+
+from fbgen.diagnostics import error
+
+_Item = TypeVar("_Item")
+_Result = TypeVar("_Result")
+_LOOKS_UP_EVERY_S = 0.2
+"""How often a process looks whether it is still wanted."""
+
+
+def pooled(
+    work: Callable[[_Item], _Result], items: Sequence[_Item], processes: int
+) -> Generator[_Result, None, None]:
+    """See `fbgen.workers.in_order`."""
+    stop = multiprocessing.Event()
+    pool = ProcessPoolExecutor(processes, initializer=_begin, initargs=(stop,))
+    try:
+        yield from pool.map(work, items)
+    except BrokenProcessPool:
+        raise error(
+            "FB9020",
+            "the system has ended a process that worked for this command",
+            help="most often the memory was used up: take fewer processes with -j",
+        ) from None
+    except BaseException:
+        stop.set()
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _begin(stop: Event) -> None:
+    """In a new process: Ctrl-C is the business of the one that has started it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    Thread(target=_end_with, args=(stop,), daemon=True).start()
+
+
+def _end_with(stop: Event) -> None:
+    """End this process when nobody wants its results any more."""
+    parent = multiprocessing.parent_process()
+    while not stop.wait(_LOOKS_UP_EVERY_S):
+        if parent is not None and not parent.is_alive():
+            break
+    os._exit(0)
