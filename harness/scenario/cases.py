@@ -111,6 +111,7 @@ def prepare(
         scenario.seed if seed is None else seed,
         scenario.engine,
         {name: setup.conditions() for name, setup in scenario.drives.items()},
+        probes=tuple(probe for observer in observers for probe in observer.probes),
     )
     run = ScenarioRun(scenario, build_plant(plan, catalog, setup), catalog)
     for observer in observers:

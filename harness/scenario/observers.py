@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Protocol, TypeAlias
 
 from fbgen.diagnostics import Diagnostic
+from harness.engine.compiled.probes import ProbeMaker
 from harness.results import ScenarioReport, ScenarioResult
 
 if TYPE_CHECKING:
@@ -21,6 +22,11 @@ if TYPE_CHECKING:
 
 class Observer(Protocol):
     """Looks on at one run."""
+
+    @property
+    def probes(self) -> Sequence[ProbeMaker]:
+        """What it puts into the compiled PLC text; the reference engine takes none."""
+        ...
 
     def attach(self, run: "ScenarioRun") -> None:
         """The plant is built, nothing has happened yet; `run.on_step` tells of the steps."""

@@ -1,10 +1,12 @@
 """A session of scenarios: several processes, Ctrl-C, and those who look on."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
 
+from harness.engine.compiled.probes import ProbeMaker
 from harness.kernel import NS_PER_MS
 from harness.scenario import (
     RunOptions,
@@ -38,6 +40,7 @@ class Looking:
     """Notes the steps of one run."""
 
     case: ScenarioCase
+    probes: Sequence[ProbeMaker] = ()
     events: list[StepEvent] = field(default_factory=list)
 
     def attach(self, run: ScenarioRun) -> None:
