@@ -12,10 +12,10 @@ from fbgen.catalog import Telegram, load_catalog
 from fbgen.diagnostics import Diagnostic, DiagnosticError, render
 from fbgen.resources import shipped
 from harness.kernel import NS_PER_MS
-from harness.report.meaning import telegram_meaning
-from harness.report.telegrams import LineFrame, TelegramRecord
 from harness.scenario import prepare, scenario_cases
 from harness.scenario.telegram_patterns import bytes_match
+from harness.trace.meaning import telegram_meaning
+from harness.trace.telegrams import LineFrame, TelegramRecord
 
 EXAMPLE = "manual_example"
 

@@ -42,6 +42,7 @@ def schema_texts() -> dict[str, str]:
     from fbgen.cli.check_report import CheckReport
     from fbgen.plant import Plant
     from harness.scenario.model import Scenario
+    from harness.trace.lines import TraceFileLine
 
     models: dict[str, type[BaseModel]] = {
         "catalog-drive": Drive,
@@ -51,5 +52,6 @@ def schema_texts() -> dict[str, str]:
         "check-report": CheckReport,
         "plant": Plant,
         "scenario": Scenario,
+        "trace": TraceFileLine,
     }
     return {f"{name}.schema.json": schema_text(model) for name, model in models.items()}

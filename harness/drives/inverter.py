@@ -6,6 +6,7 @@ Facts: VF-S11 communications manual E6581222; VF-AS1 RS485 manual E6581315; TOSP
 sections 6 to 9. What happens to a trip at power off (it is gone, the past trips stay) is inferred.
 """
 
+from collections.abc import Callable
 from math import isclose
 from typing import Literal
 
@@ -36,7 +37,11 @@ _REFUSALS = {
 
 
 class Inverter:
-    """One inverter. It has been on for a while when it is made: it listens at once."""
+    """One inverter. It has been on for a while when it is made: it listens at once.
+
+    Functions in `observers` are called when what it is told or what it does may have changed; a
+    frequency on its way along a ramp changes without a word.
+    """
 
     __slots__ = (
         "_bits",
@@ -49,6 +54,7 @@ class Inverter:
         "communication",
         "monitors",
         "name",
+        "observers",
         "operation",
         "powered",
         "registers",
@@ -71,6 +77,7 @@ class Inverter:
         self.series = series
         self.name = settings.name
         self.powered = True
+        self.observers: list[Callable[[], None]] = []
         self.registers = Registers(series, _delivered(series, settings))
         self._bits = CommandBits.of(series.command_word)
         number = self.registers.number
@@ -112,6 +119,11 @@ class Inverter:
     def direction(self) -> Literal["forward", "reverse"]:
         """Direction of rotation; at rest the one that is commanded."""
         return "reverse" if self.operation.reverse else "forward"
+
+    @property
+    def moving_until_ns(self) -> int:
+        """Instant at which the frequency is where it goes to; the past while it stands."""
+        return self.operation.moving_until_ns
 
     @property
     def network_command(self) -> bool:
@@ -163,6 +175,7 @@ class Inverter:
     @load.setter
     def load(self, load: Load) -> None:
         self.operation.load = load
+        self._changed()
 
     @property
     def panel(self) -> Panel:
@@ -173,11 +186,13 @@ class Inverter:
         """Command from the panel or the terminals: counts while the network has no priority."""
         self.operation.panel = panel
         self._follow()
+        self._changed()
 
     def switch_to_local(self, local: bool) -> None:
         """Switch it at a terminal to local control, or back to what CMOd and the network say."""
         self.operation.local = local
         self._follow()
+        self._changed()
 
     def read_parameter(self, key: str | int) -> float:
         """The value of a ComNo in its unit, as a read over the line gives it. FB1105 if unknown."""
@@ -215,6 +230,7 @@ class Inverter:
         self.powered = False
         self.communication.stop()
         self.operation.stop_output()
+        self._changed()
 
     def power_on(self) -> None:
         """Give the supply back; the inverter is silent while it boots."""
@@ -279,6 +295,7 @@ class Inverter:
             self.communication.timeout_changed()
         elif number in self._followed:
             self._follow()
+        self._changed()
 
     def _command(self, command: int) -> None:
         if command & self._bits.fault_reset:
@@ -297,12 +314,18 @@ class Inverter:
         if self.powered and not self.tripped:
             self.trips.latch(code, self.monitors.freeze())
             self.operation.stop_output()
+            self._changed()
 
     def _restart(self, silence_ns: int) -> None:
         self.trips.reset()
         self.registers.restart()
         self.operation.restart()
         self.communication.restart(silence_ns)
+        self._changed()
+
+    def _changed(self) -> None:
+        for observer in self.observers:
+            observer()
 
 
 def _complete(series: Drive) -> None:

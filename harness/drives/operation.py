@@ -167,6 +167,13 @@ class Operation:
         return output < 0 if output else self.wish.reverse
 
     @property
+    def moving_until_ns(self) -> int:
+        """Instant at which the output frequency is where it goes to; the past while it stands."""
+        if self.mode not in (_RUN, _STOP) or self.output_hz == self.ramp.target_hz:
+            return self.ramp.start_ns
+        return max(self.ramp.end_ns, self._kernel.now_ns + 1)
+
+    @property
     def shaft_hz(self) -> float:
         """Speed of the shaft as a frequency, negative in reverse; it turns on without drive."""
         if self.mode in (Mode.RUN, Mode.STOP):

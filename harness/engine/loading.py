@@ -138,6 +138,11 @@ def _tree(source: str | Path | Source, dialect: str) -> tuple[ast.File, Sequence
     return document.file, document.findings
 
 
+def engine_name(engine: Engine) -> str:
+    """What an engine is called as `engine_named` takes it."""
+    return next(name for name, (_, factory) in ENGINES.items() if factory == type(engine).__name__)
+
+
 def engine_named(name: str, probes: "Sequence[ProbeMaker]" = ()) -> EngineFactory:
     """The engine of that name; raises FB6025. An engine is only imported when it is used.
 

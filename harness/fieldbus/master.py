@@ -32,7 +32,8 @@ class DpMaster:
 
     `clearing` is True if every slave gets zeros, `cut` while the bus is cut (set `connected`).
     Functions in `taps` get every simulated transfer. Functions in `observers` are called when a
-    station has failed, was refused, or exchanges data again.
+    station has failed, was refused, or exchanges data again, those in `on_mode` when the mode may
+    have changed.
     """
 
     __slots__ = (
@@ -46,6 +47,7 @@ class DpMaster:
         "clearing",
         "cut",
         "observers",
+        "on_mode",
         "stations",
         "taps",
     )
@@ -63,6 +65,7 @@ class DpMaster:
         self.stations: list[Station] = []
         self.taps: list[Callable[[Transfer], None]] = []
         self.observers: list[Callable[[Station], None]] = []
+        self.on_mode: list[Callable[[], None]] = []
 
     # --- building ---------------------------------------------------------------------------
 
@@ -110,16 +113,19 @@ class DpMaster:
             for station in self.stations:
                 station.restart()
             self._request_all()
+            self._mode_changed()
 
     def operate(self) -> None:
         """Send the outputs of the CPU, from the next cycle on; while stopped, once started."""
         self.clearing = self._clear_due = False
         self._request_all()
+        self._mode_changed()
 
     def clear(self) -> None:
         """Send zeros instead of the outputs and Clear_Data, from the next cycle on."""
         self.clearing = self._clear_due = True
         self._request_all()
+        self._mode_changed()
 
     def stop(self) -> None:
         """Send nothing any more; the slaves are left to their watchdogs."""
@@ -128,6 +134,11 @@ class DpMaster:
             last_ns = self.last_cycle_ns()
             for station in self.stations:
                 station.slave.polling_ended(last_ns)
+            self._mode_changed()
+
+    def _mode_changed(self) -> None:
+        for observer in self.on_mode:
+            observer()
 
     # --- the bus ----------------------------------------------------------------------------
 

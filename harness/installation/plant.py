@@ -1,6 +1,6 @@
 """A simulated plant as a whole: PLC, PROFIBUS, gateways, lines and inverters on one clock."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from fbgen.catalog import Catalog
@@ -11,7 +11,8 @@ from harness.gateways.tospbdp001 import Tospbdp001
 from harness.kernel import Kernel
 from harness.line import Line, Spacing
 from harness.plc import Cpu
-from harness.report.telegrams import TelegramRecorder
+from harness.trace.recorder import Recorder
+from harness.trace.telegrams import TelegramRecorder
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +44,14 @@ class Installation:
     def run_for(self, duration_ns: int) -> None:
         """Let `duration_ns` of the plant's time pass."""
         self.kernel.run_for(duration_ns)
+
+    def record(self, variables: Iterable[str] = ()) -> Recorder:
+        """Record everything from now on; `finish` of what this gives is the trace.
+
+        `variables` are paths of the PLC beside those of TOS_Plant. Raises DiagnosticError for
+        variables that the PLC does not have.
+        """
+        return Recorder(self, variables)
 
     def record_telegrams(self) -> dict[str, TelegramRecorder]:
         """Listen to every gateway from now on; by the gateway's name."""

@@ -11,9 +11,9 @@ from fbgen.diagnostics import Diagnostic, Note
 from harness.installation import Installation
 from harness.kernel import NS_PER_MS, NS_PER_S
 from harness.plc import CpuMode
-from harness.report.meaning import telegram_meaning
-from harness.report.telegrams import TelegramRecord, TelegramRecorder
 from harness.scenario.actions import Check
+from harness.trace.meaning import telegram_meaning
+from harness.trace.telegrams import TelegramRecord, TelegramRecorder
 
 _TELEGRAMS_SHOWN = 3
 

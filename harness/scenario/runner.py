@@ -10,7 +10,6 @@ from fbgen.catalog import Catalog
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from harness.installation import Installation
 from harness.kernel import NS_PER_MS
-from harness.report.telegrams import TelegramRecorder
 from harness.scenario.actions import (
     Action,
     Check,
@@ -26,6 +25,7 @@ from harness.scenario.failures import Failures
 from harness.scenario.model import ExpectStep, Scenario, Step
 from harness.scenario.places import at
 from harness.scenario.telegram_patterns import bytes_match
+from harness.trace.telegrams import TelegramRecorder
 
 _RESOLUTION_NS = NS_PER_MS
 

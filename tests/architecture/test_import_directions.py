@@ -51,17 +51,18 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.engine": BASE | {"fbgen.lang", "harness.kernel"},
     "harness.plc": BASE
     | {"fbgen.lang", "fbgen.wire", "harness.engine", "harness.fieldbus", "harness.kernel"},
-    "harness.report": BASE | TEXT | PLANT,
-    "harness.installation": BASE | TEXT | PLANT | {"harness.report"},
-    "harness.faults": BASE | TEXT | PLANT | {"harness.report"},
+    "harness.trace": BASE | TEXT | PLANT,
+    "harness.report": BASE | TEXT | {"harness.trace"},
+    "harness.installation": BASE | TEXT | PLANT | {"harness.trace"},
+    "harness.faults": BASE | TEXT | PLANT,
     "harness.sweep": BASE | TEXT | PLANT,
     "harness.trial": BASE | {"fbgen.lang", "harness.engine", "harness.kernel"},
     "harness.results": BASE,
     "harness.scenario": BASE
     | TEXT
     | PLANT
-    | {"harness.faults", "harness.report", "harness.results"},
-    "harness.demo": BASE | TEXT | PLANT | {"harness.report", "harness.scenario"},
+    | {"harness.faults", "harness.results", "harness.trace"},
+    "harness.demo": BASE | TEXT | PLANT | {"harness.scenario", "harness.trace"},
 }
 """Part -> the parts that it may import. A new part gets a line of its own here."""
 

@@ -12,6 +12,7 @@ telegram went out, so that a PLC that triggers all the time is served at the dev
 telegrams that collide on the line and arrive as one heap the gateway counts one.
 """
 
+from collections.abc import Callable
 from functools import partial
 
 from fbgen.diagnostics import error
@@ -48,7 +49,8 @@ class Tospbdp001:
 
     `switch_a` and `switch_b` are the rotary switches for the PROFIBUS address, B x 10 + A.
     `overwritten` counts telegrams that were lost because the next trigger came before they went
-    out, `telegrams` those that went out.
+    out, `telegrams` those that went out. Functions in `observers` are called when something that
+    can be seen at the device may have changed.
     """
 
     __slots__ = (
@@ -71,6 +73,7 @@ class Tospbdp001:
         "_work_in_life",
         "fault",
         "name",
+        "observers",
         "overwritten",
         "port",
         "powered",
@@ -97,6 +100,7 @@ class Tospbdp001:
             address,
             (layout.output_length, layout.input_length),
         )
+        self.observers: list[Callable[[], None]] = []
         self.port = line.attach(self, Role.MASTER, settings.serial_format)
         self.switch_a = self.switch_b = 0
         self.set_switches(address)
@@ -147,6 +151,7 @@ class Tospbdp001:
         self.powered = True
         self.powered_on_ns = self._kernel.now_ns
         self._forget()
+        self._changed()
         if self.settings.startup_ns:
             self._kernel.after(self.settings.startup_ns, partial(self._start, self._life))
         else:
@@ -161,6 +166,7 @@ class Tospbdp001:
         self.slave.power_off()
         self._stop_sending()
         self._forget()
+        self._changed()
 
     def fail(self, fault: Fault) -> None:
         """Break the device. It shows the fault and does nothing else until it is repaired."""
@@ -168,6 +174,7 @@ class Tospbdp001:
         if self.powered and fault is not Fault.NONE:
             self.power_off()
             self.powered = True
+            self._changed()
 
     def repair(self) -> None:
         """Mend the device and switch it off and on."""
@@ -210,6 +217,7 @@ class Tospbdp001:
             self._heartbeat_event = self._kernel.after(self.settings.heartbeat_ns, self._heartbeat)
         if self.settings.offline_timeout_ns:
             self._watch_subnet()
+        self._changed()
 
     def exchange_lost(self) -> None:
         """The fieldbus is offline: silence towards the drives, what waited is dropped."""
@@ -218,6 +226,7 @@ class Tospbdp001:
             self._stop_sending()
         elif behaviour is OfflineOutputs.CLEAR:
             self.outputs_received(bytes(len(self._outputs)))
+        self._changed()
 
     def outputs_received(self, outputs: bytes) -> None:
         """The PLC's bytes have changed. They are looked at now, or on the grid of the poll."""
@@ -271,6 +280,11 @@ class Tospbdp001:
 
     def _publish(self) -> None:
         self.slave.set_inputs(self.status.word.to_bytes(2, "big") + self._reply)
+        self._changed()
+
+    def _changed(self) -> None:
+        for observer in self.observers:
+            observer()
 
     # --- towards the drives -----------------------------------------------------------------
 

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from fbgen.catalog import load_catalog
-from harness.report.telegrams import TelegramRecord
 from harness.scenario import prepare, scenario_cases
+from harness.trace.telegrams import TelegramRecord
 from tests.unit.scenario.scenario_files import ROOT, ran, steps
 
 SCENARIOS = ROOT / "tests" / "scenarios"

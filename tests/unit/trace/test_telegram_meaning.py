@@ -3,7 +3,7 @@
 import pytest
 
 from fbgen.catalog import load_catalog
-from harness.report.meaning import telegram_meaning, word_meaning
+from harness.trace.meaning import telegram_meaning, word_meaning
 
 CATALOG = load_catalog()
 DRIVE = CATALOG.drive("vf-s11")

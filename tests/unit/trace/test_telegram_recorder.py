@@ -12,7 +12,7 @@ from fbgen.source import Source
 from fbgen.wire.toshiba import ASCII_START
 from harness.installation import DriveConditions, Installation, PlantSetup, build_plant
 from harness.kernel import NS_PER_MS
-from harness.report.telegrams import TelegramRecorder
+from harness.trace.telegrams import TelegramRecorder
 from tests.unit.scenario.scenario_files import PLANT
 
 IDLE = 'ORGANIZATION_BLOCK "Main"\nVERSION : 0.1\nBEGIN\n  ;\nEND_ORGANIZATION_BLOCK\n'

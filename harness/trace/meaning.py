@@ -11,8 +11,7 @@ def telegram_meaning(output: bytes, reply: bytes | None, drive: Drive, catalog: 
     command = next((item for item in protocol.commands if item.code == cmd), None)
     if command is None:
         return f"command {cmd:02X} is none of the protocol"
-    known = next((item for item in drive.comnos if item.number == comno), None)
-    name = f"{comno:04X} {known.title}" if known else f"{comno:04X}"
+    name = cell_name(drive, comno)
     to = "all drives" if inv_no == _broadcast(protocol) else f"drive {inv_no}"
     if command.writes:
         return f"{to}: write {name} = {word_meaning(drive, comno, data)}"
@@ -20,6 +19,12 @@ def telegram_meaning(output: bytes, reply: bytes | None, drive: Drive, catalog: 
         return f"{to}: read {name}"
     answered = int.from_bytes(reply[6:8], "big")
     return f"{to}: read {name} = {word_meaning(drive, comno, answered)}"
+
+
+def cell_name(drive: Drive, comno: int) -> str:
+    """A ComNo with its title, where it is known."""
+    known = next((item for item in drive.comnos if item.number == comno), None)
+    return f"{comno:04X} {known.title}" if known else f"{comno:04X}"
 
 
 def word_meaning(drive: Drive, comno: int, data: int) -> str:

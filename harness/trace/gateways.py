@@ -1,0 +1,84 @@
+"""What is recorded of a gateway: supply, cyclic data with their fields, lamps."""
+
+from fbgen.catalog import Gateway
+from harness.fieldbus import Transfer
+from harness.gateways.tospbdp001 import Tospbdp001
+from harness.kernel import Kernel
+from harness.line import Spacing
+from harness.trace.log import ChangeLog
+from harness.trace.model import Channel, ChannelKind
+
+_CODE_SHIFT, _CODE_MASK, _COUNT_MASK = 8, 0x1F, 0xFF
+"""Where the status word has status code and error counter (TOSPBDP001 manual v1.1, 8 A)."""
+
+
+class GatewayWatch:
+    """Looks at one gateway whenever something may have changed, and at each transfer to it.
+
+    Control word and trigger are those that have reached the gateway, zeros included that a master
+    in CLEAR sends; the status word is what the gateway posts.
+    """
+
+    def __init__(
+        self,
+        log: ChangeLog,
+        kernel: Kernel,
+        gateway: Tospbdp001,
+        known: Gateway,
+        spacing: Spacing,
+    ) -> None:
+        self._log = log
+        self._kernel = kernel
+        self._gateway = gateway
+        self._spacing = spacing
+        self._control_offset = gateway.settings.layout.control_offset
+        self._trigger_offset = gateway.settings.layout.trigger_offset
+        add = self._add
+        self._powered = add("powered", "has supply", "bool")
+        self._online = add("online", "exchanges data with the master", "bool")
+        self._control = add("control", "control word", "word", f"{known.id}.control")
+        self._trigger = add("trigger", "trigger byte", "integer")
+        self._outputs = add("outputs", "bytes from the master", "bytes")
+        self._status = add("status", "status word", "word", f"{known.id}.status")
+        self._code = add("status_code", "status code in the status word", "integer")
+        self._count = add("error_count", "counter of faulty telegrams", "integer")
+        self._inputs = add("inputs", "bytes to the master", "bytes")
+        self._telegrams = add("telegrams", "telegrams sent to the drives", "integer")
+        self._overwritten = add("overwritten", "telegrams overwritten before", "integer")
+        self._too_close = add("too_close", "telegrams too close to the one before", "integer")
+        self._lamps = [
+            add(f"led.{lamp}", f"lamp {lamp.replace('_', ' ')}", "text")
+            for lamp in gateway.leds._fields
+        ]
+        gateway.observers.append(self.look)
+        self.look()
+
+    def _add(self, item: str, title: str, kind: ChannelKind, word: str | None = None) -> int:
+        name = self._gateway.name
+        return self._log.add(
+            Channel(f"gateway.{name}.{item}", title, kind, "gateway", name, word=word)
+        )
+
+    def transferred(self, transfer: Transfer) -> None:
+        """The master has polled the gateway."""
+        self.look()
+
+    def look(self) -> None:
+        """Note everything as it is now."""
+        note, now_ns, gateway = self._log.note, self._kernel.now_ns, self._gateway
+        outputs, status = gateway.slave.outputs, gateway.status.word
+        at = self._control_offset
+        note(self._powered, now_ns, gateway.powered)
+        note(self._online, now_ns, gateway.slave.online)
+        note(self._control, now_ns, outputs[at] << 8 | outputs[at + 1])
+        note(self._trigger, now_ns, outputs[self._trigger_offset])
+        note(self._outputs, now_ns, outputs)
+        note(self._status, now_ns, status)
+        note(self._code, now_ns, status >> _CODE_SHIFT & _CODE_MASK)
+        note(self._count, now_ns, status & _COUNT_MASK)
+        note(self._inputs, now_ns, gateway.slave.inputs)
+        note(self._telegrams, now_ns, gateway.telegrams)
+        note(self._overwritten, now_ns, gateway.overwritten)
+        note(self._too_close, now_ns, len(self._spacing.too_close))
+        for lamp, light in zip(self._lamps, gateway.leds, strict=True):
+            note(lamp, now_ns, light.value)

@@ -1,0 +1,163 @@
+"""Records a plant while it runs: hooks of the devices and of the scan, no polling.
+
+Recording changes nothing of the run: it draws nothing from the random source, and what it puts
+into the kernel's queue (a look at drives whose frequency moves) comes last at its instant.
+"""
+
+from collections.abc import Iterable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from fbgen.catalog import Catalog
+from fbgen.plant import PlantGateway, with_prefix
+from harness.engine.loading import engine_name
+from harness.fieldbus import Transfer
+from harness.trace.cpu import CpuWatch
+from harness.trace.drives import DriveWatch
+from harness.trace.frame_meanings import FrameMeanings
+from harness.trace.frames import FrameWatch
+from harness.trace.gateways import GatewayWatch
+from harness.trace.log import ChangeLog
+from harness.trace.marks import Marks
+from harness.trace.meaning import telegram_meaning
+from harness.trace.model import Channel, Telegram, Trace, TraceWord
+from harness.trace.places import Places
+from harness.trace.plc import PlcWatch
+from harness.trace.telegrams import TelegramRecorder
+from harness.trace.variables import variable_channels
+from harness.trace.words import trace_word
+
+if TYPE_CHECKING:
+    from harness.installation import Installation
+
+_PLANT_DATA = "TOS_Plant"
+"""The data block with the states of all drives, as fbgen names it."""
+
+
+class Recorder:
+    """Listens to a plant from now on. `marks` are for whoever drives it; `finish` gives the trace.
+
+    `variables` are paths of the PLC, recorded with all that is below them, beside the data block
+    TOS_Plant of the generated program.
+    """
+
+    def __init__(self, plant: "Installation", variables: Iterable[str] = ()) -> None:
+        """Raises DiagnosticError FB6021 and the like for variables that the PLC does not have."""
+        self._plant = plant
+        self._begin_ns = plant.kernel.now_ns
+        self._log = ChangeLog()
+        self._places = Places()
+        self.marks = Marks(plant.kernel, self._places)
+        self._telegrams = plant.record_telegrams()
+        self._cpu = CpuWatch(self._log, plant.kernel, plant.cpu, plant.master)
+        self._gateways = {
+            entry.name: GatewayWatch(
+                self._log,
+                plant.kernel,
+                plant.gateways[entry.name],
+                plant.catalog.gateway(entry.type),
+                plant.spacing[entry.name],
+            )
+            for entry in plant.plan.gateways
+        }
+        self._frames = [_frame_watch(plant, entry) for entry in plant.plan.gateways]
+        for drive in plant.drives.values():
+            DriveWatch(self._log, plant.kernel, drive)
+        channels = _variables(plant, variables)
+        self._plc = PlcWatch(self._log, plant.cpu.engine, channels, self._begin_ns)
+        stations = {id(plant.stations[name]): watch for name, watch in self._gateways.items()}
+        plant.master.taps.append(partial(_to_gateway, stations))
+        plant.cpu.after_scan.append(self._scanned)
+
+    def _scanned(self) -> None:
+        self._cpu.scanned()
+        self._plc.look(self._plant.cpu.instant_ns)
+
+    def variables_written(self) -> None:
+        """Somebody beside the program has written variables of the PLC just now."""
+        self._plc.look(self._plant.kernel.now_ns)
+
+    def finish(self, title: str = "", scenario: str = "") -> Trace:
+        """All that was recorded so far. Recording goes on."""
+        plant = self._plant
+        self.look()
+        return Trace(
+            title or plant.plan.name,
+            scenario,
+            plant.kernel.seed,
+            engine_name(plant.cpu.engine),
+            plant.plan.code_dialect,
+            False,
+            self._begin_ns,
+            plant.kernel.now_ns,
+            _words(self._log.channels, plant.catalog),
+            tuple(self._places.found),
+            tuple(self._log.channels),
+            tuple(sorted(self._log.changes, key=lambda change: change.time_ns)),
+            tuple(
+                sorted(
+                    (frame for watch in self._frames for frame in watch.frames),
+                    key=lambda frame: frame.start_ns,
+                )
+            ),
+            self._sent(),
+            tuple(self.marks.found),
+        )
+
+    def look(self) -> None:
+        """Note everything as it is now, whatever the hooks have told."""
+        self._cpu.look()
+        for watch in self._gateways.values():
+            watch.look()
+
+    def _sent(self) -> tuple[Telegram, ...]:
+        plan, catalog = self._plant.plan, self._plant.catalog
+        found = [
+            telegram
+            for entry in plan.gateways
+            for telegram in _telegrams_of(entry, self._telegrams[entry.name], catalog)
+        ]
+        return tuple(sorted(found, key=lambda telegram: telegram.sent_ns))
+
+
+def _to_gateway(watches: dict[int, GatewayWatch], transfer: Transfer) -> None:
+    if (watch := watches.get(id(transfer.station))) is not None:
+        watch.look()
+
+
+def _frame_watch(plant: "Installation", entry: PlantGateway) -> FrameWatch:
+    series = {item.inv_no: plant.catalog.drive(item.series) for item in entry.drives}
+    ports = {plant.drives[item.name].communication.port: item.name for item in entry.drives}
+    gateway = plant.gateways[entry.name].port
+    meanings = FrameMeanings(series, plant.catalog)
+    return FrameWatch(plant.lines[entry.name], entry.name, gateway, ports, meanings)
+
+
+def _variables(plant: "Installation", more: Iterable[str]) -> list[Channel]:
+    program = plant.cpu.engine.program
+    names = [with_prefix(name, plant.plan.prefix) for name in (_PLANT_DATA, *more)]
+    if names[0].casefold() not in (*program.globals, *program.lists):
+        del names[0]
+    channels: dict[str, Channel] = {}
+    for name in names:
+        for channel in variable_channels(program, name):
+            channels.setdefault(channel.path.casefold(), channel)
+    return list(channels.values())
+
+
+def _words(channels: Iterable[Channel], catalog: Catalog) -> tuple[TraceWord, ...]:
+    names = dict.fromkeys(channel.word for channel in channels if channel.word is not None)
+    return tuple(trace_word(name, catalog.word(name)) for name in names)
+
+
+def _telegrams_of(
+    entry: PlantGateway, recorder: TelegramRecorder, catalog: Catalog
+) -> Iterable[Telegram]:
+    for record in recorder.records:
+        addressed = [item for item in entry.drives if item.inv_no == record.output[3]]
+        series = catalog.drive((addressed or entry.drives)[0].series)
+        meaning = telegram_meaning(record.output, record.input, series, catalog)
+        yield Telegram(
+            *(record.sent_ns, entry.name, record.output),
+            *(record.received_ns, record.input, meaning),
+        )
