@@ -18,6 +18,7 @@ from fbgen.artefacts.memory import (
 from fbgen.artefacts.view import PlantLists
 from fbgen.blocks.line_times import line_times
 from fbgen.blocks.literals import one_line
+from fbgen.blocks.plan import longest_pause
 from fbgen.blocks.poll_cycle import poll_cycle
 from fbgen.emit.environment import TemplateRenderer
 from fbgen.emit.generated import Artefact
@@ -125,6 +126,7 @@ def _context(
         "plc_tags": next((name for name in names if name.endswith("plc_tags.xlsx")), ""),
         "main": lists.name("TOS_Main"),
         "restart": lists.name("TOS_Restart"),
+        "longest_pause": longest_pause(plant),
         "data": lists.name("TOS_Plant"),
         "globals": lists.name(GLOBALS),
         "parameters": lists.name("TOS_Parameters"),

@@ -23,6 +23,9 @@ _CLASSIC_TIMER = ": TON"
 
 _WITH_STARTUP_BLOCKS = ("tia", "step7")
 """Dialects of PLCs that may keep data over a restart, and have OB100 to say so."""
+_LONGEST_PAUSE_MS = 200.0
+_LONGEST_PAUSE_CYCLES = 5
+"""How long after a call the next one counts as a start of the PLC where no block says so."""
 ERROR_BLOCKS = ("OB82", "OB85", "OB86", "OB122")
 """The organization blocks without which an error event takes an S7-300/400 to STOP."""
 SERIAL_COMMANDS = "serial communication"
@@ -220,6 +223,7 @@ def _plant_context(
 ) -> dict[str, object]:
     return {
         "optimized": "FALSE" if plant.family.classic else "TRUE",
+        "longest_pause": longest_pause(plant),
         "on_delay": _CLASSIC_TIMER if plant.family.classic else _TIMER,
         "plant": PlantView(plant.name, max(len(item.drives) for item in gateways)),
         "gateways": gateways,
@@ -230,6 +234,14 @@ def _plant_context(
             "drive": drive_alarms([item.id for item in sequences]),
         },
     }
+
+
+def longest_pause(plant: Plant) -> SclText | None:
+    """From one call to the next at most while the PLC runs; None where OB100 tells of a start."""
+    if plant.dialect in _WITH_STARTUP_BLOCKS:
+        return None
+    place = origin("cycle_time_ms", plant)
+    return milliseconds(max(_LONGEST_PAUSE_MS, _LONGEST_PAUSE_CYCLES * plant.cycle_time_ms), place)
 
 
 def _gateway_context(gateway: Gateway) -> dict[str, object]:

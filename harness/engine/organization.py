@@ -56,12 +56,14 @@ class ObSettings:
     """What the project says about organization blocks, by their names or as `OB35`.
 
     `numbers` has those that the names do not tell, `periods` the cyclic interrupts whose period is
-    not the default one. `main_function` runs once a cycle where the files have no OB1.
+    not the default one. `main_function` runs once a cycle where the files have no OB1,
+    `restart_function` once before the first one where they have no OB100.
     """
 
     numbers: Mapping[str, int] = field(default_factory=dict)
     periods: Mapping[str, Period] = field(default_factory=dict)
     main_function: str = "TOS_Main"
+    restart_function: str = "TOS_Restart"
 
 
 @dataclass(slots=True)

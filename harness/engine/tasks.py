@@ -103,6 +103,10 @@ def startup_blocks(
     program: Program, settings: ObSettings | None = None, *, warm: bool = True
 ) -> tuple[str, ...]:
     """The block that runs once when the CPU goes to RUN: OB100, or OB102 at a cold restart."""
-    numbered = organization_blocks(program, settings or ObSettings())
+    known = settings or ObSettings()
+    numbered = organization_blocks(program, known)
     wanted = COLD_RESTART if not warm and COLD_RESTART in numbered else WARM_RESTART
-    return (numbered[wanted],) if wanted in numbered else ()
+    if wanted in numbered:
+        return (numbered[wanted],)
+    function = program.blocks.get(known.restart_function.casefold())
+    return (function.name,) if function is not None and function.kind is BlockKind.FUNCTION else ()

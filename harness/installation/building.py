@@ -90,7 +90,11 @@ def _cpu_settings(plan: Plant, times: CpuSettings) -> CpuSettings:
         family=CpuFamily(plan.plc),
         cycle_ns=round(plan.cycle_time_ms * NS_PER_MS),
         memory_bytes=max(times.memory_bytes, last + 1),
-        obs=replace(times.obs, main_function=with_prefix("TOS_Main", plan.prefix)),
+        obs=replace(
+            times.obs,
+            main_function=with_prefix("TOS_Main", plan.prefix),
+            restart_function=with_prefix("TOS_Restart", plan.prefix),
+        ),
     )
 
 

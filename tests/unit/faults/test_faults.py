@@ -49,6 +49,7 @@ def snapshot(plant: Installation) -> dict[str, object]:
         "bus": plant.master.mode,
         "connected": plant.master.connected,
         "gateway": gateway.powered,
+        "diagnosis": gateway.slave.ext_diag,
         "torn": plant.cpu.link.armed,
         "line": (
             plant.lines["gw1"].master_pair.broken,
@@ -66,6 +67,7 @@ CASES: list[tuple[str, str, dict[str, object]]] = [
     ("drive_local", "drive3", {"local": {"drive3"}}),
     ("drive_tripped", "drive3", {"drive3": (True, "OC1")}),
     ("drive_unpowered", "drive3", {"drive3": (False, "")}),
+    ("gateway_diagnosis", "gw1", {"diagnosis": True}),
     ("gateway_unpowered", "gw1", {"gateway": False}),
     ("line_broken", "gw1", {"line": (True, True, 0.0, 0.0)}),
     ("line_noise", "gw1", {"line": (False, False, 0.01, 0.01)}),
@@ -123,6 +125,21 @@ def test_with_the_cpu_in_stop_the_gateway_gets_zeros(plant: Installation) -> Non
     assert not any(plant.gateways["gw1"].slave.outputs)
 
 
+@pytest.mark.parametrize(("data", "found"), [("initial", 0.0), ("kept", 20.0)])
+def test_the_cpu_finds_its_initial_data_after_stop_or_those_it_had(
+    plant: Installation, data: str, found: float
+) -> None:
+    path = "TOS_Plant.gw1.drive3.control.frequency"
+    plant.cpu.engine.set_global(path, 20.0)
+    made = fault(plant, "cpu_stopped", settings={"data": data})
+    made.inject()
+    plant.run_for(NS_PER_S)
+    made.clear()
+    plant.run_for(NS_PER_S)
+    assert plant.cpu.mode is CpuMode.RUN
+    assert plant.cpu.engine.global_value(path) == found
+
+
 def test_with_profibus_interrupted_the_gateway_goes_offline_and_silent(
     plant: Installation,
 ) -> None:
@@ -176,6 +193,7 @@ def test_places_are_those_of_the_plant(plant: Installation) -> None:
         ("line_noise", {"probability": 0.5}, "has no setting 'probability'"),
         ("drive_tripped", {"display": ""}, "is never ''"),
         ("cpu_stopped", {"display": "OC1"}, "has no setting 'display'"),
+        ("cpu_stopped", {"data": "lost"}, "is never 'lost'"),
     ],
 )
 def test_wrong_settings_are_refused(
