@@ -12,6 +12,8 @@ import typer
 from fbgen.cli import FINDINGS, INTERRUPTED
 from fbgen.cli.dialects import PlantDialectOption
 from fbgen.cli.examples import examples
+from fbgen.cli.failure_annotations import AnnotationsOption, AnnotationWriter, CodeHost
+from fbgen.cli.junit_report import JunitOption, JunitWriter
 from fbgen.cli.layers import JsonOption
 from fbgen.cli.output import on_error_terminal, report, result, result_json, say
 from fbgen.cli.progress import Progress
@@ -33,6 +35,7 @@ def register(program: typer.Typer) -> None:
             "fbgen test scenarios -k 'start and not reverse' -j 4",
             "fbgen test scenarios --dialect step7",
             "fbgen test scenarios --seed 7 --json",
+            "fbgen test scenarios --junit results.xml --annotations github",
         ),
     )(run_scenarios)
 
@@ -63,6 +66,8 @@ def run_scenarios(
         typer.Option("-j", "--jobs", metavar="N", min=1, help="Processes: one scenario each."),
     ] = 1,
     dialect: PlantDialectOption = None,
+    junit: JunitOption = None,
+    annotations: AnnotationsOption = None,
     as_json: JsonOption = False,
 ) -> None:
     """Run scenario files on simulated plants.
@@ -73,7 +78,13 @@ def run_scenarios(
     """
     from harness.scenario import RunOptions, run_paths
 
-    writers: tuple[ReportWriter, ...] = ()
+    if as_json and annotations is CodeHost.GITHUB:
+        raise typer.BadParameter("--json and --annotations github both print on standard output")
+    asked: list[ReportWriter | None] = [
+        JunitWriter(junit) if junit else None,
+        AnnotationWriter(annotations) if annotations else None,
+    ]
+    writers = [writer for writer in asked if writer is not None]
     observers = tuple(dict.fromkeys(one for writer in writers for one in writer.observers))
     session = _Session()
     done = run_paths(

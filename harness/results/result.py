@@ -15,6 +15,8 @@ class ScenarioResult:
     """One run of one scenario. `virtual_ns` is how long it took in the plant's own time.
 
     `changes` is what the variation changes, in brackets; `dialect` what was asked for beside it.
+    `plant` is the plant file, `ran_dialect` the dialect of the text that ran: empty if none did,
+    because something was wrong in the files.
     `observations` are what the observers of the run have left, such as its trace.
     """
 
@@ -27,6 +29,8 @@ class ScenarioResult:
     checks: int = 0
     changes: str = ""
     dialect: str | None = None
+    plant: str = ""
+    ran_dialect: str = ""
     observations: tuple[object, ...] = ()
 
     def observed(self, kind: type[Kind]) -> Kind | None:

@@ -68,7 +68,10 @@ def run_case(
     """Run a scenario; whatever is found becomes a failure of the result."""
     used = case.scenario.seed if seed is None else seed
     result = ScenarioResult(
-        case.name, case.path.as_posix(), used, True, changes=case.changes, dialect=case.dialect
+        *(case.name, case.path.as_posix(), used, True),
+        changes=case.changes,
+        dialect=case.dialect,
+        plant=_plant_path(case).as_posix(),
     )
     watching = [make(case) for make in observers]
     try:
@@ -82,7 +85,12 @@ def run_case(
         found = wrong.diagnostics
     virtual_ns = run.installation.kernel.now_ns
     result = replace(
-        result, passed=not found, failures=found, checks=run.checks, virtual_ns=virtual_ns
+        result,
+        passed=not found,
+        failures=found,
+        checks=run.checks,
+        virtual_ns=virtual_ns,
+        ran_dialect=run.installation.plan.dialect,
     )
     left = (observer.finish(result) for observer in watching)
     return replace(result, observations=tuple(item for item in left if item is not None))
@@ -119,8 +127,12 @@ def prepare(
     return run
 
 
+def _plant_path(case: ScenarioCase) -> Path:
+    return Path(os.path.normpath(case.path.parent / case.scenario.plant))
+
+
 def _plant_file(case: ScenarioCase) -> Path:
-    path = Path(os.path.normpath(case.path.parent / case.scenario.plant))
+    path = _plant_path(case)
     if not path.is_file():
         raise error(
             "FB8007",

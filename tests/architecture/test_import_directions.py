@@ -52,7 +52,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.plc": BASE
     | {"fbgen.lang", "fbgen.wire", "harness.engine", "harness.fieldbus", "harness.kernel"},
     "harness.trace": BASE | TEXT | PLANT,
-    "harness.report": BASE | TEXT | {"harness.trace"},
+    "harness.report": BASE | {"harness.results", "harness.trace"},
     "harness.installation": BASE | TEXT | PLANT | {"harness.trace"},
     "harness.faults": BASE | TEXT | PLANT,
     "harness.sweep": BASE | TEXT | PLANT,

@@ -1,0 +1,58 @@
+"""`fbgen test --annotations HOST`: failures at their lines, where a code host shows them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, TypeAlias
+
+import typer
+
+if TYPE_CHECKING:
+    from fbgen.diagnostics import Diagnostic
+    from harness.results import ScenarioReport
+    from harness.scenario import ObserverMaker
+
+GITLAB_FILE = "gl-code-quality-report.json"
+"""The file's name in GitLab's documentation."""
+
+
+class CodeHost(Enum):
+    """Who shows the failures."""
+
+    GITHUB = "github"
+    GITLAB = "gitlab"
+
+
+AnnotationsOption: TypeAlias = Annotated[
+    CodeHost | None,
+    typer.Option(
+        "--annotations",
+        help=f"github: log lines that mark failures in the changes; gitlab: {GITLAB_FILE}.",
+    ),
+]
+
+
+@dataclass(frozen=True, slots=True)
+class AnnotationWriter:
+    """Prints lines for GitHub, writes the file for GitLab; nobody has to look on for it."""
+
+    host: CodeHost
+    observers: "tuple[ObserverMaker, ...]" = ()
+
+    def write(self, report: "ScenarioReport") -> "Sequence[Diagnostic]":
+        """Print or write it. FB9002 if the file cannot be written."""
+        import json
+
+        from fbgen.cli.annotations import github_lines, gitlab_report
+        from fbgen.cli.output import result
+        from fbgen.cli.report_files import write_report
+        from harness.report.findings import findings_of
+
+        findings = list(findings_of(report))
+        if self.host is CodeHost.GITLAB:
+            text = json.dumps(gitlab_report(findings), indent=2) + "\n"
+            return write_report(Path(GITLAB_FILE), text)
+        for line in github_lines(findings):
+            result(line)
+        return ()

@@ -1,0 +1,33 @@
+"""`fbgen test --junit FILE`: the results as JUnit XML."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, TypeAlias
+
+import typer
+
+if TYPE_CHECKING:
+    from fbgen.diagnostics import Diagnostic
+    from harness.results import ScenarioReport
+    from harness.scenario import ObserverMaker
+
+JunitOption: TypeAlias = Annotated[
+    Path | None,
+    typer.Option("--junit", metavar="FILE", help="Write the results as JUnit XML, for CI servers."),
+]
+
+
+@dataclass(frozen=True, slots=True)
+class JunitWriter:
+    """Writes the file; nobody has to look on for it."""
+
+    path: Path
+    observers: "tuple[ObserverMaker, ...]" = ()
+
+    def write(self, report: "ScenarioReport") -> "Sequence[Diagnostic]":
+        """Write it over the last one. FB9002 if that cannot be done."""
+        from fbgen.cli.report_files import write_report
+        from harness.report.junit import junit_xml
+
+        return write_report(self.path, junit_xml(report))
