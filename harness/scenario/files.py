@@ -109,7 +109,7 @@ def _tells_nothing_new(result: ScenarioResult, before: ScenarioResult) -> bool:
     """Whether a scenario could not begin for the reason that its variation before has told."""
     return (
         result.file == before.file
-        and not result.virtual_ns
+        and not result.ran_dialect
         and bool(result.failures)
         and result.failures == before.failures
     )

@@ -52,7 +52,7 @@ def test_github_gets_a_line_at_the_failing_check(fbgen: Fbgen, folder: Path) -> 
     run = fbgen("test", "turns.scenario.yaml", "-k", "not s7-300", "--annotations", "github")
     (line,) = [text for text in run.out.splitlines() if text.startswith("::")]
     place = "title=FB8001,file=turns.scenario.yaml,line=6,endLine=6,col=14,endColumn=34"
-    assert line.startswith(f"::error {place}::A drive stands: drive.pump.frequency is 0.0")
+    assert line.startswith(f"::error {place}::A drive stands: drive.pump.frequency is 0")
     assert "%0Arun it again: fbgen test turns.scenario.yaml --seed 0" in line
 
 
