@@ -17,6 +17,7 @@ from fbgen.cli.junit_report import JunitOption, JunitWriter
 from fbgen.cli.layers import JsonOption
 from fbgen.cli.output import on_error_terminal, report, result, result_json, say
 from fbgen.cli.progress import Progress
+from fbgen.cli.trace_reports import TraceOption, VcdOption, trace_writers
 
 if TYPE_CHECKING:
     from fbgen.diagnostics import DiagnosticError
@@ -36,6 +37,7 @@ def register(program: typer.Typer) -> None:
             "fbgen test scenarios --dialect step7",
             "fbgen test scenarios --seed 7 --json",
             "fbgen test scenarios --junit results.xml --annotations github",
+            "fbgen test scenarios --trace runs.jsonl --vcd waves",
         ),
     )(run_scenarios)
 
@@ -68,6 +70,8 @@ def run_scenarios(
     dialect: PlantDialectOption = None,
     junit: JunitOption = None,
     annotations: AnnotationsOption = None,
+    trace: TraceOption = None,
+    vcd: VcdOption = None,
     as_json: JsonOption = False,
 ) -> None:
     """Run scenario files on simulated plants.
@@ -84,7 +88,7 @@ def run_scenarios(
         JunitWriter(junit) if junit else None,
         AnnotationWriter(annotations) if annotations else None,
     ]
-    writers = [writer for writer in asked if writer is not None]
+    writers = [*(writer for writer in asked if writer is not None), *trace_writers(trace, vcd)]
     observers = tuple(dict.fromkeys(one for writer in writers for one in writer.observers))
     session = _Session()
     done = run_paths(

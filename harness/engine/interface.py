@@ -49,6 +49,9 @@ class Reference:
         self._write(value)
 
 
+Reader: TypeAlias = Callable[[], tuple[Scalar, ...]]
+"""Gives several single values as they are now."""
+
 Convert: TypeAlias = Callable[[Mapping[str, Any]], Mapping[str, Value]]
 """What makes plain values of what a caller gave by name."""
 
@@ -195,6 +198,10 @@ class Engine(Protocol):
 
     def new_variable(self, kind: Type, value: Value | None) -> Reference:
         """A variable of its own; without a value it has the default of its type."""
+        ...
+
+    def reader(self, paths: Sequence[str]) -> Reader:
+        """What reads single values as `global_value`, in the order of the paths; fast."""
         ...
 
     def snapshot(self) -> State:

@@ -80,11 +80,6 @@ class HardwareAccess:
         self._begin()
 
     @property
-    def instant_ns(self) -> int:
-        """How far the running program has come; between scans, how far the last one came."""
-        return self._instant_ns
-
-    @property
     def classic(self) -> bool:
         """True for S7-300 and S7-400."""
         return self.settings.family.classic

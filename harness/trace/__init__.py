@@ -16,6 +16,7 @@ from harness.trace.model import (
     Telegram,
     Trace,
     TraceWord,
+    Verdict,
     WordField,
 )
 from harness.trace.reading import read_traces
@@ -32,6 +33,7 @@ __all__ = [
     "Telegram",
     "Trace",
     "TraceWord",
+    "Verdict",
     "WordField",
     "read_traces",
     "trace_lines",

@@ -34,4 +34,4 @@ class CpuWatch:
 
     def scanned(self) -> None:
         """The program of a scan is through."""
-        self._log.note(self._scans, self._cpu.instant_ns, self._cpu.scans)
+        self._log.note(self._scans, self._kernel.now_ns, self._cpu.scans)

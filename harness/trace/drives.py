@@ -11,6 +11,7 @@ from harness.drives import Inverter
 from harness.kernel import NS_PER_MS, Kernel
 from harness.trace.log import ChangeLog
 from harness.trace.model import Channel, ChannelKind
+from harness.trace.words import WORD_BITS
 
 SAMPLES_NS = 10 * NS_PER_MS
 """How often a moving drive is looked at."""
@@ -47,7 +48,8 @@ class DriveWatch:
         self, item: str, title: str, kind: ChannelKind, unit: str = "", word: str | None = None
     ) -> int:
         name = self._drive.name
-        channel = Channel(f"drive.{name}.{item}", title, kind, "drive", name, unit, word)
+        bits = WORD_BITS if kind == "word" else 0
+        channel = Channel(f"drive.{name}.{item}", title, kind, "drive", name, unit, bits, word)
         return self._log.add(channel)
 
     def _word(self, name: str) -> tuple[int, int]:

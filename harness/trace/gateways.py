@@ -7,6 +7,7 @@ from harness.kernel import Kernel
 from harness.line import Spacing
 from harness.trace.log import ChangeLog
 from harness.trace.model import Channel, ChannelKind
+from harness.trace.words import WORD_BITS
 
 _CODE_SHIFT, _CODE_MASK, _COUNT_MASK = 8, 0x1F, 0xFF
 """Where the status word has status code and error counter (TOSPBDP001 manual v1.1, 8 A)."""
@@ -55,9 +56,9 @@ class GatewayWatch:
 
     def _add(self, item: str, title: str, kind: ChannelKind, word: str | None = None) -> int:
         name = self._gateway.name
-        return self._log.add(
-            Channel(f"gateway.{name}.{item}", title, kind, "gateway", name, word=word)
-        )
+        bits = WORD_BITS if kind == "word" else 0
+        path = f"gateway.{name}.{item}"
+        return self._log.add(Channel(path, title, kind, "gateway", name, bits=bits, word=word))
 
     def transferred(self, transfer: Transfer) -> None:
         """The master has polled the gateway."""

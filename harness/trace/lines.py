@@ -81,6 +81,7 @@ class ChannelLine(_Line):
     group: Group
     owner: str = Field("", description="Gateway, line, drive, or data block.")
     unit: str = ""
+    bits: int = Field(0, ge=0, le=64, description="How many a word has.")
     word: str | None = Field(None, description="Name of the word that decodes it.")
 
 

@@ -79,8 +79,8 @@ def _described(item: WordField, value: int) -> str:
 class Channel:
     """Something that has one value at any time. `path` is how scenario files name it.
 
-    `word` names the `TraceWord` that decodes it; `owner` is the gateway, the line or the drive, for
-    variables of the PLC the data block.
+    A word has `bits`, and `word` names the `TraceWord` that decodes it; `owner` is the gateway, the
+    line or the drive, for variables of the PLC the data block.
     """
 
     path: str
@@ -89,6 +89,7 @@ class Channel:
     group: Group
     owner: str = ""
     unit: str = ""
+    bits: int = 0
     word: str | None = None
 
 

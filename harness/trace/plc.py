@@ -3,7 +3,6 @@
 from collections.abc import Iterable
 
 from harness.engine.interface import Engine
-from harness.engine.value_readers import value_reader
 from harness.trace.log import ChangeLog
 from harness.trace.model import Channel, TraceValue
 
@@ -20,7 +19,7 @@ class PlcWatch:
         self._log = log
         self._numbers = [log.add(channel) for channel in channels]
         paths = [log.channels[number].path.partition(".")[2] for number in self._numbers]
-        self._read = value_reader(engine, paths)
+        self._read = engine.reader(paths)
         self._before: tuple[TraceValue, ...] = ()
         self.look(now_ns)
 

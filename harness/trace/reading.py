@@ -130,7 +130,7 @@ class _Run:
                 self.channels.append(
                     Channel(
                         *(line.path, line.title, line.kind, line.group),
-                        *(line.owner, line.unit, line.word),
+                        *(line.owner, line.unit, line.bits, line.word),
                     )
                 )
 

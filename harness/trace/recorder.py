@@ -42,7 +42,7 @@ class Recorder:
     """
 
     def __init__(self, plant: "Installation", variables: Iterable[str] = ()) -> None:
-        """Raises DiagnosticError FB6021 and the like for variables that the PLC does not have."""
+        """Raises DiagnosticError FB6020 and FB6024 for variables that the PLC does not have."""
         self._plant = plant
         self._begin_ns = plant.kernel.now_ns
         self._log = ChangeLog()
@@ -71,10 +71,10 @@ class Recorder:
 
     def _scanned(self) -> None:
         self._cpu.scanned()
-        self._plc.look(self._plant.cpu.instant_ns)
+        self.variables_written()
 
     def variables_written(self) -> None:
-        """Somebody beside the program has written variables of the PLC just now."""
+        """Somebody has written variables of the PLC: its program, or who drives the plant."""
         self._plc.look(self._plant.kernel.now_ns)
 
     def finish(self, title: str = "", scenario: str = "") -> Trace:
@@ -93,7 +93,7 @@ class Recorder:
             _words(self._log.channels, plant.catalog),
             tuple(self._places.found),
             tuple(self._log.channels),
-            tuple(sorted(self._log.changes, key=lambda change: change.time_ns)),
+            tuple(self._log.changes),
             tuple(
                 sorted(
                     (frame for watch in self._frames for frame in watch.frames),

@@ -51,7 +51,8 @@ def _below(program: Program, path: str, kind: Type) -> Iterator[Channel]:
         yield _channel(path, "text")
     elif isinstance(kind, Elementary):
         if kind.family in _KINDS:
-            yield _channel(path, _KINDS[kind.family])
+            bits = kind.bits if kind.family is Family.BITS else 0
+            yield _channel(path, _KINDS[kind.family], bits=bits)
     elif isinstance(kind, StructType):
         for field in kind.fields:
             yield from _below(program, f"{path}.{_name(field.name)}", field.type)
@@ -77,7 +78,7 @@ def _indices(bounds: tuple[tuple[int, int], ...]) -> Iterator[str]:
             yield str(index)
 
 
-def _channel(path: str, kind: ChannelKind, unit: str = "") -> Channel:
+def _channel(path: str, kind: ChannelKind, unit: str = "", bits: int = 0) -> Channel:
     owner, _, rest = path.partition(".")
     title = rest.replace(".", " ") or owner
-    return Channel(f"plc.{path}", title, kind, "plc", owner, unit)
+    return Channel(f"plc.{path}", title, kind, "plc", owner, unit, bits)

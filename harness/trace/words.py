@@ -3,6 +3,9 @@
 from fbgen.catalog import Word
 from harness.trace.model import TraceWord, WordField
 
+WORD_BITS = 16
+"""Of every word of the catalogue."""
+
 
 def trace_word(name: str, word: Word) -> TraceWord:
     """A word with the names of its bits; `name` says of which device, `tospbdp001.status`."""

@@ -94,6 +94,7 @@ def _channel(number: int, channel: Channel) -> str:
         group=channel.group,
         owner=channel.owner or None,
         unit=channel.unit or None,
+        bits=channel.bits or None,
         word=channel.word,
     )
 

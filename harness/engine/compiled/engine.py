@@ -1,6 +1,7 @@
 """A checked program, compiled to Python and loaded on a controller."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from types import MappingProxyType
 from typing import Any, NoReturn
 
@@ -21,6 +22,7 @@ from harness.engine.compiled.instance import CompiledInstance
 from harness.engine.compiled.library.counters import counter_classes
 from harness.engine.compiled.library.timers import timer_classes
 from harness.engine.compiled.local_errors import going_on
+from harness.engine.compiled.located import found_at, located_at
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.model import GLOBALS, Model, Record, is_scalar, run_method
 from harness.engine.compiled.namespace import LIBRARY, Cpu, counting, hardware
@@ -32,13 +34,21 @@ from harness.engine.compiled.passes import may_exceed
 from harness.engine.compiled.placement import Bytes
 from harness.engine.compiled.probes import Probe
 from harness.engine.compiled.programs import programs
+from harness.engine.compiled.readers import written_reader
 from harness.engine.compiled.routines import Routines, unmodelled_classes
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.stopping import Stopper
 from harness.engine.environment import Environment
-from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block, wrong_path
-from harness.engine.interface import Convert, FunctionResult, Limits, Reference, State, Value
-from harness.engine.path_types import global_steps
+from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block
+from harness.engine.interface import (
+    Convert,
+    FunctionResult,
+    Limits,
+    Reader,
+    Reference,
+    State,
+    Value,
+)
 from harness.engine.starting import own_starts
 from harness.engine.values import accept, accept_scalar, array_of
 
@@ -414,7 +424,7 @@ class CompiledEngine:
 
     def global_value(self, path: str) -> Value:
         """Read `DB.member[3]`, a global variable, or a variable of a PROGRAM as `Main.counter`."""
-        located = self._find_located(path)
+        located = located_at(path, self._program, self._located, self._programs)
         if located is not None:
             assert located.address is not None
             return read_located(self._environment, located.address, located.type)
@@ -423,7 +433,7 @@ class CompiledEngine:
 
     def set_global(self, path: str, value: Value) -> None:
         """Write what `global_value` reads."""
-        located = self._find_located(path)
+        located = located_at(path, self._program, self._located, self._programs)
         if located is not None:
             assert located.address is not None
             accepted = accept_scalar(path, located.type, value)
@@ -433,36 +443,25 @@ class CompiledEngine:
 
     def reference(self, path: str) -> Reference:
         """What `global_value` reads, to be handed over itself."""
-        located = self._find_located(path)
+        located = located_at(path, self._program, self._located, self._programs)
         return reference_to(self, path, self._find(path) if located is None else located.type)
 
     def new_variable(self, kind: Type, value: Value | None) -> Reference:
         """A variable of its own; without a value it has the default of its type."""
         return new_variable(self._memory, self._bytes, kind, value)
 
-    def _find_located(self, path: str) -> Variable | None:
-        """The variable with an absolute address that a path names."""
-        found = global_steps(self._program, path)
-        steps = [step.casefold() for step in found if isinstance(step, str)]
-        if len(steps) == 1:
-            return self._located.get(steps[0])
-        if len(steps) == 2 and steps[0] in self._programs:
-            for variable in self._program.program_instances()[steps[0]].variables:
-                if variable.name.casefold() == steps[1] and variable.address is not None:
-                    return variable
-        return None
-
     def _find(self, path: str) -> Location:
-        first, *rest = global_steps(self._program, path)
-        if isinstance(first, tuple):
-            raise wrong_path(path, "it starts with an index")
-        if self._model.global_record.part(first) is None and first.casefold() in self._programs:
-            record, data = self._programs[first.casefold()]
-            if not rest:
-                raise wrong_path(path, f"'{first}' is a PROGRAM: name one of its variables")
-            return self._memory.find_in(path, data, record, rest)
-        record = self._model.global_record
-        return self._memory.find_in(path, self._globals, record, (first, *rest))
+        return found_at(path, self._memory, self._model, self._globals, self._programs)
+
+    def reader(self, paths: Sequence[str]) -> Reader:
+        """What reads these single values, again and again."""
+        return written_reader([self.location(path) for path in paths])
+
+    def location(self, path: str) -> Location | Callable[[], Value]:
+        """Where the data at a path is; what reads it if it has an absolute address."""
+        if located_at(path, self._program, self._located, self._programs) is not None:
+            return partial(self.global_value, path)
+        return self._find(path)
 
     def snapshot(self) -> State:
         """All that lives in the program itself: global variables and the variables of PROGRAMs."""

@@ -35,12 +35,25 @@ from harness.engine.values import accept_scalar
 
 
 class Location:
-    """A variable or a part of one: something to read from and, for single values, to write to."""
+    """A variable or a part of one: something to read from and, for single values, to write to.
 
-    __slots__ = ("_read", "_write", "kind")
+    `owner` is the object or the list that holds it and `key` its attribute or position there; the
+    key is None for what is reached in another way.
+    """
 
-    def __init__(self, kind: Type, read: Callable[[], Any], write: Callable[[Any], None]) -> None:
+    __slots__ = ("_read", "_write", "key", "kind", "owner")
+
+    def __init__(
+        self,
+        kind: Type,
+        read: Callable[[], Any],
+        write: Callable[[Any], None],
+        owner: object = None,
+        key: str | int | None = None,
+    ) -> None:
         self.kind = kind
+        self.owner = owner
+        self.key = key
         self._read = read
         self._write = write
 
@@ -146,7 +159,10 @@ class Memory:
             except AttributeError:
                 raise reference_not_set(None, part.name) from None
 
-        return Location(part.type, read_slot, lambda value: setattr(owner, slot, value))
+        def write_slot(value: Any) -> None:
+            setattr(owner, slot, value)
+
+        return Location(part.type, read_slot, write_slot, owner, slot)
 
     def find(self, path: str, location: Location, steps: Sequence[Step]) -> Location:
         """The part of a variable that the rest of a path leads to."""
@@ -195,6 +211,8 @@ class Memory:
             kind.element,
             lambda: elements[position],
             lambda value: elements.__setitem__(position, value),
+            elements,
+            position,
         )
 
     # --- snapshots ----------------------------------------------------------------------------

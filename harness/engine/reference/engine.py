@@ -1,10 +1,10 @@
 """The reference evaluator as an engine: what is called and looked into from outside."""
 
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from types import MappingProxyType
-from typing import Any
+from typing import Any, cast
 
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import (
@@ -18,10 +18,18 @@ from fbgen.lang.checked import (
 )
 from fbgen.lang.checker.instance_starts import IN_GLOBALS
 from fbgen.lang.checker.objects import RECEIVER
-from fbgen.lang.types import ArrayType, BlockType, OpenArrayType, Type
+from fbgen.lang.types import ArrayType, BlockType, OpenArrayType, Scalar, Type
 from harness.engine.environment import Environment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block
-from harness.engine.interface import Convert, FunctionResult, Limits, Reference, State, Value
+from harness.engine.interface import (
+    Convert,
+    FunctionResult,
+    Limits,
+    Reader,
+    Reference,
+    State,
+    Value,
+)
 from harness.engine.path_types import global_steps
 from harness.engine.paths import parse_path
 from harness.engine.reference.allocation import Allocator
@@ -190,6 +198,11 @@ class ReferenceEngine:
             storage.write(accept(self._program, path, storage.kind, value))
 
         return Reference(storage.kind, Pointed(storage), storage.read, write)
+
+    def reader(self, paths: Sequence[str]) -> Reader:
+        """What reads these single values, again and again."""
+        reads = [cast("Callable[[], Scalar]", self._global(path).read) for path in paths]
+        return lambda: tuple([read() for read in reads])
 
     def snapshot(self) -> State:
         """Global variables and the variables of PROGRAMs."""

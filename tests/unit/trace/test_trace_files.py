@@ -48,7 +48,7 @@ def everything() -> Trace:
         words=(word,),
         places=(Place("p.scl", 3, 7, "#a := b;", "FB_A", "DB_A.inst"), Place("s.yaml", 1, 1, "")),
         channels=tuple(
-            Channel(f"plc.{kind}", kind, kind, "plc", "DB", "Hz", "a.b") for kind, _, _ in kinds
+            Channel(f"plc.{kind}", kind, kind, "plc", "DB", "Hz", 16, "a.b") for kind, _, _ in kinds
         ),
         changes=(
             *(Change(5, number, first) for number, (_, first, _) in enumerate(kinds)),

@@ -1,0 +1,156 @@
+"""The trace of a scenario: its plant recorded from before the start, with steps, checks, faults."""
+
+from dataclasses import replace
+
+from harness.engine.compiled.probes import ProbeMaker
+from harness.results import ScenarioResult
+from harness.scenario.cases import ScenarioCase
+from harness.scenario.events import StepEvent, StepMoment
+from harness.scenario.model import (
+    ClearStep,
+    Expectation,
+    ExpectStep,
+    InjectStep,
+    Range,
+    SequenceStep,
+    SetStep,
+    Step,
+    WaitStep,
+)
+from harness.scenario.places import key_span
+from harness.scenario.runner import ScenarioRun
+from harness.scenario.scalars import Scalar
+from harness.trace import Mark, Place, Recorder, Trace, Verdict
+from harness.trace.places import place_of
+
+_PLC = "plc."
+_NS = {1_000_000_000: "s", 1_000_000: "ms", 1_000: "us", 1: "ns"}
+
+
+class TraceObserver:
+    """Leaves the `Trace` of one run. Variables that its steps name are recorded as well."""
+
+    def __init__(self, case: ScenarioCase) -> None:
+        self._steps = case.scenario.steps
+        self._recorder: Recorder | None = None
+        self._step = 0
+        self._checks: list[int] = []
+        self._faults: dict[tuple[str, str], int] = {}
+
+    @property
+    def probes(self) -> tuple[ProbeMaker, ...]:
+        """Nothing in the PLC text."""
+        return ()
+
+    def attach(self, run: ScenarioRun) -> None:
+        """Record from now on."""
+        variables = [path.removeprefix(_PLC) for path in _paths(self._steps)]
+        self._recorder = run.installation.record(variables)
+        run.on_step.append(self._told)
+
+    def finish(self, result: ScenarioResult) -> Trace | None:
+        """The trace; the checks whose places the failures name have failed."""
+        if self._recorder is None:
+            return None
+        trace = self._recorder.finish(result.name, result.file)
+        wrong = {place_of(found.span) for found in result.failures if found.span is not None}
+        marks = tuple(_judged(mark, trace, wrong) for mark in trace.marks)
+        return replace(trace, marks=marks)
+
+    def _told(self, event: StepEvent) -> None:
+        assert self._recorder is not None, "only a run that it is attached to tells of its steps"
+        if event.moment is StepMoment.BEGUN:
+            self._begin(self._recorder, event.step)
+            return
+        verdict: Verdict = "passed" if event.moment is StepMoment.DONE else "failed"
+        for number in (self._step, *self._checks):
+            self._recorder.marks.end(number, verdict)
+        if isinstance(event.step, SetStep):
+            self._recorder.variables_written()
+
+    def _begin(self, recorder: Recorder, step: Step) -> None:
+        marks = recorder.marks
+        self._step = marks.begin("step", _title(step), step.span)
+        self._checks = []
+        match step:
+            case ExpectStep():
+                for path, expected in step.expect.items():
+                    title = f"{path}: {_wanted(expected)}{_when(step)}"
+                    place = key_span(step, "expect", path)
+                    self._checks.append(marks.begin("check", title, place, path))
+            case InjectStep():
+                place = step.span_of("inject")
+                fault = marks.begin("fault", step.inject, place, step.on or "")
+                self._faults[step.inject, step.on or ""] = fault
+            case ClearStep():
+                marks.end(self._faults.pop((step.clear, step.on or "")))
+
+
+def _judged(mark: Mark, trace: Trace, wrong: set[Place]) -> Mark:
+    """A check of a step that failed has passed itself unless a failure stands at its place."""
+    if mark.kind != "check" or mark.verdict != "failed" or mark.place is None:
+        return mark
+    if not wrong or trace.places[mark.place] in wrong:
+        return mark
+    return replace(mark, verdict="passed")
+
+
+def _paths(steps: tuple[Step, ...]) -> list[str]:
+    """The variables of the PLC that steps name, in their order."""
+    named = [
+        path
+        for step in steps
+        if isinstance(step, SetStep | ExpectStep)
+        for path in (step.set if isinstance(step, SetStep) else step.expect)
+    ]
+    return [path for path in dict.fromkeys(named) if path.startswith(_PLC)]
+
+
+# --- in words -----------------------------------------------------------------------------------
+
+
+def _title(step: Step) -> str:
+    match step:
+        case SetStep():
+            return "set " + ", ".join(f"{path} = {_shown(v)}" for path, v in step.set.items())
+        case WaitStep():
+            return f"wait {_time(step.wait)}"
+        case ExpectStep():
+            wanted = (f"{path}: {_wanted(item)}" for path, item in step.expect.items())
+            return f"expect {', '.join(wanted)}{_when(step)}"
+        case InjectStep():
+            return f"inject {step.inject}" + (f" on {step.on}" if step.on else "")
+        case ClearStep():
+            return f"clear {step.clear}" + (f" on {step.on}" if step.on else "")
+        case SequenceStep():
+            return f"telegrams of {step.of_sequence} on {step.gateway}"
+    count = len(step.telegrams)
+    return f"{count} telegram{'s' if count != 1 else ''} on {step.gateway}"
+
+
+def _wanted(expected: Expectation) -> str:
+    if not isinstance(expected, Range):
+        return _shown(expected)
+    parts = [
+        f"{name} {_shown(value)}"
+        for name in ("equals", "tolerance", "min", "max", "differs_from")
+        if (value := getattr(expected, name)) is not None and (value or name != "tolerance")
+    ]
+    parts += [f"{name}={_shown(value)}" for name, value in (expected.bits or {}).items()]
+    return ", ".join(parts)
+
+
+def _when(step: ExpectStep) -> str:
+    within = f" within {_time(step.within)}" if step.within else ""
+    return within + (f", stays for {_time(step.stays_for)}" if step.stays_for else "")
+
+
+def _shown(value: Scalar) -> str:
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f'"{value}"' if isinstance(value, str) else str(value)
+
+
+def _time(time_ns: int) -> str:
+    unit = next(unit for unit in _NS if time_ns % unit == 0 and time_ns >= unit)
+    return f"{time_ns // unit} {_NS[unit]}"
