@@ -8,6 +8,7 @@ own sequences speak the language in which they were written. Names do not change
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from string import Formatter
 from types import MappingProxyType
@@ -108,6 +109,15 @@ def texts_in(language: str, folders: Sequence[Path] = ()) -> Texts:
     """
     if language == "en":
         return ENGLISH
+    return _read(language, folders) if folders else _shipped(language)
+
+
+@cache
+def _shipped(language: str) -> Texts:
+    return _read(language, ())
+
+
+def _read(language: str, folders: Sequence[Path]) -> Texts:
     known: dict[str, str] = {}
     for path, name in _files(language, folders):
         file = validate(load_yaml(read_source(path, name)), TranslationFile)

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cache
 from typing import Literal
 
 from fbgen.catalog.located import Located
@@ -68,7 +69,7 @@ class Layout(Sourced):
     @property
     def parsed_identifiers(self) -> tuple[PlacedIdentifier, ...]:
         """The identifiers one by one. They were checked when the entry was read."""
-        return tuple(_placed(slot) for slot in slot_table(decode_identifiers(self.identifiers)))
+        return _all_placed(self.identifiers)
 
     @property
     def output_length(self) -> int:
@@ -140,6 +141,11 @@ class Layout(Sourced):
                 self.key_span_of(name),
                 "a byte that carries nothing is a field with pad: true",
             )
+
+
+@cache
+def _all_placed(identifiers: bytes) -> tuple[PlacedIdentifier, ...]:
+    return tuple(_placed(slot) for slot in slot_table(decode_identifiers(identifiers)))
 
 
 def _placed(slot: Slot) -> PlacedIdentifier:

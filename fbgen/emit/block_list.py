@@ -11,10 +11,8 @@ from dataclasses import asdict, dataclass
 from hashlib import sha256
 
 from fbgen.emit.rendering import RenderedUnit
-from fbgen.lang.origins import END, START
+from fbgen.lang.origins import MARK
 from fbgen.plant import with_prefix
-
-_MARKS = re.compile(f"{START}[0-9]*{END}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +46,7 @@ class BlockChanges:
 def generated_block(unit: RenderedUnit, prefix: str) -> GeneratedBlock:
     """What the list says about a unit."""
     spec = unit.spec
-    text = _MARKS.sub("", unit.marked)
+    text = MARK.sub("", unit.marked)
     if spec.subject:
         text = re.sub(rf"(?<![A-Za-z0-9]){re.escape(spec.subject)}(?![A-Za-z0-9])", "*", text)
     content = sha256(text.encode()).hexdigest()[:16]

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from functools import lru_cache
 from pathlib import Path
 
 from jinja2 import (
@@ -19,11 +20,11 @@ from jinja2.ext import Extension
 from fbgen.blocks.literals import SclText
 from fbgen.blocks.texts import ENGLISH, Texts
 from fbgen.diagnostics import DiagnosticError, error
-from fbgen.emit.marks import OriginTable, is_marked, without_marks
+from fbgen.emit.marks import OriginTable, TemplateLines, is_marked, without_marks
 from fbgen.emit.sandbox import TemplateSandbox
 from fbgen.emit.template_texts import translated
 from fbgen.resources import shipped
-from fbgen.source import TEMPLATE, Origin, Source, Span
+from fbgen.source import Source, Span
 
 _TAG = re.compile(r"\{#.*?#\}|\{%.*?%\}|\{\{.*?\}\}", re.DOTALL)
 
@@ -32,10 +33,11 @@ class LineMarks(Extension):
     """Puts the mark of its template line in front of each line that is printed."""
 
     def preprocess(self, source: str, name: str | None, filename: str | None = None) -> str:
-        table: OriginTable = self.environment.origin_table  # type: ignore[attr-defined]
-        place: str = self.environment.place_of(name)  # type: ignore[attr-defined]
-        texts: Texts = self.environment.texts  # type: ignore[attr-defined]
-        source = translated(without_marks(source), texts)
+        environment = self.environment
+        assert isinstance(environment, _Templates)
+        assert name is not None
+        place = environment.place_of(name)
+        source = translated(without_marks(source), environment.texts)
         inside = _places_inside_tags(source)
         lines = source.split("\n")
         start = 0
@@ -43,9 +45,8 @@ class LineMarks(Extension):
             content = line.lstrip()
             at = start + len(line) - len(content)
             if content and at not in inside and not content.startswith(("{%", "{#")):
-                template = Origin(TEMPLATE, place, number)
                 indent = line[: len(line) - len(content)]
-                lines[number - 1] = f"{indent}{table.line_mark(template)}{content}"
+                lines[number - 1] = f"{indent}{environment.lines.mark(place, number)}{content}"
             start += len(line) + 1
         return "\n".join(lines)
 
@@ -55,6 +56,44 @@ def _places_inside_tags(source: str) -> set[int]:
     return {offset for tag in _TAG.finditer(source) for offset in range(tag.start() + 1, tag.end())}
 
 
+class _Templates(TemplateSandbox):
+    """Compiled templates of some folders in one language. `table` is that of the run at hand."""
+
+    def __init__(self, folders: Sequence[Path], texts: Texts) -> None:
+        super().__init__(
+            loader=ChoiceLoader([FileSystemLoader(folder) for folder in folders]),
+            undefined=StrictUndefined,
+            trim_blocks=True,
+            lstrip_blocks=True,
+            keep_trailing_newline=True,
+            finalize=self._finalize,
+        )
+        self.folders = folders
+        self.texts = texts
+        self.lines = TemplateLines()
+        self.table = OriginTable(self.lines)
+        self.add_extension(LineMarks)
+
+    def place_of(self, template: str) -> str:
+        """Where a template lies, for a person: the user's own by its path."""
+        for folder in self.folders[:-1]:
+            if (folder / template).is_file():
+                return (folder / template).as_posix()
+        return f"templates/{template}"
+
+    def _finalize(self, value: object) -> str:
+        if isinstance(value, SclText):
+            return self.table.marked(without_marks(value.text), value.origin)
+        text = str(value)
+        return text if is_marked(text) else without_marks(text)
+
+
+@lru_cache(maxsize=4)
+def _shipped_templates(texts: Texts) -> _Templates:
+    """The shipped templates: compiled once, however often somebody generates."""
+    return _Templates([shipped("templates")], texts)
+
+
 class TemplateRenderer:
     """Renders templates of the shipped folder, with folders of the user's own in front of it.
 
@@ -62,7 +101,6 @@ class TemplateRenderer:
     """
 
     def __init__(self, extra: Sequence[Path] = (), texts: Texts = ENGLISH) -> None:
-        self.table = OriginTable()
         self.texts = texts
         self._folders = [*reversed(extra), shipped("templates")]
         for folder in extra:
@@ -72,22 +110,13 @@ class TemplateRenderer:
                     f"the template folder {folder} is not there",
                     help="give --templates a folder with blocks/, types/, access/ or data/ in it",
                 )
-        self._environment = TemplateSandbox(
-            loader=ChoiceLoader([FileSystemLoader(folder) for folder in self._folders]),
-            undefined=StrictUndefined,
-            trim_blocks=True,
-            lstrip_blocks=True,
-            keep_trailing_newline=True,
-            finalize=self._finalize,
-        )
-        self._environment.texts = texts  # type: ignore[attr-defined]
-        self._environment.origin_table = self.table  # type: ignore[attr-defined]
-        self._environment.place_of = self._place  # type: ignore[attr-defined]
-        self._environment.add_extension(LineMarks)
+        self._environment = _Templates(self._folders, texts) if extra else _shipped_templates(texts)
+        self.table = OriginTable(self._environment.lines)
 
     def render(self, template: str, context: dict[str, object]) -> str:
         """The template as marked text. Raises DiagnosticError FB5003 or FB5004."""
         self._environment.refill()
+        self._environment.table = self.table
         try:
             return self._environment.get_template(template).render(context)
         except TemplateNotFound as missing:
@@ -132,12 +161,6 @@ class TemplateRenderer:
         except UnicodeDecodeError:
             raise self._unreadable(template, "it is not UTF-8") from None
 
-    def _finalize(self, value: object) -> str:
-        if isinstance(value, SclText):
-            return self.table.marked(without_marks(value.text), value.origin)
-        text = str(value)
-        return text if is_marked(text) else without_marks(text)
-
     def _missing(self, problem: TemplateNotFound) -> DiagnosticError:
         place = self._where(problem, "")
         return error(
@@ -162,17 +185,10 @@ class TemplateRenderer:
             "compare it with the shipped template of that name",
         )
 
-    def _place(self, template: str) -> str:
-        """Where a template lies, for a person: the user's own by its path."""
-        for folder in self._folders[:-1]:
-            if (folder / template).is_file():
-                return (folder / template).as_posix()
-        return f"templates/{template}"
-
     def _span(self, template: str, line: int) -> Span | None:
         """A line of a template."""
         try:
-            source = Source(self._place(template), self.text_of(template))
+            source = Source(self._environment.place_of(template), self.text_of(template))
         except (TemplateNotFound, DiagnosticError):
             return None
         start = sum(len(text) + 1 for text in source.text.split("\n")[: line - 1])

@@ -19,6 +19,7 @@ from fbgen.emit.name_clashes import names_that_clash
 from fbgen.emit.name_lengths import names_that_do_not_fit
 from fbgen.emit.rendering import CANONICAL_DIALECT, RenderedUnit, render_unit
 from fbgen.lang.checker import check, rules_for
+from fbgen.lang.collector import collector_at_rest
 from fbgen.plant import Plant
 
 
@@ -28,6 +29,11 @@ def generate(plant: Plant, catalog: Catalog, templates: Sequence[Path] = ()) -> 
     Raises DiagnosticError for a plant that cannot be generated, for templates that cannot be
     filled in or do not give correct PLC text, and for text that an import rule forbids.
     """
+    with collector_at_rest():
+        return _generated(plant, catalog, templates)
+
+
+def _generated(plant: Plant, catalog: Catalog, templates: Sequence[Path]) -> GeneratedSet:
     texts = texts_in(plant.language, templates)
     plan = plan_blocks(plant, texts.in_catalog(catalog), texts)
     renderer = TemplateRenderer(templates, texts)

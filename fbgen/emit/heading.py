@@ -6,6 +6,7 @@ stand in it. Timing and limits are the template's own: its first comments.
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import lru_cache
 from textwrap import wrap
 
 from fbgen.blocks.literals import one_line
@@ -49,8 +50,9 @@ def _interface(block: ast.Block, texts: Texts) -> Iterator[str]:
 
 def _facts(source: Source, texts: Texts) -> Iterator[str]:
     """Documents and sections, each once, in the order in which the unit needs them."""
-    values = (origin for _, origin in source.origins if origin is not None)
-    for text in dict.fromkeys(one_line(text) for origin in values for text in _sources(origin)):
+    values = {id(origin): origin for _, origin in source.origins if origin is not None}.values()
+    found = dict.fromkeys(text for origin in values for text in _sources(origin))
+    for text in dict.fromkeys(map(one_line, found)):
         yield f"{texts('Facts')}: {text}"
 
 
@@ -64,5 +66,10 @@ def _sources(origin: Origin) -> Iterator[str]:
 def _comments(begin: ast.Trivia, texts: Iterable[str]) -> Iterator[ast.Trivia]:
     """Comments that stand where the first one stands."""
     for text in texts:
-        for line in wrap(text, _WIDTH, subsequent_indent="   ", break_on_hyphens=False):
+        for line in _wrapped(text):
             yield replace(begin, text=f"// {line}")
+
+
+@lru_cache(1000)
+def _wrapped(text: str) -> list[str]:
+    return wrap(text, _WIDTH, subsequent_indent="   ", break_on_hyphens=False)

@@ -3,62 +3,58 @@
 `fbgen.lang.origins` defines the marks and takes them out again.
 """
 
-import re
-
 from fbgen.lang.origins import END, START, mark, strip_marks
-from fbgen.source import Origin, Source
+from fbgen.source import TEMPLATE, Origin, Source
 
-_MARK = re.compile(f"{START}([0-9]*){END}")
-_LONGEST_INDEX = 9
+
+class TemplateLines:
+    """The lines of templates with their marks: `t` and a number, the same in every run."""
+
+    def __init__(self) -> None:
+        self.origins: dict[str, Origin] = {}
+        self._keys: dict[tuple[str, int], str] = {}
+
+    def mark(self, place: str, number: int) -> str:
+        """The mark of a line of a template."""
+        key = self._keys.get((place, number))
+        if key is None:
+            key = self._keys[place, number] = f"t{len(self._keys)}"
+            self.origins[key] = Origin(TEMPLATE, place, number)
+        return mark(key)
 
 
 class OriginTable:
-    """The origins of one generator run, each with its index."""
+    """The origins of one generator run: lines of templates, and values, each with its key."""
 
-    def __init__(self) -> None:
-        self._origins: list[Origin] = []
-        self._indices: dict[Origin, int] = {}
-        self._seen: dict[int, tuple[Origin, int]] = {}
-        self._lines: set[int] = set()
-
-    def line_mark(self, origin: Origin) -> str:
-        """The mark of a template line."""
-        index = self._index(origin)
-        self._lines.add(index)
-        return mark(index)
+    def __init__(self, lines: TemplateLines) -> None:
+        self._lines = lines
+        self._known_lines = 0
+        self._origins: dict[str, Origin] = {}
+        self._keys: dict[Origin, str] = {}
+        self._seen: dict[int, tuple[Origin, str]] = {}
 
     def marked(self, text: str, origin: Origin | None) -> str:
         """A text between the mark of its origin and a mark of its end."""
-        return f"{mark(self._index(origin))}{text}{mark(None)}" if origin is not None else text
+        return f"{self._mark(origin)}{text}{mark()}" if origin is not None else text
 
     def source(self, name: str, marked: str) -> Source:
-        """The clean text with its origins; behind a value its template line goes on.
-
-        A mark that a template made up itself counts as the end of a value.
-        """
-        line = ""
-
-        def back_to_line(found: re.Match[str]) -> str:
-            nonlocal line
-            if len(found[1]) > _LONGEST_INDEX or int(found[1] or 0) >= len(self._origins):
-                return line
-            if found[1] and int(found[1]) in self._lines:
-                line = found[0]
-            return found[0] if found[1] else line
-
-        text, origins = strip_marks(_MARK.sub(back_to_line, marked), self._origins)
+        """The clean text with its origins; behind a value its template line goes on."""
+        if len(self._lines.origins) > self._known_lines:
+            self._origins |= self._lines.origins
+            self._known_lines = len(self._lines.origins)
+        text, origins = strip_marks(marked, self._origins)
         return Source(name, text, origins)
 
-    def _index(self, origin: Origin) -> int:
+    def _mark(self, origin: Origin) -> str:
         seen = self._seen.get(id(origin))
         if seen is not None:
             return seen[1]
-        index = self._indices.get(origin)
-        if index is None:
-            index = self._indices[origin] = len(self._origins)
-            self._origins.append(origin)
-        self._seen[id(origin)] = (origin, index)
-        return index
+        key = self._keys.get(origin)
+        if key is None:
+            key = self._keys[origin] = str(len(self._keys))
+            self._origins[key] = origin
+        self._seen[id(origin)] = (origin, mark(key))
+        return mark(key)
 
 
 def without_marks(text: str) -> str:

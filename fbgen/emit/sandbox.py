@@ -32,6 +32,7 @@ class TemplateSandbox(ImmutableSandboxedEnvironment):
     def __init__(self, **options: Any) -> None:
         super().__init__(**options)
         self._passes_left = LOOP_PASSES
+        self._known_attributes: dict[tuple[type, str], bool] = {}
         self.globals["range"] = _range
 
     def refill(self) -> None:
@@ -40,9 +41,13 @@ class TemplateSandbox(ImmutableSandboxedEnvironment):
 
     def is_safe_attribute(self, obj: Any, attr: str, value: Any) -> bool:
         """Of the catalogue's models only the fields: their methods are not made for templates."""
-        if isinstance(obj, BaseModel) and attr not in type(obj).model_fields:
-            return False
-        return super().is_safe_attribute(obj, attr, value)
+        kind = type(obj)
+        known = self._known_attributes.get((kind, attr))
+        if known is None:
+            own = not issubclass(kind, BaseModel) or attr in kind.model_fields
+            known = own and super().is_safe_attribute(obj, attr, value)
+            self._known_attributes[kind, attr] = known
+        return known
 
     def call_binop(self, context: Any, operator: str, left: Any, right: Any) -> Any:
         """An operator whose result could be too large for any use."""

@@ -143,7 +143,7 @@ def _cut(source: Source, parts: list[str], dialect: Dialect) -> Tokens:
     del parts[0::3]
     offsets = list(accumulate(map(len, parts)))
     starts, ends, texts = offsets[0::2], offsets[1::2], parts[1::2]
-    kinds = list(map(_Kinds(dialect).__getitem__, texts))
+    kinds = list(map(_kinds(dialect).__getitem__, texts))
     length = len(source.text)
     starts.append(length)
     ends.append(length)
@@ -163,6 +163,18 @@ def _pattern(
         quoted=r"[^\"\r\n]" if quoted_names else r"(?:[^\"$\r\n]|\$[^\r\n])",
     )
     return re.compile(body)
+
+
+_MOST_PIECES = 20_000
+"""Distinct pieces that a table keeps from one text to the next: some megabytes."""
+
+
+def _kinds(dialect: Dialect) -> "_Kinds":
+    """The table of a dialect: texts of one program have most of their pieces in common."""
+    known = _TABLES.get(dialect.features)
+    if known is None or len(known) > _MOST_PIECES:
+        known = _TABLES[dialect.features] = _Kinds(dialect)
+    return known
 
 
 class _Kinds(dict[str, str]):
@@ -216,6 +228,9 @@ class _Kinds(dict[str, str]):
         if "#" in text:
             return "literal"
         return "address" if self._plain_addresses and PLAIN_ADDRESS.match(upper) else "name"
+
+
+_TABLES: dict[frozenset[Feature], _Kinds] = {}
 
 
 def _may_nest(piece: str) -> bool:

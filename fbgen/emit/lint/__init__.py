@@ -9,9 +9,9 @@ from pathlib import Path
 
 from fbgen.diagnostics import Diagnostic
 from fbgen.emit.lint import cpu_rules, iec_rules, plain_text, step7_rules, tia_rules, twincat_rules
-from fbgen.emit.lint.emitted import EmittedText, by_kind
+from fbgen.emit.lint.emitted import EmittedText
 from fbgen.lang.containers import XML_SUFFIXES, read_text
-from fbgen.lang.walk import walk
+from fbgen.lang.walk import by_kind
 from fbgen.plant import LANGUAGES, PlcFamily
 from fbgen.source import Source
 
@@ -37,5 +37,5 @@ def lint(name: str, text: str, dialect: str, plc: PlcFamily) -> list[Diagnostic]
     source = Source(name, text)
     is_xml = Path(name).suffix.lower() in XML_SUFFIXES
     document = read_text(source, LANGUAGES[dialect], is_xml)
-    emitted = EmittedText(source, document.file, by_kind(walk(document.file)), plc)
+    emitted = EmittedText(source, document.file, by_kind(document.file), plc)
     return [*document.findings] + [found for rule in _RULES[dialect] for found in rule(emitted)]

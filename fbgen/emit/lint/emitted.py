@@ -1,6 +1,6 @@
 """A generated text as the rules see it: read once, all nodes collected once, by their kinds."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -28,11 +28,3 @@ class EmittedText:
         """Every name with more characters, wherever it stands."""
         yield from (item for item in self.of(ast.Name) if len(item.name) > limit)
         yield from (item for item in self.of(ast.DeclaredName) if len(item.name) > limit)
-
-
-def by_kind(nodes: Iterable[object]) -> dict[type, list[object]]:
-    """The nodes by their types."""
-    kinds: dict[type, list[object]] = {}
-    for item in nodes:
-        kinds.setdefault(type(item), []).append(item)
-    return kinds

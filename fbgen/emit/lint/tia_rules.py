@@ -117,6 +117,8 @@ def locals_and_globals_marked(emitted: EmittedText) -> Iterator[Diagnostic]:
 
 def overlays_only_without_optimization(emitted: EmittedText) -> Iterator[Diagnostic]:
     """FB5046: AT stands only in blocks without optimized access, and without initial value."""
+    if all(item.at is None for item in emitted.of(ast.Declaration)):
+        return
     for unit in emitted.file.units:
         if not isinstance(unit, ast.Block):
             continue

@@ -1,6 +1,5 @@
 """From the syntax trees of some files to one checked program."""
 
-import gc
 import sys
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -23,6 +22,7 @@ from fbgen.lang.checker.recursion import report_recursive_calls
 from fbgen.lang.checker.rules import Rules, rules_for
 from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS
 from fbgen.lang.checker.statements import check_body
+from fbgen.lang.collector import collector_at_rest
 from fbgen.lang.unread_parts import unread_parts
 
 _FRAMES = 12_000
@@ -46,7 +46,7 @@ def check(
     """
     rules = rules or rules_for(dialect)
     findings = Findings()
-    with _room_for_nesting(), _without_collector():
+    with _room_for_nesting(), collector_at_rest():
         program, _ = _check(files, Library(rules, findings, db_numbers, stubbed))
     if findings.keeps_from_running:
         raise DiagnosticError(
@@ -74,7 +74,7 @@ def check_reporting(
     rules = rules or rules_for(dialect)
     findings = Findings()
     parts = unread_parts(files, unread)
-    with _room_for_nesting(), _without_collector():
+    with _room_for_nesting(), collector_at_rest():
         library = Library(rules, findings, db_numbers, stubbed)
         library.incomplete = parts.incomplete
         program, library = _check(files, library)
@@ -94,18 +94,6 @@ def _room_for_nesting() -> Iterator[None]:
         yield
     finally:
         sys.setrecursionlimit(before)
-
-
-@contextmanager
-def _without_collector() -> Iterator[None]:
-    """Nothing that the checker makes is garbage; looking for it takes a third of the time."""
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_enabled:
-            gc.enable()
 
 
 def _check(files: Sequence[ast.File], library: Library) -> tuple[Program, Library]:

@@ -6,12 +6,9 @@ Chains of operands are left-deep trees of any length; walk them in a loop down t
 Nesting (parentheses, brackets, statements in statements) ends at `depth.DEEPEST` levels.
 """
 
-import gc
-from collections.abc import Iterator
-from contextlib import contextmanager
-
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang.ast import File
+from fbgen.lang.collector import collector_at_rest
 from fbgen.lang.depth import room_for_depth
 from fbgen.lang.dialects import dialect_named
 from fbgen.lang.parser.blocks import BlockParser
@@ -34,24 +31,7 @@ def parse_recovering(source: Source, dialect: str) -> tuple[File, list[Diagnosti
     Raises `DiagnosticError` (FB3011) only for an unknown dialect.
     """
     rules = dialect_named(dialect)
-    with _collector_at_rest(), room_for_depth():
+    with collector_at_rest(), room_for_depth():
         parser = BlockParser(source, rules)
         file = parser.file()
     return file, parser.findings()
-
-
-@contextmanager
-def _collector_at_rest() -> Iterator[None]:
-    """Keep Python's cycle collector still: a tree has no cycles, and looking for them in millions
-    of new nodes would take longer than making them. Freezing and unfreezing moves the new nodes to
-    the oldest generation, so that the next small collection does not look at all of them."""
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_enabled:
-            if not gc.get_freeze_count():
-                gc.freeze()
-                gc.unfreeze()
-            gc.enable()
