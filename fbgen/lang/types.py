@@ -11,6 +11,7 @@ Sources: IEC 61131-3 third edition, table 10; TIA Portal help, "Overview of the 
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
+from functools import cached_property
 from typing import TypeAlias
 
 
@@ -262,8 +263,11 @@ class StructType:
 
     def field(self, name: str) -> Field | None:
         """The part with this name, whatever its case."""
-        key = name.casefold()
-        return next((field for field in self.fields if field.name.casefold() == key), None)
+        return self._by_name.get(name.casefold())
+
+    @cached_property
+    def _by_name(self) -> dict[str, Field]:
+        return {field.name.casefold(): field for field in reversed(self.fields)}
 
     def __str__(self) -> str:
         return self.name

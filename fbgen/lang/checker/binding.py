@@ -86,7 +86,7 @@ def bind_variables(
     ctx: Context, node: ast.Call, name: str, block: AnyBlock, by_assignment: bool
 ) -> Bound | None:
     implicit = ctx.library.implicit
-    own_eno = next((one for one in block.variables if one in implicit), None)
+    own_eno = next((one for one in block.variables if one in implicit), None) if implicit else None
     parameters = [
         (variable.name, variable)
         for variable in block.variables

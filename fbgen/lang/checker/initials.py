@@ -226,6 +226,16 @@ class Initials:
             return base
         return self._set(ctx, path, kind, base, node.value)
 
+    def _part_of(self, kind: Type, name: str) -> tuple[str, Type, Initial | None] | None:
+        """The part with this name, whatever its case, of what a structure or instance holds."""
+        if isinstance(kind, StructType):
+            field = kind.field(name)
+            return None if field is None else (field.name, field.type, field.initial)
+        key = name.casefold()
+        return next(
+            (part for part in self._library.parts_of(kind) if part[0].casefold() == key), None
+        )
+
     def _set(
         self,
         ctx: Context,
@@ -241,10 +251,9 @@ class Initials:
         step = path[0]
         if isinstance(step, ast.Index):
             return self._set_element(ctx, path, kind, base, value)
-        parts = self._library.parts_of(kind) if isinstance(kind, StructType | BlockType) else ()
-        for name, part, initial in parts:
-            if name.casefold() != step.name.casefold():
-                continue
+        found = self._part_of(kind, step.name)
+        if found is not None:
+            name, part, initial = found
             named = dict(base.fields) if isinstance(base, StructInitial) else {}
             inner = self._set(ctx, path[1:], part, named.get(name, initial), value)
             if inner is not None:
@@ -256,7 +265,7 @@ class Initials:
             "FB4005",
             f"{spelled(kind)} has no member '{step.name}'",
             step.span,
-            nearest(step.name, (name for name, _, _ in parts)),
+            nearest(step.name, (name for name, _, _ in self._library.parts_of(kind))),
         )
         return base
 

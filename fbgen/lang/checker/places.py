@@ -180,14 +180,15 @@ def check_member(ctx: Context, node: ast.Member, _expected: Type | None = None) 
     """A part of a structure, a variable of an instance, or a property of one."""
     if ctx.this is not None and (own := own_variable(ctx, node) or read_special(ctx, node)):
         return own
-    plain = without_library(ctx, node)
-    if isinstance(plain, ast.Name):
-        return check_name(ctx, plain)
-    named = enumeration_named(ctx, node.base)
-    if named is not None and not _is_variable(ctx, node.base):
-        return enumerator_value(ctx, node.span, named, node.name)
-    if names_list(ctx, node.base):
-        return _of_list(ctx, node)
+    if not _is_of_local(node):
+        plain = without_library(ctx, node)
+        if isinstance(plain, ast.Name):
+            return check_name(ctx, plain)
+        named = enumeration_named(ctx, node.base)
+        if named is not None and not _is_variable(ctx, node.base):
+            return enumerator_value(ctx, node.span, named, node.name)
+        if names_list(ctx, node.base):
+            return _of_list(ctx, node)
     base = check_expression(ctx, node.base)
     kind = base.type
     if kind == ERRONEOUS:
@@ -248,6 +249,13 @@ def _is_partial(ctx: Context, kind: Type) -> bool:
     return isinstance(kind, BlockType) and ctx.library.objects.is_partial(
         ctx.library.user_block(kind.name)
     )
+
+
+def _is_of_local(node: ast.Expression) -> bool:
+    """Whether it begins with `#`: then no name of a library, a type or a list is in front."""
+    while isinstance(node, ast.Member):
+        node = node.base
+    return isinstance(node, ast.Name) and node.local
 
 
 def _is_variable(ctx: Context, node: ast.Expression) -> bool:

@@ -226,7 +226,11 @@ class ExpressionParser(AddressParser):
         place = _make(Span, (self.source, base.span[1], self.ends[at]))
         self.at = at + 1
         if kind == "name":
-            if self.has_addresses and (address := self.member_address(base, text)):
+            if (
+                self.has_addresses
+                and (text[0] in "dD" or type(base) is Call)
+                and (address := self.member_address(base, text))
+            ):
                 return address
             return Member(place, base, text)
         if kind == '"':
