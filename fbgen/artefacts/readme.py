@@ -119,6 +119,7 @@ def _context(
         "version": fbgen.__version__,
         "inputs": generated.inputs_hash,
         "dialect": plant.dialect,
+        "per_block": plant.files == "per_block",
         "classic": plant.family.classic,
         "error_obs": plant.has_error_blocks,
         "cycle_ms": f"{plant.cycle_time_ms:g}",

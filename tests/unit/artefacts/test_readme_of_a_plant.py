@@ -112,6 +112,26 @@ def test_the_sources_of_step7_stand_in_the_order_in_which_they_compile() -> None
     ]  # fmt: skip
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_in_the_order_of_the_readme_each_block_of_step7_finds_what_it_names(language: str) -> None:
+    text = TWO_GATEWAYS + "files: per_block\n"
+    shown = page("step7", language, text)
+    order = re.findall(r"^ +\d+\. `(\S+\.scl)`", shown, re.MULTILINE)
+    contents = generated(text, "step7").contents
+    assert sorted(order) == sorted(name for name in contents if name.endswith(".scl"))
+    blocks = {name.removesuffix(".scl") for name in order}
+    for number, name in enumerate(order, start=1):
+        named = set(re.findall(r'"(\w+)"', contents[name].decode("ascii"))) & blocks
+        assert named <= {earlier.removesuffix(".scl") for earlier in order[:number]}
+
+
+def test_a_control_file_is_spoken_of_only_where_there_are_many_sources() -> None:
+    apart = TWO_GATEWAYS + "files: per_block\n"
+    assert "compile control file" in page("step7", text=apart)
+    assert "Übersetzungssteuerdatei" in page("step7", "de", apart)
+    assert "control file" not in page("step7") + page("tia", text=apart)
+
+
 def test_poll_and_memory_are_the_calculated_ones() -> None:
     text = page("tia", text=FIVE_DRIVES)
     ((_, drives, reads, one, round_ms),) = rows(text, "Poll cycle")
