@@ -12,6 +12,7 @@ from fbgen.artefacts.plc_tags import plc_tags
 from fbgen.artefacts.readme import readme
 from fbgen.artefacts.view import PlantLists
 from fbgen.artefacts.watch_tables import watch_tables
+from fbgen.blocks.texts import texts_in
 from fbgen.catalog import Catalog
 from fbgen.emit.generated import GeneratedSet
 from fbgen.plant import Plant
@@ -21,7 +22,8 @@ def with_artefacts(
     generated: GeneratedSet, plant: Plant, catalog: Catalog, templates: Sequence[Path] = ()
 ) -> GeneratedSet:
     """What `fbgen.emit.generate` has made of a plant, with the files beside it."""
-    lists = PlantLists(plant, catalog, generated, plant.language)
+    texts = texts_in(plant.language, templates)
+    lists = PlantLists(plant, texts.in_catalog(catalog), generated, plant.language, texts)
     memory = work_memory(lists)
     found = [
         *plc_tags(lists),

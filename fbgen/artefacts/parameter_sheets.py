@@ -64,9 +64,9 @@ def _rows(lists: PlantLists) -> Iterator[tuple[str, ...]]:
                     *(comno.display or "", comno.hex, comno.title),
                     *(_number(value), comno.unit if value is not None else ""),
                     "" if value is None else f"{comno.to_word(value):04X}",
-                    *(_meaning(comno, value), setting.when or "", setting.why),
+                    *(_meaning(lists, comno, value), setting.when or "", setting.why),
                     lists.in_words("yes", "ja") if yes else "",
-                    _source(setting),
+                    _source(lists, setting),
                 )
 
 
@@ -108,7 +108,8 @@ def _gateway(lists: PlantLists, gateway: PlantGateway) -> Iterator[str]:
     address = lists.in_words("PROFIBUS address", "PROFIBUS-Adresse")
     yield (
         f"{gateway.type}, {address} {gateway.profibus_address}; "
-        f"{line.baud} bit/s, {line.data_bits} bit, {line.parity}, {line.stop_bits} stop"
+        f"{line.baud} bit/s, {line.data_bits} bit, {lists.texts(line.parity)}, "
+        f"{line.stop_bits} {lists.in_words('stop', 'Stopp')}"
     )
     yield ""
     yield from _switches(lists, entry.switches, gateway.profibus_address)
@@ -120,7 +121,8 @@ def _sheet(lists: PlantLists, gateway: PlantGateway, drive: PlantDrive) -> Itera
     yield ""
     yield f"## {lists.in_words('Drive', 'Antrieb')} {drive.title or drive.name}"
     yield ""
-    yield f"{series.title}, INV-NO {drive.inv_no}, gateway {gateway.name}"
+    behind = lists.in_words("gateway", "Gateway")
+    yield f"{series.title}, INV-NO {drive.inv_no}, {behind} {gateway.name}"
     yield ""
     head = lists.in_words(
         "| | parameter | ComNo | value | meaning | why | source |",
@@ -135,7 +137,7 @@ def _sheet(lists: PlantLists, gateway: PlantGateway, drive: PlantDrive) -> Itera
         why = f"{only} {setting.when}: {setting.why}" if setting.when else setting.why
         cells = (
             *("*" if comno.number in compared else "", comno.display or "", comno.hex, shown),
-            *(_meaning(comno, value) or comno.title, why, _source(setting)),
+            *(_meaning(lists, comno, value) or comno.title, why, _source(lists, setting)),
         )
         yield f"| {' | '.join(_cell(cell) for cell in cells)} |"
     yield ""
@@ -155,16 +157,16 @@ def _switches(lists: PlantLists, switches: tuple[Switch, ...], address: int) -> 
         stands = switch.stands
         if stands is None:
             stands = f"**{address % 10 if switch.shows == 'ones' else address // 10}**"
-        cells = (switch.name, switch.where, stands, _source(switch))
+        cells = (lists.texts(switch.name), switch.where, stands, _source(lists, switch))
         yield f"| {' | '.join(_cell(cell) for cell in cells)} |"
 
 
-def _meaning(comno: ComNo, value: float | None) -> str:
-    return "" if value is None else comno.values.get(comno.to_word(value), "")
+def _meaning(lists: PlantLists, comno: ComNo, value: float | None) -> str:
+    return "" if value is None else lists.texts(comno.values.get(comno.to_word(value), ""))
 
 
-def _source(entry: Setting | Switch) -> str:
-    return entry.source or "unverified"
+def _source(lists: PlantLists, entry: Setting | Switch) -> str:
+    return entry.source or lists.in_words("unverified", "unbelegt")
 
 
 def _number(value: float | None) -> str:

@@ -70,7 +70,11 @@ def plc_tags(lists: PlantLists) -> list[Artefact]:
     if not tags:
         return []
     if lists.plant.dialect != "tia":
-        rows = _plain_rows(tags, by_bytes=lists.plant.dialect != "step7")
+        halves = (
+            lists.in_words("high byte", "hohes Byte"),
+            lists.in_words("low byte", "tiefes Byte"),
+        )
+        rows = _plain_rows(tags, halves, by_bytes=lists.plant.dialect != "step7")
         return [Artefact(lists.file_name("io.csv"), csv_table(rows))]
     table = lists.file_name("io")
     rows = [[tag.name, table, tag.type, f"%{tag.address}", tag.comment, *_VISIBLE] for tag in tags]
@@ -99,7 +103,7 @@ def _fields(
             )
 
 
-def _plain_rows(tags: list[IoTag], *, by_bytes: bool) -> list[list[str]]:
+def _plain_rows(tags: list[IoTag], halves: tuple[str, str], *, by_bytes: bool) -> list[list[str]]:
     rows = [["Name", "Address", "Type", "Comment"]]
     for tag in tags:
         if not by_bytes:
@@ -107,6 +111,6 @@ def _plain_rows(tags: list[IoTag], *, by_bytes: bool) -> list[list[str]]:
             rows.append([tag.name, past_the_image + tag.address, tag.type.upper(), tag.comment])
             continue
         for index, place in enumerate(tag.bytes_of()):
-            which = ("", "") if tag.length == 1 else (", high byte", ", low byte")
-            rows.append([place, f"%{place}", "BYTE", tag.comment + which[index]])
+            which = "" if tag.length == 1 else f", {halves[index]}"
+            rows.append([place, f"%{place}", "BYTE", tag.comment + which])
     return rows

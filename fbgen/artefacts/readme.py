@@ -157,8 +157,8 @@ def _gateway(gateway: PlantGateway, lists: PlantLists) -> dict[str, object]:
         "address": gateway.profibus_address,
         "layout": layout.name,
         "identifiers": layout.identifiers.hex(" ").upper(),
-        "inputs": _place("I", gateway.input_address, layout.input_length, gateway),
-        "outputs": _place("Q", gateway.output_address, layout.output_length, gateway),
+        "inputs": _place("I", gateway.input_address, layout.input_length, gateway, lists),
+        "outputs": _place("Q", gateway.output_address, layout.output_length, gateway, lists),
         "access": gateway.access,
         "drives": [
             {
@@ -172,9 +172,11 @@ def _gateway(gateway: PlantGateway, lists: PlantLists) -> dict[str, object]:
     }
 
 
-def _place(area: str, first: int | None, length: int, gateway: PlantGateway) -> str:
+def _place(
+    area: str, first: int | None, length: int, gateway: PlantGateway, lists: PlantLists
+) -> str:
     if first is None:
-        return f"HW-ID {gateway.hardware_identifier}, {length} bytes"
+        return f"HW-ID {gateway.hardware_identifier}, {length} {lists.in_words('bytes', 'Byte')}"
     return f"{area}B{first} - {area}B{first + length - 1}"
 
 

@@ -6,6 +6,7 @@ from functools import cached_property
 
 from fbgen.artefacts.variables import PlcVariable, variables
 from fbgen.blocks.alarms import LINE_ALARMS, Alarm, drive_alarms
+from fbgen.blocks.texts import ENGLISH, Texts
 from fbgen.catalog import Catalog
 from fbgen.emit.generated import CanonicalProgram, GeneratedSet
 from fbgen.emit.symbol_table import numbers_of
@@ -14,12 +15,16 @@ from fbgen.plant import Plant, PlantDrive, PlantGateway, with_prefix
 
 @dataclass(frozen=True)
 class PlantLists:
-    """A plant, what was generated for it, and the language of texts for people."""
+    """A plant, what was generated for it, and the language of texts for people.
+
+    The texts of the catalogue are in that language already; `texts` has those that are no fields.
+    """
 
     plant: Plant
     catalog: Catalog
     generated: GeneratedSet
     language: str
+    texts: Texts = ENGLISH
 
     @property
     def canonical(self) -> CanonicalProgram:

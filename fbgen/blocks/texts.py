@@ -22,8 +22,11 @@ from fbgen.catalog.catalog import read_source
 from fbgen.diagnostics import Diagnostic
 from fbgen.resources import shipped
 
-_TEXTS = ("title", "meaning", "description", "does_not_protect")
-"""Fields of the catalogue that are shown in generated blocks."""
+_TEXTS = (
+    *("title", "meaning", "description", "does_not_protect"),
+    *("why", "when", "where", "stands"),
+)
+"""Fields of the catalogue that are shown in generated blocks and in the lists beside them."""
 
 Entry = TypeVar("Entry", bound=Located)
 _LongText = Annotated[str, Field(min_length=1, max_length=4000)]
@@ -82,6 +85,7 @@ class Texts:
             return catalog
         return replace(
             catalog,
+            gateways={name: self._inside(item) for name, item in catalog.gateways.items()},
             drives={name: self._inside(item) for name, item in catalog.drives.items()},
             sequences={name: self._inside(item) for name, item in catalog.sequences.items()},
         )

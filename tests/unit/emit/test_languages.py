@@ -104,6 +104,18 @@ def test_no_german_text_is_left_of_what_is_not_said_any_more() -> None:
     }
     for drive in CATALOG.drives.values():
         used |= {text for comno in drive.comnos for text in shown(comno, ("title",))}
+        used |= {text for comno in drive.comnos for text in comno.values.values()}
+        used |= shown(drive, ("title",)) | {switch.name for switch in drive.switches}
+        for entry in (*drive.settings, *drive.switches):
+            used |= shown(entry, ("why", "when", "where", "stands"))
+    for gateway in CATALOG.gateways.values():
+        used |= {text for switch in gateway.switches for text in shown(switch, ("where", "stands"))}
+        for layout in gateway.layouts:
+            used |= {
+                text
+                for field in (*layout.input, *layout.output)
+                for text in shown(field, ("title",))
+            }
     for template in TEMPLATES:
         used |= set(texts_of(template.read_text("utf-8")))
     file = yaml.safe_load((shipped("templates") / "texts" / "de.yaml").read_text("utf-8"))
