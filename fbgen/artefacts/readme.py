@@ -140,6 +140,7 @@ def _context(
         "gateways": [_gateway(item, lists) for item in plant.gateways],
         "access_notes": list(_access_notes(lists)),
         "sequences": [_sequence(name, lists) for name in plant.sequences],
+        "unpolled": [item.name for item in plant.gateways if not item.status_poll],
         "polls": [_poll(item, lists) for item in plant.gateways if item.status_poll],
         "worst": [_worst(item, lists) for item in plant.gateways],
         "sheets": next((name for name in names if name.endswith("_parameters.md")), ""),

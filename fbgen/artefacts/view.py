@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from fbgen.artefacts.variables import PlcVariable, variables
-from fbgen.blocks.alarms import LINE_ALARMS, Alarm, drive_alarms
+from fbgen.blocks.alarms import LINE_ALARMS, Alarm, drive_alarms, that_can_come
 from fbgen.blocks.texts import ENGLISH, Texts
 from fbgen.catalog import Catalog
 from fbgen.emit.generated import CanonicalProgram, GeneratedSet
@@ -87,15 +87,15 @@ class PlantLists:
         return given
 
     def alarms(self) -> Iterator["PlacedAlarm"]:
-        """All alarms of all lines and drives."""
+        """All alarms of all lines and drives, without those that can never come."""
         of_drives = drive_alarms(self.plant.sequences)
         for gateway in self.plant.gateways:
             word = self.variable(gateway.name, "line", "alarms")
-            for alarm in LINE_ALARMS:
+            for alarm in that_can_come(LINE_ALARMS, [gateway]):
                 yield PlacedAlarm(alarm, word, gateway)
             for drive in gateway.drives:
                 word = self.variable(gateway.name, drive.name, "alarms")
-                for alarm in of_drives:
+                for alarm in that_can_come(of_drives, [gateway]):
                     yield PlacedAlarm(alarm, word, gateway, drive)
 
 

@@ -4,11 +4,12 @@ One table for both sides: the block that packs the bits (TOS_Alarms) and the lis
 for an HMI come from it, so that a text can never belong to another bit.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 from fbgen.blocks.literals import SclText, word
+from fbgen.plant import PlantGateway
 
 AlarmClass = Literal["Errors", "Warnings"]
 """As WinCC calls the two classes that every project has: Errors want an acknowledgement."""
@@ -20,6 +21,8 @@ class Alarm:
 
     The texts are in English and German and name neither the line nor the drive: whoever writes a
     list puts that in front. `shows_trip` is for the alarm to which the trip in words belongs.
+    `needs` says without what of its gateway it never comes: the status poll, or an access whose
+    RET_VAL tells of errors.
     """
 
     bit: int
@@ -31,11 +34,18 @@ class Alarm:
     english_help: str
     german_help: str
     shows_trip: bool = False
+    needs: Literal["nothing", "status_poll", "dpxx_dat"] = "nothing"
 
     @property
     def mask(self) -> SclText:
         """The bit in its word."""
         return word(1 << self.bit)
+
+    def can_come(self, gateway: PlantGateway) -> bool:
+        """Whether there is anything behind this gateway that raises it."""
+        if self.needs == "status_poll":
+            return gateway.status_poll
+        return self.needs in ("nothing", gateway.access)
 
     def text(self, language: str) -> str:
         """What the operator reads."""
@@ -70,6 +80,7 @@ LINE_ALARMS = (
         "hardware configuration with the plant file.",
         "ioRetVal zeigt, was der Zugriff gemeldet hat. Adressen und Modul der "
         "Hardwarekonfiguration mit der Anlagendatei vergleichen.",
+        needs="dpxx_dat",
     ),
     Alarm(
         2,
@@ -117,6 +128,7 @@ _DRIVE_ALARMS = (
         "state.trip has the trip in words. Remove the cause, then reset it.",
         "state.trip zeigt die Störung in Worten. Ursache beseitigen, dann quittieren.",
         shows_trip=True,
+        needs="status_poll",
     ),
     Alarm(
         1,
@@ -127,6 +139,7 @@ _DRIVE_ALARMS = (
         "Antrieb antwortet nicht",
         "Check its supply, its inverter number (F802) and the line.",
         "Versorgung, Umrichternummer (F802) und Leitung prüfen.",
+        needs="status_poll",
     ),
     Alarm(
         2,
@@ -192,3 +205,8 @@ def drive_alarms(sequences: Sequence[str]) -> tuple[Alarm, ...]:
         "failedStep und status des Ablaufs zeigen, wo und warum.",
     )
     return (*_DRIVE_ALARMS, sequence)
+
+
+def that_can_come(alarms: Iterable[Alarm], gateways: Sequence[PlantGateway]) -> tuple[Alarm, ...]:
+    """The alarms that at least one of these gateways can raise."""
+    return tuple(one for one in alarms if any(one.can_come(gateway) for gateway in gateways))

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from fbgen.blocks.alarms import LINE_ALARMS, drive_alarms
+from fbgen.blocks.alarms import LINE_ALARMS, drive_alarms, that_can_come
 from fbgen.blocks.gateways import GatewayView, gateway_view, missing_fields, several_masters
 from fbgen.blocks.literals import SclText, byte, comno, milliseconds, one_line, source_text, word
 from fbgen.blocks.names import name_conflicts
@@ -230,8 +230,8 @@ def _plant_context(
         "station_mask": "16#0000FFFF" if several_masters(plant) else "16#000000FF",
         "sequences": sequences,
         "alarms": {
-            "line": LINE_ALARMS,
-            "drive": drive_alarms([item.id for item in sequences]),
+            "line": that_can_come(LINE_ALARMS, plant.gateways),
+            "drive": that_can_come(drive_alarms([item.id for item in sequences]), plant.gateways),
         },
     }
 

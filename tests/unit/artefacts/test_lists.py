@@ -9,7 +9,7 @@ from defusedxml.ElementTree import fromstring
 
 from fbgen.artefacts.alarm_lists import wincc_rows
 from fbgen.artefacts.view import PlantLists
-from fbgen.blocks.alarms import LINE_ALARMS, drive_alarms
+from fbgen.blocks.alarms import LINE_ALARMS, drive_alarms, that_can_come
 from fbgen.lang.checked import Program
 from fbgen.plant import LANGUAGES, read_plant
 from fbgen.source import Source
@@ -47,7 +47,7 @@ def test_the_alarm_list_has_the_columns_of_an_export_of_wincc() -> None:
 def test_every_alarm_of_every_line_and_drive_stands_once_in_the_list() -> None:
     rows = sheets(data("hall_alarms.xlsx"))["DiscreteAlarms"]
     alarms_of_a_drive = drive_alarms(["start_forward", "read_current"])
-    assert len(rows) == 2 * len(LINE_ALARMS) + 3 * len(alarms_of_a_drive)
+    assert len(rows) == 2 * (len(LINE_ALARMS) - 1) + 3 * len(alarms_of_a_drive)
     assert [row["ID"] for row in rows] == [str(number + 1) for number in range(len(rows))]
     for column in ("Name", "Alarm text [en-US], Alarm text"):
         assert max(Counter(row[column] for row in rows).values()) == 1
@@ -55,6 +55,40 @@ def test_every_alarm_of_every_line_and_drive_stands_once_in_the_list() -> None:
     assert max(bits.values()) == 1
     assert {row["Class"] for row in rows} == {"Errors", "Warnings"}
     assert all(0 <= int(row["Trigger bit"]) <= 15 for row in rows)
+
+
+def names_of_alarms(text: str) -> set[str]:
+    return {row["Name"] for row in sheets(data("hall_alarms.xlsx", text))["DiscreteAlarms"]}
+
+
+def test_an_alarm_that_can_never_come_stands_in_no_list() -> None:
+    unpolled = TWO_GATEWAYS.replace(
+        "    layout: doc9\n", "    layout: doc9\n    status_poll: false\n"
+    )
+    left_out = names_of_alarms(TWO_GATEWAYS) - names_of_alarms(unpolled)
+    drives = ("pump", "fan")
+    assert left_out == {f"south_{drive}_{name}" for drive in drives for name in ("tripped", "lost")}
+    assert not any(name.endswith("io_error") for name in names_of_alarms(TWO_GATEWAYS))
+
+
+def test_the_block_raises_what_some_list_has_and_nothing_else() -> None:
+    catalog = shipped_catalog()
+    plant = read_plant(Source("plant.yaml", TWO_GATEWAYS), catalog)
+    one, other = plant.gateways
+    silent = one.model_copy(update={"status_poll": False})
+    whole = other.model_copy(update={"status_poll": False, "access": "dpxx_dat"})
+    every = drive_alarms([])
+    assert {alarm.name for alarm in that_can_come(every, [silent, other])} == {
+        alarm.name for alarm in every
+    }
+    gone = {alarm.name for alarm in every} - {
+        alarm.name for alarm in that_can_come(every, [silent])
+    }
+    assert gone == {"tripped", "lost"}
+    assert that_can_come(LINE_ALARMS, [silent, whole]) == LINE_ALARMS
+    text = next(file.text for file in generated().files if file.name == "TOS_Alarms.scl")
+    assert "polled.lost" in text
+    assert "ioError" not in text
 
 
 def test_the_trip_of_a_drive_is_a_field_in_its_alarm() -> None:
