@@ -6,6 +6,7 @@ while the inverter still owes a reply or sends one is not heard; a telegram that
 that nobody carries out, does not restart the time-out.
 """
 
+from dataclasses import replace
 from typing import Protocol
 
 from fbgen.wire import toshiba_ascii, toshiba_binary
@@ -26,7 +27,7 @@ from fbgen.wire.toshiba_stream import request_stream
 from harness.drives.registers import Registers
 from harness.drives.settings import InverterSettings
 from harness.kernel import NS_PER_S, Event, Kernel
-from harness.line import Line, Parity, Port, Reception, Role, SerialFormat
+from harness.line import Line, Parity, Port, Rate, Reception, Role, SerialFormat
 
 PARAMETERS = (
     "baud_rate",
@@ -72,12 +73,18 @@ class Device(Protocol):
 
 
 class Communication:
-    """The inverter's serial port: a node on the line. `reply_time` may change at any time."""
+    """The inverter's serial port: a node on the line.
+
+    What may change at any time: `reply_time`; with the probability of `late_replies` a reply comes
+    `late_ns` later than that; `foreign_number` is an INV-NO to which it listens in place of its
+    own, `reply_number` one with which it answers.
+    """
 
     __slots__ = (
         "_deadline_ns",
         "_deaf_until_ns",
         "_device",
+        "_foreign_number",
         "_frame",
         "_kernel",
         "_registers",
@@ -85,7 +92,10 @@ class Communication:
         "_settings",
         "_timer",
         "inv_no",
+        "late_ns",
+        "late_replies",
         "port",
+        "reply_number",
         "reply_time",
         "stream",
     )
@@ -103,6 +113,10 @@ class Communication:
         self._device = device
         self._settings = settings
         self.reply_time = settings.reply_time
+        self.late_replies = Rate(kernel.random)
+        self.late_ns = 0
+        self.reply_number: int | None = None
+        self._foreign_number: int | None = None
         self._reply: Event | None = None
         self._frame = b""
         self._timer: Event | None = None
@@ -131,6 +145,18 @@ class Communication:
     def number_changed(self) -> None:
         """Take over INV-NO from the rotary switch or, if that is at 0, from F802."""
         self.inv_no = self._settings.rotary_switch or self._registers.word("inverter_number")
+        if self._foreign_number is not None:
+            self.inv_no = self._foreign_number
+
+    @property
+    def foreign_number(self) -> int | None:
+        """An INV-NO that is not its own and to which it listens; None for its own."""
+        return self._foreign_number
+
+    @foreign_number.setter
+    def foreign_number(self, number: int | None) -> None:
+        self._foreign_number = number
+        self.number_changed()
 
     def timeout_changed(self) -> None:
         """Forget the running time-out: the new one starts with the next telegram."""
@@ -202,12 +228,15 @@ class Communication:
         elif value is None:
             self._refuse(request, ErrorCode.COM_NO)
         else:
+            if self.reply_number is not None:
+                request = replace(request, address=self.reply_number)
             self._send_later(_answer(request, value, device.tripped))
 
     def _refuse(self, message: Request | BadRequest, error: ErrorCode) -> None:
         tripped = self._device.tripped
         form, checked = message.form, message.checked
-        reply = ErrorReply(message.address, error, tripped, form, checked)
+        address = message.address if self.reply_number is None else self.reply_number
+        reply = ErrorReply(address, error, tripped, form, checked)
         protocol = toshiba_binary if form is _BINARY else toshiba_ascii
         self._send_later(protocol.encode_reply(reply))
 
@@ -218,6 +247,8 @@ class Communication:
         delay_ns = times.minimum_ns + int(kernel.random.random() * (span_ns + 1))
         if self._registers.word("send_waiting_time"):
             delay_ns += round(self._registers.value("send_waiting_time") * NS_PER_S)
+        if self.late_replies.hits(1):
+            delay_ns += self.late_ns
         begin_ns = kernel.now_ns + delay_ns
         self._frame = frame
         self._reply = kernel.at(begin_ns, self._send)

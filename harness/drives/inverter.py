@@ -47,6 +47,7 @@ class Inverter:
         "_bits",
         "_command_number",
         "_emergency_code",
+        "_emergency_terminal",
         "_followed",
         "_inv_no_number",
         "_timeout_code",
@@ -78,6 +79,7 @@ class Inverter:
         self.name = settings.name
         self.powered = True
         self.observers: list[Callable[[], None]] = []
+        self._emergency_terminal = False
         self.registers = Registers(series, _delivered(series, settings))
         self._bits = CommandBits.of(series.command_word)
         number = self.registers.number
@@ -193,6 +195,20 @@ class Inverter:
         self.operation.local = local
         self._follow()
         self._changed()
+
+    @property
+    def emergency_terminal(self) -> bool:
+        """True while the emergency stop at the terminals is open: it trips, and a reset is in vain.
+
+        TOSPBDP001 manual v1.1, section 7: the RES input as inverted EXTN.
+        """
+        return self._emergency_terminal
+
+    @emergency_terminal.setter
+    def emergency_terminal(self, is_open: bool) -> None:
+        self._emergency_terminal = is_open
+        if is_open:
+            self._trip(self._emergency_code)
 
     def read_parameter(self, key: str | int) -> float:
         """The value of a ComNo in its unit, as a read over the line gives it. FB1105 if unknown."""
@@ -321,6 +337,8 @@ class Inverter:
         self.registers.restart()
         self.operation.restart()
         self.communication.restart(silence_ns)
+        if self._emergency_terminal:
+            self._trip(self._emergency_code)
         self._changed()
 
     def _changed(self) -> None:

@@ -16,7 +16,8 @@ class Registers:
 
     `ram` is what works and what a read gives; `eeprom` is what a restart loads; `write_cycles`
     counts the writes of each EEPROM cell. `latched` holds those cells that act only after a
-    restart, with the word that acts. With `eeprom_faulty` no EEPROM cell takes a value.
+    restart, with the word that acts. With `eeprom_faulty` no EEPROM cell takes a value for good,
+    with `locked` no parameter can be written at all; commands and set-points can.
     """
 
     __slots__ = (
@@ -26,6 +27,7 @@ class Registers:
         "eeprom",
         "eeprom_faulty",
         "latched",
+        "locked",
         "ram",
         "write_cycles",
     )
@@ -41,7 +43,7 @@ class Registers:
             comno.number: comno.default_word for comno in series.comnos if comno.storage == "eeprom"
         } | dict(delivered)
         self.write_cycles: dict[int, int] = dict.fromkeys(self.eeprom, 0)
-        self.eeprom_faulty = False
+        self.eeprom_faulty = self.locked = False
         self.ram: dict[int, int] = {}
         self.latched: dict[int, int] = {}
         self.restart()
@@ -82,6 +84,8 @@ class Registers:
         if comno is None:
             return ErrorCode.COM_NO
         if "w" not in comno.access or (running and comno.requires_stop):
+            return ErrorCode.CANNOT_EXECUTE
+        if self.locked and number in self.eeprom:
             return ErrorCode.CANNOT_EXECUTE
         lowest, greatest = self._ranges[number]
         if comno.limited_by is not None:

@@ -19,7 +19,7 @@ class TripLog:
     __slots__ = ("_by_display", "_codes", "code", "frozen", "past")
 
     def __init__(self, series: Drive) -> None:
-        self._by_display = {trip.display: trip.code for trip in series.trips}
+        self._by_display = {trip.display: trip.code for trip in series.trips if trip.code}
         self._codes = {trip.code: trip.display for trip in series.trips}
         self.code = 0
         self.frozen: Mapping[int, int] = {}

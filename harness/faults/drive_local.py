@@ -1,22 +1,21 @@
-"""A drive is switched to local control at a terminal."""
+"""A drive is switched to local control at a terminal.
 
-from harness.faults.fault import FaultSettings, FaultType, Target
+Run and stop come from the panel or the terminals then, whatever the network says. When it is
+switched back, the command word is as it was written last.
+"""
+
+from functools import partial
+
+from harness.faults.fault import Fault, FaultSettings, FaultType, Target
+from harness.faults.holding import Holding
 from harness.installation import Installation
+from harness.installation.holds import switched
 
 
-class DriveLocal:
-    """Run and stop come from the panel or the terminals, whatever the network says."""
-
-    def __init__(self, plant: Installation, on: str, settings: FaultSettings) -> None:
-        self._drive = plant.drives[on]
-
-    def inject(self) -> None:
-        """It is switched to local."""
-        self._drive.switch_to_local(True)
-
-    def clear(self) -> None:
-        """It is switched back; the command word is as it was written last."""
-        self._drive.switch_to_local(False)
+def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+    switch = plant.drives[on].switch_to_local
+    hold = switched(plant.drives[on], "local", partial(switch, True), partial(switch, False))
+    return Holding(plant, hold)
 
 
-FAULT = FaultType("drive_local", "A drive is switched to local control", Target.DRIVE, DriveLocal)
+FAULT = FaultType("drive_local", "A drive is switched to local control", Target.DRIVE, _make)

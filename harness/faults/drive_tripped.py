@@ -1,7 +1,10 @@
 """A drive trips. Clearing it takes the cause away; the trip stays until it is reset."""
 
+from functools import partial
+
 from fbgen.catalog.scalars import Text
-from harness.faults.fault import FaultSettings, FaultType, Target
+from harness.faults.fault import Fault, FaultSettings, FaultType, Target
+from harness.faults.holding import Event
 from harness.installation import Installation
 
 
@@ -11,27 +14,18 @@ class TripSettings(FaultSettings):
     display: Text = "OC1"
 
 
-class DriveTripped:
-    """A trip of one drive. FB7102 for a display that its series does not have."""
-
-    def __init__(self, plant: Installation, on: str, settings: FaultSettings) -> None:
-        assert isinstance(settings, TripSettings)
-        self._drive = plant.drives[on]
-        self._display = settings.display
-        self._drive.trips.code_of(settings.display)
-
-    def inject(self) -> None:
-        """The trip comes."""
-        self._drive.trip(self._display)
-
-    def clear(self) -> None:
-        """The cause is gone; a trip is latched, so nothing else changes."""
+def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+    """FB7102 for a display that the series of the drive does not have."""
+    assert isinstance(settings, TripSettings)
+    drive = plant.drives[on]
+    drive.trips.code_of(settings.display)
+    return Event(partial(drive.trip, settings.display))
 
 
 FAULT = FaultType(
     "drive_tripped",
     "A drive trips, by what its panel shows",
     Target.DRIVE,
-    DriveTripped,
+    _make,
     TripSettings,
 )

@@ -1,23 +1,14 @@
 """A drive has no supply."""
 
-from harness.faults.fault import FaultSettings, FaultType, Target
+from harness.faults.fault import Fault, FaultSettings, FaultType, Target
+from harness.faults.holding import Holding
 from harness.installation import Installation
+from harness.installation.holds import switched
 
 
-class DriveUnpowered:
-    """A drive has no supply."""
-
-    def __init__(self, plant: Installation, on: str, settings: FaultSettings) -> None:
-        self._plant = plant
-        self._on = on
-
-    def inject(self) -> None:
-        """It begins."""
-        self._plant.drives[self._on].power_off()
-
-    def clear(self) -> None:
-        """It ends."""
-        self._plant.drives[self._on].power_on()
+def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+    drive = plant.drives[on]
+    return Holding(plant, switched(drive, "supply", drive.power_off, drive.power_on))
 
 
-FAULT = FaultType("drive_unpowered", "A drive has no supply", Target.DRIVE, DriveUnpowered)
+FAULT = FaultType("drive_unpowered", "A drive has no supply", Target.DRIVE, _make)

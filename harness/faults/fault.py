@@ -3,10 +3,16 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
-from typing import Protocol
+from typing import Annotated, Protocol
+
+from pydantic import Field
 
 from fbgen.catalog import Located
+from fbgen.catalog.scalars import Real
 from harness.installation import Installation
+
+Probability = Annotated[Real, Field(gt=0, le=1)]
+"""A probability that is not 0."""
 
 
 class Target(Enum):

@@ -1,27 +1,24 @@
 """A gateway reports a diagnosis of its own (Ext_Diag) and goes on exchanging data."""
 
-from harness.faults.fault import FaultSettings, FaultType, Target
+from functools import partial
+
+from harness.faults.fault import Fault, FaultSettings, FaultType, Target
+from harness.faults.holding import Holding
 from harness.installation import Installation
+from harness.installation.holds import switched
 
 
-class GatewayDiagnosis:
-    """A gateway reports a diagnosis of its own and goes on exchanging data."""
-
-    def __init__(self, plant: Installation, on: str, settings: FaultSettings) -> None:
-        self._slave = plant.gateways[on].slave
-
-    def inject(self) -> None:
-        """It begins."""
-        self._slave.set_ext_diag(True)
-
-    def clear(self) -> None:
-        """It ends."""
-        self._slave.set_ext_diag(False)
+def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+    slave = plant.gateways[on].slave
+    report = slave.set_ext_diag
+    return Holding(
+        plant, switched(slave, "diagnosis", partial(report, True), partial(report, False))
+    )
 
 
 FAULT = FaultType(
     "gateway_diagnosis",
     "A gateway reports a diagnosis of its own and goes on exchanging data",
     Target.GATEWAY,
-    GatewayDiagnosis,
+    _make,
 )

@@ -1,23 +1,14 @@
 """A gateway has no supply."""
 
-from harness.faults.fault import FaultSettings, FaultType, Target
+from harness.faults.fault import Fault, FaultSettings, FaultType, Target
+from harness.faults.holding import Holding
 from harness.installation import Installation
+from harness.installation.holds import switched
 
 
-class GatewayUnpowered:
-    """A gateway has no supply."""
-
-    def __init__(self, plant: Installation, on: str, settings: FaultSettings) -> None:
-        self._plant = plant
-        self._on = on
-
-    def inject(self) -> None:
-        """It begins."""
-        self._plant.gateways[self._on].power_off()
-
-    def clear(self) -> None:
-        """It ends."""
-        self._plant.gateways[self._on].power_on()
+def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+    gateway = plant.gateways[on]
+    return Holding(plant, switched(gateway, "supply", gateway.power_off, gateway.power_on))
 
 
-FAULT = FaultType("gateway_unpowered", "A gateway has no supply", Target.GATEWAY, GatewayUnpowered)
+FAULT = FaultType("gateway_unpowered", "A gateway has no supply", Target.GATEWAY, _make)

@@ -1,35 +1,19 @@
 """The line behind a gateway is broken in both directions."""
 
-from harness.faults.fault import FaultSettings, FaultType, Target
+from harness.faults.fault import Fault, FaultSettings, FaultType, Target
+from harness.faults.holding import Holding
+from harness.faults.line_pairs import pairs
 from harness.installation import Installation
-from harness.line import Pair
+from harness.installation.holds import attribute
 
 
-class LineBroken:
-    """The line behind a gateway is broken in both directions."""
-
-    def __init__(self, plant: Installation, on: str, settings: FaultSettings) -> None:
-        self._plant = plant
-        self._on = on
-
-    def inject(self) -> None:
-        """It begins."""
-        for pair in self._pairs():
-            pair.broken = True
-
-    def clear(self) -> None:
-        """It ends."""
-        for pair in self._pairs():
-            pair.broken = False
-
-    def _pairs(self) -> tuple[Pair, Pair]:
-        line = self._plant.lines[self._on]
-        return line.master_pair, line.slave_pair
+def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+    return Holding(plant, *(attribute(pair, "broken", True) for pair in pairs(plant, on)))
 
 
 FAULT = FaultType(
     "line_broken",
     "The line behind a gateway is broken in both directions",
     Target.GATEWAY,
-    LineBroken,
+    _make,
 )

@@ -1,40 +1,27 @@
 """Noise on the line behind a gateway: each bit may be inverted, seeded."""
 
-from typing import Annotated
-
-from pydantic import Field
-
-from fbgen.catalog.scalars import Real
-from harness.faults.fault import FaultSettings, FaultType, Target
+from harness.faults.fault import Fault, FaultSettings, FaultType, Probability, Target
+from harness.faults.holding import Holding
+from harness.faults.line_pairs import Direction, pairs
 from harness.installation import Installation
+from harness.installation.holds import attribute
 
 
 class NoiseSettings(FaultSettings):
-    """`bit_error_rate` is the probability for each bit, both directions."""
+    """`bit_error_rate` is the probability for each bit, in this `direction`."""
 
-    bit_error_rate: Annotated[Real, Field(gt=0, le=1)] = 0.01
+    bit_error_rate: Probability = 0.01
+    direction: Direction = "both"
 
 
-class LineNoise:
-    """Noise on both pairs of a line."""
-
-    def __init__(self, plant: Installation, on: str, settings: FaultSettings) -> None:
-        assert isinstance(settings, NoiseSettings)
-        line = plant.lines[on]
-        self._pairs = (line.master_pair, line.slave_pair)
-        self._rate = settings.bit_error_rate
-
-    def inject(self) -> None:
-        """It begins."""
-        for pair in self._pairs:
-            pair.interference.bit_errors.probability = self._rate
-
-    def clear(self) -> None:
-        """It ends."""
-        for pair in self._pairs:
-            pair.interference.bit_errors.probability = 0.0
+def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+    assert isinstance(settings, NoiseSettings)
+    rates = [pair.interference.bit_errors for pair in pairs(plant, on, settings.direction)]
+    return Holding(
+        plant, *(attribute(rate, "probability", settings.bit_error_rate) for rate in rates)
+    )
 
 
 FAULT = FaultType(
-    "line_noise", "Noise on the line behind a gateway", Target.GATEWAY, LineNoise, NoiseSettings
+    "line_noise", "Noise on the line behind a gateway", Target.GATEWAY, _make, NoiseSettings
 )

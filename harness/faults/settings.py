@@ -43,14 +43,22 @@ def _explain(
         message = f"the fault '{kind.name}' has no setting '{name}'"
         advice = nearest(name, known) if known else "it has none: leave out settings"
         return Diagnostic("FB8004", message, places.get(name), advice)
-    limit = _LIMITS.get(details["type"])
-    if limit is not None:
-        expected = limit.format(**details.get("ctx", {}))
-    else:
-        expected = "a text" if details["type"].startswith("string") else "a number"
     return Diagnostic(
         "FB8004",
         f"the setting '{name}' of the fault '{kind.name}' is never {details['input']!r}",
         places.get(name),
-        f"it is {expected}",
+        f"it is {_expected(details)}",
     )
+
+
+def _expected(details: ErrorDetails) -> str:
+    context = details.get("ctx", {})
+    if (limit := _LIMITS.get(details["type"])) is not None:
+        return limit.format(**context)
+    if details["type"] == "value_error":
+        return "a time that is not 0, with its unit, such as 500 ms or 2 s"
+    if details["type"] == "literal_error":
+        return str(context["expected"])
+    if details["type"].startswith("string"):
+        return "a text"
+    return "a whole number" if details["type"].startswith("int") else "a number"

@@ -5,7 +5,7 @@ arithmetic and no event. Jitter delays single instants; it depends on the plant'
 number of the cycle only, so that it is the same however often somebody asks.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from random import Random
 
 from fbgen.diagnostics import error
@@ -36,13 +36,22 @@ class CycleTimes:
 class CycleGrid:
     """The instants of a master's cycles."""
 
-    __slots__ = ("_jitter_ns", "_period_ns", "_phase_ns", "_salt")
+    __slots__ = ("_jitter_ns", "_period_ns", "_phase_ns", "_random", "_salt", "times")
 
     def __init__(self, times: CycleTimes, random: Random) -> None:
+        self.times = times
         self._period_ns = times.period_ns
         self._phase_ns = times.phase_ns
         self._jitter_ns = times.jitter_ns
+        self._random = random
         self._salt = random.getrandbits(64) if times.jitter_ns else 0
+
+    def jitter(self, jitter_ns: int) -> None:
+        """Another largest delay, from the next instant on."""
+        self.times = replace(self.times, jitter_ns=jitter_ns)
+        self._jitter_ns = jitter_ns
+        if jitter_ns and not self._salt:
+            self._salt = self._random.getrandbits(64)
 
     def after(self, time_ns: int) -> int:
         """The first instant later than `time_ns`."""

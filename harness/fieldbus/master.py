@@ -30,7 +30,8 @@ class MasterMode(Enum):
 class DpMaster:
     """A master with its slaves. It begins in STOP; once started it is in CLEAR until `operate`.
 
-    `clearing` is True if every slave gets zeros, `cut` while the bus is cut (set `connected`).
+    `clearing` is True if every slave gets zeros, `cut` while the bus is cut (set `connected`), and
+    `halted` while the master itself has stopped, whatever the CPU asks it for.
     Functions in `taps` get every simulated transfer. Functions in `observers` are called when a
     station has failed, was refused, or exchanges data again, those in `on_mode` when the mode may
     have changed.
@@ -38,6 +39,8 @@ class DpMaster:
 
     __slots__ = (
         "_clear_due",
+        "_clear_forced",
+        "_clear_wanted",
         "_event",
         "_grid",
         "_kernel",
@@ -46,6 +49,7 @@ class DpMaster:
         "address",
         "clearing",
         "cut",
+        "halted",
         "observers",
         "on_mode",
         "stations",
@@ -58,9 +62,10 @@ class DpMaster:
         self._queue: list[Station] = []
         self._event: Event | None = None
         self._running = False
-        self._clear_due = True
+        self._clear_due = self._clear_wanted = True
+        self._clear_forced = False
         self.clearing = True
-        self.cut = False
+        self.cut = self.halted = False
         self.address = address
         self.stations: list[Station] = []
         self.taps: list[Callable[[Transfer], None]] = []
@@ -102,7 +107,7 @@ class DpMaster:
     @property
     def mode(self) -> MasterMode:
         """What the master sends now."""
-        if not self._running:
+        if not self._running or self.halted:
             return MasterMode.STOP
         return MasterMode.CLEAR if self.clearing else MasterMode.OPERATE
 
@@ -110,19 +115,23 @@ class DpMaster:
         """Begin to poll: parameters and configuration first, then zeros or the outputs."""
         if not self._running:
             self._running = True
-            for station in self.stations:
-                station.restart()
-            self._request_all()
+            if self.halted:
+                self._fail_all()
+            else:
+                self._begin()
             self._mode_changed()
 
     def operate(self) -> None:
         """Send the outputs of the CPU, from the next cycle on; while stopped, once started."""
-        self.clearing = self._clear_due = False
-        self._request_all()
-        self._mode_changed()
+        self._clear_wanted = False
+        if not self._clear_forced:
+            self.clearing = self._clear_due = False
+            self._request_all()
+            self._mode_changed()
 
     def clear(self) -> None:
         """Send zeros instead of the outputs and Clear_Data, from the next cycle on."""
+        self._clear_wanted = True
         self.clearing = self._clear_due = True
         self._request_all()
         self._mode_changed()
@@ -131,10 +140,55 @@ class DpMaster:
         """Send nothing any more; the slaves are left to their watchdogs."""
         if self._running:
             self._running = False
-            last_ns = self.last_cycle_ns()
-            for station in self.stations:
-                station.slave.polling_ended(last_ns)
+            if not self.halted:
+                self._end_polling()
             self._mode_changed()
+
+    # --- faults of the master ---------------------------------------------------------------
+
+    @property
+    def clear_forced(self) -> bool:
+        """True while the master stays in CLEAR although the CPU is in RUN."""
+        return self._clear_forced
+
+    @clear_forced.setter
+    def clear_forced(self, forced: bool) -> None:
+        self._clear_forced = forced
+        if forced and not self.clearing:
+            self.clearing = self._clear_due = True
+            self._request_all()
+            self._mode_changed()
+        elif not forced and not self._clear_wanted:
+            self.operate()
+
+    def halt(self) -> None:
+        """The master stops by itself: silence, and no station can be reached by the CPU."""
+        self.halted = True
+        if self._running:
+            self._end_polling()
+            self._fail_all()
+        self._mode_changed()
+
+    def resume(self) -> None:
+        """The master goes on as the CPU wants it, with all slaves from the beginning."""
+        self.halted = False
+        if self._running:
+            self._begin()
+        self._mode_changed()
+
+    @property
+    def times(self) -> CycleTimes:
+        """Period, phase and jitter of the cycle as they are."""
+        return self._grid.times
+
+    @property
+    def jitter_ns(self) -> int:
+        """The largest delay of a cycle; it may change at any time."""
+        return self._grid.times.jitter_ns
+
+    @jitter_ns.setter
+    def jitter_ns(self, jitter_ns: int) -> None:
+        self._grid.jitter(jitter_ns)
 
     def _mode_changed(self) -> None:
         for observer in self.on_mode:
@@ -153,14 +207,12 @@ class DpMaster:
             return
         self.cut = not connected
         if not connected:
-            last_ns = self.last_cycle_ns()
-            for station in self.stations:
-                station.slave.polling_ended(last_ns)
+            self._end_polling()
         self._request_all()
 
     def global_control(self, command: ControlCommand, groups: int = 0) -> None:
         """Send Global_Control now; `groups` 00 means all slaves."""
-        if not self._running:
+        if not self._running or self.halted:
             return
         for station in self.stations:
             if station.reached:
@@ -170,7 +222,7 @@ class DpMaster:
 
     def request(self, station: Station) -> None:
         """Poll this station in the next cycle: something is new."""
-        if station.queued or not self._running:
+        if station.queued or not self._running or self.halted:
             return
         station.queued = True
         self._queue.append(station)
@@ -207,13 +259,27 @@ class DpMaster:
         polled, self._queue = self._queue, []
         for station in polled:
             station.queued = False
-        if not self._running:
+        if not self._running or self.halted:
             return
         if self._clear_due:
             self._clear_due = False
             self.global_control(ControlCommand.CLEAR_DATA)
         for station in polled:
             station.poll()
+
+    def _begin(self) -> None:
+        for station in self.stations:
+            station.restart()
+        self._request_all()
+
+    def _end_polling(self) -> None:
+        last_ns = self.last_cycle_ns()
+        for station in self.stations:
+            station.slave.polling_ended(last_ns)
+
+    def _fail_all(self) -> None:
+        for station in self.stations:
+            station.fail()
 
     def _request_all(self) -> None:
         for station in self.stations:

@@ -135,6 +135,19 @@ class DpSlave:
         self._forget()
         self._notify()
 
+    def become(self, type: SlaveType) -> None:  # noqa: A002 - the field's term
+        """Stand there as a slave of another type, as after the device was exchanged."""
+        self.type = type
+        self._leave_exchange()
+        self._forget()
+        self._notify()
+
+    def let_watchdog_expire(self) -> None:
+        """No telegram came for longer than the watchdog time, though the master has sent some."""
+        if self.online and self.parameters and self.parameters.watchdog_factors is not None:
+            self._watchdog_expired()
+            self._notify()
+
     def set_inputs(self, inputs: bytes) -> None:
         """New input data, all bytes of one moment."""
         if inputs != self._inputs:

@@ -206,13 +206,17 @@ class Station:
         self.failed = self.reporting = False
         self.state = StationState.DIAGNOSIS
 
+    def fail(self) -> None:
+        """Its data cannot be reached any more: nobody asks for them."""
+        if self.state is not _FAILED:
+            self._drop(_FAILED)
+
     def poll(self) -> None:
         """The master's telegram of this cycle and the slave's answer."""
         self.unsent = False
         state = self.state
         if not self.reached:
-            if state is not _FAILED:
-                self._drop(_FAILED)
+            self.fail()
         elif state is _EXCHANGE:
             self._exchange()
         else:

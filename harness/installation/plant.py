@@ -1,13 +1,14 @@
 """A simulated plant as a whole: PLC, PROFIBUS, gateways, lines and inverters on one clock."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from fbgen.catalog import Catalog
 from fbgen.plant import Plant
 from harness.drives import Inverter
 from harness.fieldbus import DpMaster, Station
 from harness.gateways.tospbdp001 import Tospbdp001
+from harness.installation.holds import Holds
 from harness.kernel import Kernel
 from harness.line import Line, Spacing
 from harness.plc import Cpu
@@ -21,7 +22,7 @@ class Installation:
 
     Gateways, stations (the gateways as the master sees them) and lines go by the gateway's name,
     drives by their own. `plan` is the plant file. `spacing` notes telegrams to different drives
-    that follow each other too closely.
+    that follow each other too closely; `holds` knows what faults hold.
     """
 
     plan: Plant
@@ -34,6 +35,7 @@ class Installation:
     lines: Mapping[str, Line]
     drives: Mapping[str, Inverter]
     spacing: Mapping[str, Spacing]
+    holds: Holds = field(default_factory=Holds)
 
     def start(self) -> None:
         """Switch the gateways on and start the CPU; drives have their supply already."""

@@ -1,4 +1,4 @@
-"""What happens to characters on their way: flipped bits, noise bursts, lost bytes.
+"""What happens to characters on their way: flipped bits, noise bursts, bytes lost, doubled, late.
 
 Every rate is drawn from the kernel's random source by the distance to the next hit, so an
 undisturbed line costs nothing and a rarely disturbed one hardly more.
@@ -78,14 +78,29 @@ class Disturbance:
 
 
 class Interference:
-    """Everything that disturbs one pair; fault classes set the rates and call the methods."""
+    """Everything that disturbs one pair; fault classes set the rates and call the methods.
 
-    __slots__ = ("_bursts", "_next", "_random", "bit_errors", "byte_losses")
+    `delays` says how often a transmission is held up: from some byte on it comes `delay_ns` later.
+    """
+
+    __slots__ = (
+        "_bursts",
+        "_next",
+        "_random",
+        "bit_errors",
+        "byte_doublings",
+        "byte_losses",
+        "delay_ns",
+        "delays",
+    )
 
     def __init__(self, random: Random) -> None:
         self._random = random
         self.bit_errors = Rate(random)
         self.byte_losses = Rate(random)
+        self.byte_doublings = Rate(random)
+        self.delays = Rate(random)
+        self.delay_ns = 0
         self._bursts: list[tuple[int, int]] = []
         self._next: deque[Disturbance] = deque()
 
@@ -100,11 +115,12 @@ class Interference:
     def heard(self, transmission: Transmission) -> Reception:
         """The transmission, now over, as it arrives at an undisturbed receiver."""
         sent, start_ns, end_ns = transmission.data, transmission.start_ns, transmission.end_ns
-        undisturbed = self.bit_errors.idle and self.byte_losses.idle and not self._bursts
-        if undisturbed and not self._next and not transmission.overlapping:
+        undisturbed = self.bit_errors.idle and self.byte_losses.idle and self.byte_doublings.idle
+        if undisturbed and not (self._bursts or self._next or transmission.overlapping):
             return Reception(transmission, sent, start_ns, end_ns)
         flips = self._flips(transmission)
         lost = set(self.byte_losses.hits(len(sent)))
+        doubled = self.byte_doublings.hits(len(sent))
         planned = self._next.popleft() if self._next else None
         data = bytearray(sent)
         marks = bytearray(len(data))
@@ -122,7 +138,15 @@ class Interference:
                 marks[index] |= self._random.choice((PARITY_ERROR, FRAMING_ERROR))
         errors = bytes(marks) if any(marks) else None
         heard = Reception(transmission, bytes(data), start_ns, end_ns, errors)
+        if doubled:
+            heard = heard.with_doubled(frozenset(doubled))
         return heard.without(frozenset(lost)) if lost else heard
+
+    def parted(self, heard: Reception) -> tuple[Reception, Reception] | None:
+        """What arrives in time and what arrives late, if this one is held up; else None."""
+        if not heard.data or not self.delays.hits(1):
+            return None
+        return heard.parted(self._random.randrange(len(heard.data)), self.delay_ns)
 
     def _flips(self, transmission: Transmission) -> dict[int, int]:
         """Masks over the bits of the characters that are hit, by index of the byte."""

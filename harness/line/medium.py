@@ -101,6 +101,12 @@ class Pair:
         heard = transmission.heard = self.interference.heard(transmission)
         for tap in self._taps:
             tap(transmission)
+        if not self.interference.delays.idle and (parts := self.interference.parted(heard)):
+            heard, late = parts
+            self._kernel.at(late.end_ns, partial(self._hand_out, transmission, late))
+        self._hand_out(transmission, heard)
+
+    def _hand_out(self, transmission: Transmission, heard: Reception) -> None:
         if self.broken:
             return
         sender, wire = transmission.sender, transmission.format.wire

@@ -1,5 +1,6 @@
 """What goes over the line: one object for a run of characters, and what a receiver made of it."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -79,7 +80,7 @@ class Reception:
 
     `marks` has one byte per byte of `data`: 0, or `PARITY_ERROR` and `FRAMING_ERROR`; None says
     that all are clean. `positions` gives the index that each byte had in the transmission; None
-    says that none was lost.
+    says that none was lost. `late_ns` is how much later it came than it was sent.
     """
 
     transmission: Transmission
@@ -88,6 +89,7 @@ class Reception:
     end_ns: int
     marks: bytes | None = None
     positions: tuple[int, ...] | None = None
+    late_ns: int = 0
 
     @property
     def byte_ns(self) -> int:
@@ -97,7 +99,7 @@ class Reception:
     def byte_end_ns(self, index: int) -> int:
         """Instant at which the byte with this index of `data` was complete."""
         sent = index if self.positions is None else self.positions[index]
-        return self.transmission.byte_end_ns(sent)
+        return self.transmission.byte_end_ns(sent) + self.late_ns
 
     def with_format(self, own: SerialFormat) -> "Reception":
         """The same for a receiver with another baud rate or parity."""
@@ -110,7 +112,26 @@ class Reception:
     def without(self, lost: frozenset[int]) -> "Reception":
         """The same for a receiver that missed the bytes with these indexes of the transmission."""
         positions = self.positions or tuple(range(len(self.data)))
-        kept = [at for at, position in enumerate(positions) if position not in lost]
+        return self._chosen(at for at, position in enumerate(positions) if position not in lost)
+
+    def with_doubled(self, doubled: frozenset[int]) -> "Reception":
+        """The same for receivers that hear the bytes with these indexes twice."""
+        times = [2 if at in doubled else 1 for at in range(len(self.data))]
+        return self._chosen([at for at, count in enumerate(times) for _ in range(count)])
+
+    def parted(self, first: int, late_ns: int) -> "tuple[Reception, Reception]":
+        """The bytes before `first` as they came, and those from there on so much later."""
+        indexes = range(len(self.data))
+        early, late = self._chosen(indexes[:first]), self._chosen(indexes[first:])
+        begin_ns = self.byte_end_ns(first) - self.byte_ns + late_ns
+        return early, replace(
+            late, start_ns=begin_ns, end_ns=self.end_ns + late_ns, late_ns=late_ns
+        )
+
+    def _chosen(self, indexes: Iterable[int]) -> "Reception":
+        """Only the bytes with these indexes of `data`, in this order."""
+        kept = tuple(indexes)
+        positions = self.positions or tuple(range(len(self.data)))
         marks = None if self.marks is None else bytes(self.marks[at] for at in kept)
         return replace(
             self,

@@ -66,6 +66,7 @@ class Cpu(HardwareAccess):
     """
 
     __slots__ = (
+        "_depth",
         "_engine",
         "_failed",
         "_free_ns",
@@ -74,6 +75,7 @@ class Cpu(HardwareAccess):
         "_interrupts",
         "_life",
         "_obs",
+        "_postponed",
         "_priority",
         "_reporting",
         "_restart",
@@ -104,6 +106,8 @@ class Cpu(HardwareAccess):
         self._priority = 1
         self._restart = Restart.WARM
         self._scan_event: Event | None = None
+        self._depth = 0
+        self._postponed: list[Callable[[], None]] = []
         self._life = self._started_ns = self._free_ns = 0
         self.master = master
         self.mode = CpuMode.STOP
@@ -177,10 +181,35 @@ class Cpu(HardwareAccess):
         self.master.clear()
         self._set_mode(CpuMode.STOP)
 
+    def at_checkpoint(self, action: Callable[[], None]) -> None:
+        """Do something that no program may be interrupted for: now, or when what runs is through.
+
+        An S7 takes a request for STOP at its cycle checkpoint.
+        """
+        if self._depth:
+            self._postponed.append(action)
+        else:
+            action()
+
     def power_off(self) -> None:
         """No supply: the master falls silent, too."""
         self.stop()
         self.master.stop()
+
+    def power_on(self) -> None:
+        """Supply comes, and the switch is at STOP: the master sends zeros."""
+        self.stop()
+        self.master.start()
+        self.master.clear()
+
+    def lose_retentive(self) -> None:
+        """Forget everything that outlives a warm restart, as an empty battery does.
+
+        For a CPU in STOP. Raises DiagnosticError FB7405 without a program.
+        """
+        self._begin()
+        self.markers[:] = bytes(len(self.markers))
+        self.engine.reset(warm=False)
 
     def _set_mode(self, mode: CpuMode) -> None:
         self.mode = mode
@@ -220,16 +249,19 @@ class Cpu(HardwareAccess):
         """Run blocks one after the other; False if that took the CPU to STOP."""
         life, engine = self._life, self._engine
         assert engine is not None, "only a loaded program is started"
+        self._depth += 1
         for block in blocks:
             try:
                 engine.run_block(block, start)
             except DiagnosticError as failure:
                 if not self._programming_error(failure):
                     self._crash(failure)
-                    return False
             if life != self._life:
-                return False
-        return True
+                break
+        self._depth -= 1
+        while self._postponed and not self._depth:
+            self._postponed.pop(0)()
+        return life == self._life
 
     def _run_interrupt(self, block: str, start: bytes = b"") -> None:
         """Run a block now, in the middle of whatever runs, which goes on when it is through."""

@@ -27,8 +27,13 @@ class MasterLink:
         self.torn = 0
         self.armed = tear_probability > 0
 
-    def set_tear_probability(self, probability: float) -> None:
-        """From now on each transfer that can be torn is torn with this probability."""
+    @property
+    def tear_probability(self) -> float:
+        """The probability with which a transfer that can be torn is torn; it may change."""
+        return self._probability
+
+    @tear_probability.setter
+    def tear_probability(self, probability: float) -> None:
         self._probability = probability
         self.armed = bool(probability > 0 or self._reads or self._writes)
 

@@ -24,8 +24,8 @@ from fbgen.diagnostics import Diagnostic
 from fbgen.nearest import near_names
 from fbgen.plant import PlantDialect, PlcFamily
 from harness.drives import Load, LoadShape
+from harness.durations import DurationNs, PositiveDurationNs
 from harness.installation import DriveConditions
-from harness.scenario.durations import DurationNs, PositiveDurationNs
 from harness.scenario.fault_schema import FAULT_NAME, with_places_and_settings
 from harness.scenario.scalars import ScalarValue
 

@@ -36,7 +36,7 @@ from harness.gateways.tospbdp001.settings import (
 )
 from harness.gateways.tospbdp001.status import StatusWord
 from harness.kernel import Event, Kernel
-from harness.line import Line, Reception, Role, Transmission
+from harness.line import Line, Rate, Reception, Role, Transmission
 
 FRAME_BYTES = 8
 _TELEGRAM_BYTES = 6
@@ -49,8 +49,9 @@ class Tospbdp001:
 
     `switch_a` and `switch_b` are the rotary switches for the PROFIBUS address, B x 10 + A.
     `overwritten` counts telegrams that were lost because the next trigger came before they went
-    out, `telegrams` those that went out. Functions in `observers` are called when something that
-    can be seen at the device may have changed.
+    out, `telegrams` those that went out. `overwrites` is the probability that a telegram is lost in
+    the buffer: zeros go out in its place, which no drive obeys. Functions in `observers` are called
+    when something that can be seen at the device may have changed.
     """
 
     __slots__ = (
@@ -70,10 +71,12 @@ class Tospbdp001:
         "_sending",
         "_telegram_due_ns",
         "_trigger",
+        "_trigger_stuck",
         "_work_in_life",
         "fault",
         "name",
         "observers",
+        "overwrites",
         "overwritten",
         "port",
         "powered",
@@ -108,6 +111,8 @@ class Tospbdp001:
         self.powered = False
         self.powered_on_ns = 0
         self._answer_to_heartbeat = toshiba_ascii.parse_request(settings.heartbeat)
+        self._trigger_stuck = False
+        self.overwrites = Rate(kernel.random)
         self._life = 0
         self._work_in_life = partial(self._work, 0)
         self._heartbeat_event: Event | None = None
@@ -245,8 +250,21 @@ class Tospbdp001:
             if self._control_due_ns != self._telegram_due_ns:
                 self._work_at(self._control_due_ns)
 
+    @property
+    def trigger_stuck(self) -> bool:
+        """True while changes of the trigger byte are not seen."""
+        return self._trigger_stuck
+
+    @trigger_stuck.setter
+    def trigger_stuck(self, stuck: bool) -> None:
+        self._trigger_stuck = stuck
+        if not stuck and self.slave.online:
+            self._look_at_trigger()
+
     def _look_at_trigger(self) -> None:
         self._look_event = None
+        if self._trigger_stuck:
+            return
         layout = self.settings.layout
         trigger = self._outputs[layout.trigger_offset]
         if trigger == self._trigger:
@@ -297,6 +315,9 @@ class Tospbdp001:
         telegram, self._buffer = self._buffer, None
         self._telegram_due_ns = -1
         if telegram is not None and not self._locked:
+            if self.overwrites.hits(1):
+                telegram = bytes(_TELEGRAM_BYTES)
+                self.overwritten += 1
             self.telegrams += 1
             self._sending = self.port.transmit(seal(telegram))
 

@@ -107,7 +107,7 @@ def test_nothing_is_given_by_a_failed_station_or_while_a_transfer_is_to_be_torn(
     rig.body(lambda: seen.append(rig.cpu.read_several(PLACES)))
     rig.cpu.link.tear_next_read(rig.station, 1)
     rig.run_ms(10)
-    rig.cpu.link.set_tear_probability(0)
+    rig.cpu.link.tear_probability = 0
     rig.station.plugged = False
     rig.run_ms(10)
     assert seen == [None, None]

@@ -119,9 +119,9 @@ def test_nothing_is_taken_by_a_failed_station_or_while_a_transfer_is_to_be_torn(
     rig.run_ms(4)
     taken: list[bool] = []
     rig.body(lambda: taken.append(rig.cpu.write_several(PLACES, VALUES)))
-    rig.cpu.link.set_tear_probability(0.5)
+    rig.cpu.link.tear_probability = 0.5
     rig.run_ms(10)
-    rig.cpu.link.set_tear_probability(0)
+    rig.cpu.link.tear_probability = 0
     rig.station.plugged = False
     rig.run_ms(10)
     assert taken == [False, False]

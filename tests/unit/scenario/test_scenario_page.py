@@ -7,10 +7,10 @@ import pytest
 from pydantic import BaseModel
 
 from fbgen.catalog import load_catalog
+from harness.durations import read_duration
 from harness.faults import FAULTS
 from harness.gateways.tospbdp001 import Leds
 from harness.scenario import model, run_case, scenario_cases
-from harness.scenario.durations import read_duration
 from harness.scenario.paths import COMNO_ITEMS, DRIVE_ITEMS, GATEWAY_ITEMS, ROOTS
 from tests.unit.scenario.scenario_files import PLANT, ROOT
 

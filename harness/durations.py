@@ -1,4 +1,4 @@
-"""Times in scenario files: a number with its unit, `500 ms`, as integer nanoseconds."""
+"""Times as people write them: a number with its unit, `500 ms`, as integer nanoseconds."""
 
 import re
 from decimal import Decimal

@@ -1,0 +1,38 @@
+"""A drive answers with the number of another one in its replies."""
+
+from fbgen.catalog.scalars import Text
+from harness.faults.fault import Fault, FaultSettings, FaultType, Target
+from harness.faults.holding import Holding
+from harness.faults.neighbours import neighbour
+from harness.installation import Installation
+from harness.installation.holds import Hold
+
+
+class AnotherSettings(FaultSettings):
+    """`other` is the drive whose number it gives; the first other one of its line if not said."""
+
+    other: Text | None = None
+
+
+def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+    """FB7520 if there is no such drive on its line."""
+    assert isinstance(settings, AnotherSettings)
+    number: int | None = neighbour(plant, on, settings.other).inv_no
+    port = plant.drives[on].communication
+
+    def present() -> int | None:
+        return port.reply_number
+
+    def put(given: int | None) -> None:
+        port.reply_number = given
+
+    return Holding(plant, Hold((port, "reply_number"), number, present, put))
+
+
+FAULT = FaultType(
+    "drive_answers_for_another",
+    "A drive answers with the number of another",
+    Target.DRIVE,
+    _make,
+    AnotherSettings,
+)
