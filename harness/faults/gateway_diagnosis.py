@@ -10,10 +10,8 @@ from harness.installation.holds import switched
 
 def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
     slave = plant.gateways[on].slave
-    report = slave.set_ext_diag
-    return Holding(
-        plant, switched(slave, "diagnosis", partial(report, True), partial(report, False))
-    )
+    begin, end = partial(slave.set_ext_diag, True), partial(slave.set_ext_diag, False)
+    return Holding(plant, switched(slave, "diagnosis", begin, end))
 
 
 FAULT = FaultType(

@@ -104,7 +104,7 @@ class DpSlave:
         self._zeros = bytes(sizes[0])
         self.type = type
         self.address = address
-        self.powered = self.online = False
+        self.powered = self.online = self.ext_diag = False
         self._inputs = self.inputs = bytes(sizes[1])
         self._forget()
 
@@ -113,7 +113,7 @@ class DpSlave:
         self.parameters: Parameters | None = None
         self.master_address = NO_MASTER
         self.prm_fault = self.cfg_fault = False
-        self.ext_diag = self.sync = self.freeze = False
+        self.sync = self.freeze = False
         self.outputs = self._held = self._zeros
 
     # --- the device's side ------------------------------------------------------------------

@@ -16,7 +16,7 @@ from tests.unit.faults.fault_plant import all_is_well, fault, five_drives, start
 RECIPE = """
 DATA_BLOCK "Recipe"
 { S7_Optimized_Access := 'TRUE' }
-VAR
+VAR RETAIN
    count : Int := 7;
 END_VAR
 BEGIN
