@@ -54,14 +54,15 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.trace": BASE | TEXT | PLANT,
     "harness.report": BASE | {"harness.results", "harness.trace"},
     "harness.installation": BASE | TEXT | PLANT | {"harness.trace"},
-    "harness.faults": BASE | TEXT | PLANT,
+    "harness.durations": {"harness.kernel"},
+    "harness.faults": BASE | TEXT | PLANT | {"harness.durations"},
     "harness.sweep": BASE | TEXT | PLANT,
     "harness.trial": BASE | {"fbgen.lang", "harness.engine", "harness.kernel"},
     "harness.results": BASE,
     "harness.scenario": BASE
     | TEXT
     | PLANT
-    | {"harness.faults", "harness.results", "harness.trace"},
+    | {"harness.durations", "harness.faults", "harness.results", "harness.trace"},
     "harness.demo": BASE | TEXT | PLANT | {"harness.scenario", "harness.trace"},
 }
 """Part -> the parts that it may import. A new part gets a line of its own here."""

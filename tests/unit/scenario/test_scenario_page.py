@@ -53,9 +53,10 @@ def test_every_fault_is_explained_with_its_place_and_its_settings(name: str) -> 
     (row,) = [line for line in PAGE.splitlines() if line.startswith(f"| `{name}` |")]
     kind = FAULTS[name]
     assert row.split("|")[2].strip() == {"plant": "-"}.get(kind.target.value, kind.target.value)
-    for setting, field in kind.settings.model_fields.items():
+    for setting, field in kind.settings.model_json_schema().get("properties", {}).items():
         assert f"`{setting}`" in row
-        assert str(field.default) in row
+        if field["default"] is not None:
+            assert str(field["default"]) in row
 
 
 def test_no_fault_is_explained_that_there_is_not() -> None:
