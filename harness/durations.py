@@ -53,3 +53,10 @@ DurationNs = Annotated[
 
 PositiveDurationNs = Annotated[DurationNs, AfterValidator(_more_than_nothing)]
 """A time that is not 0."""
+
+
+def show_duration(time_ns: int) -> str:
+    """A time for a person: `500 ms`, `2.5 s`."""
+    if time_ns < NS_PER_S:
+        return f"{time_ns / NS_PER_MS:g} ms"
+    return f"{time_ns / NS_PER_S:g} s"

@@ -149,8 +149,17 @@ class _Session:
 
 
 def _show(scenario: "ScenarioResult") -> None:
-    state = "passed" if scenario.passed else "FAILED"
-    result(f"{state}  {scenario.virtual_ns / NS_PER_S:8.3f} s  {scenario.file}  {scenario.name}")
+    result(
+        f"{_state(scenario)}  {scenario.virtual_ns / NS_PER_S:8.3f} s  "
+        f"{scenario.file}  {scenario.name}"
+    )
+    report(scenario.warnings)
     if not scenario.passed:
         report(scenario.failures)
         say(f"run it again: {scenario.replay}\n")
+
+
+def _state(scenario: "ScenarioResult") -> str:
+    if scenario.passed and scenario.expected_failure is not None:
+        return f"failed as expected ({scenario.expected_failure})"
+    return "passed" if scenario.passed else "FAILED"

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from fbgen.source import Source
@@ -32,16 +33,17 @@ class PlantSetup:
     """How a plant is simulated.
 
     `engine` is "compiled" or "reference". `drives` has conditions by the drive's name. `sources`
-    are the PLC text; None takes what fbgen generates for the plant. `cpu` gives the times of the
-    CPU; its family, cycle and memory come from the plant file. `watchdog_ns` is the DP watchdog
-    of every gateway, None for none. `probes` look on while the program runs; only the compiled
+    are the PLC text, as files or texts; None takes what fbgen generates for the plant. `cpu` gives
+    the times of the CPU; its family, cycle and memory come from the plant file. `watchdog_ns` is
+    the DP watchdog of every gateway, None for none. `probes` look on while the program runs; only
+    the compiled
     engine takes them.
     """
 
     seed: int = 0
     engine: str = "compiled"
     drives: Mapping[str, DriveConditions] = field(default_factory=dict)
-    sources: Sequence[Source] | None = None
+    sources: Sequence[Path | Source] | None = None
     cpu: CpuSettings = field(default_factory=CpuSettings)
     bus: CycleTimes = field(default_factory=CycleTimes)
     watchdog_ns: int | None = 100 * NS_PER_MS

@@ -16,7 +16,8 @@ class ScenarioResult:
 
     `changes` is what the variation changes, in brackets; `dialect` what was asked for beside it.
     `plant` is the plant file, `ran_dialect` the dialect of the text that ran: empty if none did,
-    because something was wrong in the files.
+    because something was wrong in the files. `warnings` say what a run that has passed does not
+    show. With an `expected_failure`, the reason for it, a scenario passes by having failures.
     `observations` are what the observers of the run have left, such as its trace.
     """
 
@@ -31,6 +32,8 @@ class ScenarioResult:
     dialect: str | None = None
     plant: str = ""
     ran_dialect: str = ""
+    warnings: tuple[Diagnostic, ...] = ()
+    expected_failure: str | None = None
     observations: tuple[object, ...] = ()
 
     def observed(self, kind: type[Kind]) -> Kind | None:
@@ -57,6 +60,8 @@ class ScenarioResult:
             "checks": self.checks,
             "virtual_ns": self.virtual_ns,
             "replay": self.replay,
+            "expected_failure": self.expected_failure,
+            "warnings": [warning.as_json() for warning in self.warnings],
             "failures": [failure.as_json() for failure in self.failures],
         }
 

@@ -6,7 +6,6 @@ from harness.scenario.events import StepEvent, StepMoment
 from harness.scenario.files import (
     SUFFIX,
     find_scenarios,
-    load_scenario,
     run_paths,
     scenario_cases,
 )
@@ -25,7 +24,6 @@ __all__ = [
     "StepEvent",
     "StepMoment",
     "find_scenarios",
-    "load_scenario",
     "prepare",
     "run_case",
     "run_paths",

@@ -1,48 +1,49 @@
-"""One scenario on one plant: the file's plant with the changes of one variation, built and run."""
+"""One run of a scenario file: a row of its table, a variation of its plant, a seed."""
 
 import os.path
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from fbgen.catalog import Catalog, Drive, with_own_sequences
-from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
-from fbgen.nearest import nearest
-from fbgen.plant import Plant, in_dialect, load_plant, problems_of
-from harness.drives import Inverter, InverterSettings
-from harness.installation import PlantSetup, build_plant
-from harness.kernel import Kernel
-from harness.line import Line
+from fbgen.catalog import Catalog
+from fbgen.diagnostics import Diagnostic, DiagnosticError
 from harness.results import ScenarioResult
-from harness.scenario.model import DriveSetup, Scenario, Variation
+from harness.scenario.model import Scenario, Variation
 from harness.scenario.observers import Observer, ObserverMaker
-from harness.scenario.places import at, key_span, value_span
 from harness.scenario.runner import ScenarioRun
+from harness.scenario.staging import Staging
 
 
 @dataclass(frozen=True, slots=True)
 class ScenarioCase:
     """A scenario of a file with one of its variations.
 
-    `dialect` takes the place of that of the variation and of the plant file.
+    `dialect` takes the place of that of the variation and of the plant file. `row` names the row
+    of the table of cases that is filled in, `repeats` tells that the scenario runs with more seeds
+    than this one.
     """
 
     path: Path
     scenario: Scenario
     variation: Variation
     dialect: str | None = None
-
-    @classmethod
-    def of(cls, path: Path, scenario: Scenario) -> tuple["ScenarioCase", ...]:
-        """A scenario once for each of its variations, once if it has none."""
-        return tuple(cls(path, scenario, item) for item in scenario.variations or (Variation(),))
+    row: str = ""
+    seed: int = 0
+    repeats: bool = False
 
     @property
     def changes(self) -> str:
-        """The changes of the variation in brackets; empty for the plant as it is."""
+        """Row and changes of the variation in brackets; empty for the plant as it is."""
         variation = self.variation
         dialect = self.dialect or variation.dialect
-        parts = [dialect, variation.plc, variation.layout, variation.access, variation.prefix]
+        parts = [
+            self.row,
+            dialect,
+            variation.plc,
+            variation.layout,
+            variation.access,
+            variation.prefix,
+        ]
         parts += [f"{name}={value}" for name, value in variation.options.items()]
         parts += [f"error_obs={variation.error_obs}"] if variation.error_obs else []
         shown = ", ".join(part for part in parts if part)
@@ -50,8 +51,15 @@ class ScenarioCase:
 
     @property
     def name(self) -> str:
-        """Title and changes."""
-        return f"{self.scenario.title} {self.changes}".rstrip()
+        """Title, changes, and the seed of one that runs with several."""
+        seed = f"seed {self.seed}" if self.repeats else ""
+        return " ".join(part for part in (self.scenario.title, self.changes, seed) if part)
+
+    @property
+    def plant(self) -> Path | None:
+        """The plant file; None for a block of its own."""
+        name = self.scenario.plant
+        return Path(os.path.normpath(self.path.parent / name)) if name is not None else None
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -66,12 +74,13 @@ def run_case(
     observers: Sequence[ObserverMaker] = (),
 ) -> ScenarioResult:
     """Run a scenario; whatever is found becomes a failure of the result."""
-    used = case.scenario.seed if seed is None else seed
+    used = case.seed if seed is None else seed
     result = ScenarioResult(
         *(case.name, case.path.as_posix(), used, True),
         changes=case.changes,
         dialect=case.dialect,
-        plant=_plant_path(case).as_posix(),
+        plant=case.plant.as_posix() if case.plant is not None else "",
+        expected_failure=case.scenario.expect_failure,
     )
     watching = [make(case) for make in observers]
     try:
@@ -83,14 +92,18 @@ def run_case(
         run.run()
     except DiagnosticError as wrong:
         found = wrong.diagnostics
-    virtual_ns = run.installation.kernel.now_ns
+    passed = not found
+    if case.scenario.expect_failure is not None:
+        passed = bool(found)
+        found = found or (_passed_after_all(case.scenario),)
     result = replace(
         result,
-        passed=not found,
+        passed=passed,
         failures=found,
+        ran_dialect=run.stage.dialect,
+        warnings=run.warnings,
         checks=run.checks,
-        virtual_ns=virtual_ns,
-        ran_dialect=run.installation.plan.dialect,
+        virtual_ns=run.stage.kernel.now_ns,
     )
     left = (observer.finish(result) for observer in watching)
     return replace(result, observations=tuple(item for item in left if item is not None))
@@ -102,100 +115,25 @@ def prepare(
     seed: int | None = None,
     observers: Sequence[Observer] = (),
 ) -> ScenarioRun:
-    """The scenario on its plant, ready to run.
+    """The scenario on its plant or block, ready to run.
 
-    Raises DiagnosticError with everything that is wrong in the plant, or in the scenario for that
-    plant.
+    Raises DiagnosticError with everything that is wrong in the plant or the PLC text, or in the
+    scenario for them.
     """
-    scenario = case.scenario
-    path = _plant_file(case)
-    catalog = with_own_sequences(catalog, path.parent)
-    plan = _varied(load_plant(path, catalog), case.variation, catalog)
-    if case.dialect is not None:
-        plan = in_dialect(plan, case.dialect, catalog)
-    if found := list(_drive_problems(scenario, plan, catalog)):
-        raise DiagnosticError(found)
-    setup = PlantSetup(
-        scenario.seed if seed is None else seed,
-        scenario.engine,
-        {name: setup.conditions() for name, setup in scenario.drives.items()},
-        probes=tuple(probe for observer in observers for probe in observer.probes),
-    )
-    run = ScenarioRun(scenario, build_plant(plan, catalog, setup), catalog)
+    used = case.seed if seed is None else seed
+    probes = tuple(probe for observer in observers for probe in observer.probes)
+    staging = Staging(case.path, case.scenario, catalog)
+    run = ScenarioRun(case.scenario, staging.stage(case.variation, case.dialect, used, probes))
     for observer in observers:
         observer.attach(run)
     return run
 
 
-def _plant_path(case: ScenarioCase) -> Path:
-    return Path(os.path.normpath(case.path.parent / case.scenario.plant))
-
-
-def _plant_file(case: ScenarioCase) -> Path:
-    path = _plant_path(case)
-    if not path.is_file():
-        raise error(
-            "FB8007",
-            f"there is no plant file {path.as_posix()}",
-            case.scenario.span_of("plant"),
-            "name it as seen from the folder of the scenario",
-        )
-    return path
-
-
-def _varied(plant: Plant, variation: Variation, catalog: Catalog) -> Plant:
-    """The plant with the changes of a variation. DiagnosticError if it does not allow them."""
-    gateway_changes = {
-        key: value
-        for key, value in (("layout", variation.layout), ("access", variation.access))
-        if value is not None
-    }
-    gateways = tuple(
-        gateway.model_copy(
-            update={**gateway_changes, "options": {**gateway.options, **variation.options}}
-        )
-        for gateway in plant.gateways
+def _passed_after_all(scenario: Scenario) -> Diagnostic:
+    """FB8014: the reason why it should fail is gone."""
+    return Diagnostic(
+        "FB8014",
+        f"the scenario passes, and was expected to fail: {scenario.expect_failure}",
+        scenario.span_of("expect_failure"),
+        "leave out expect_failure: from now on it has to pass",
     )
-    changes: dict[str, object] = {"gateways": gateways}
-    changes |= {
-        key: value
-        for key, value in (
-            ("dialect", variation.dialect),
-            ("plc", variation.plc),
-            ("prefix", variation.prefix),
-            ("error_obs", variation.error_obs),
-        )
-        if value is not None
-    }
-    changed = plant.model_copy(update=changes)
-    if found := problems_of(changed, catalog):
-        raise DiagnosticError(_of_variation(item, variation) for item in found)
-    return changed
-
-
-def _of_variation(found: Diagnostic, variation: Variation) -> Diagnostic:
-    """What the plant does not allow, at the variation that asks for it."""
-    notes = (*found.notes, Note("in the plant file the place is here", found.span))
-    return replace(found, span=variation.span, notes=notes)
-
-
-def _drive_problems(scenario: Scenario, plan: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
-    """FB8003 for drives that the plant does not have, and what their series do not take."""
-    known = {item.name: item for item in plan.drives}
-    for name, setup in scenario.drives.items():
-        if name in known:
-            yield from _parameter_problems(setup, catalog.drive(known[name].series))
-        else:
-            message = f"there is no drive '{name}' in the plant '{plan.name}'"
-            place = key_span(scenario, "drives", name)
-            yield Diagnostic("FB8003", message, place, nearest(name, known))
-
-
-def _parameter_problems(setup: DriveSetup, series: Drive) -> Iterator[Diagnostic]:
-    """Each parameter tried on a drive of its own, so that each refusal gets its place."""
-    for key, value in setup.parameters.items():
-        kernel = Kernel()
-        try:
-            Inverter(kernel, Line(kernel), series, InverterSettings(parameters={key: value}))
-        except DiagnosticError as refused:
-            yield from at(value_span(setup, "parameters", key), refused.diagnostics)

@@ -1,18 +1,19 @@
 """Scenario files: found, read, run, one after the other or several at the same time."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
 
-from fbgen.catalog import Catalog, load_catalog, load_yaml, validate
+from fbgen.catalog import Catalog, load_catalog, load_yaml
 from fbgen.catalog.catalog import read_source
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.workers import in_order
 from harness.results import ScenarioReport, ScenarioResult
+from harness.scenario.case_table import filled_in
 from harness.scenario.cases import ScenarioCase, run_case
-from harness.scenario.model import Scenario
+from harness.scenario.model import Variation
 from harness.scenario.options import RunOptions
+from harness.scenario.seeds import seeds_of
 from harness.scenario.selection import parse_selection
 
 SUFFIX = ".scenario.yaml"
@@ -38,14 +39,26 @@ def find_scenarios(paths: Sequence[Path]) -> tuple[Path, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def load_scenario(path: Path) -> Scenario:
-    """The scenario in a file. Raises DiagnosticError FB1001 to FB1008, FB8002, FB8008."""
-    return validate(load_yaml(read_source(path, path.as_posix())), Scenario)
+def scenario_cases(path: Path, options: RunOptions | None = None) -> tuple[ScenarioCase, ...]:
+    """A file's scenario once for each row of its table, each of its variations and each seed.
 
+    `options` may give another seed and dialect.
 
-def scenario_cases(path: Path) -> tuple[ScenarioCase, ...]:
-    """A file's scenario once for each of its variations. Raises DiagnosticError as the above."""
-    return ScenarioCase.of(path, load_scenario(path))
+    Raises DiagnosticError FB1001 to FB1008, FB8002, FB8008, FB8015 to FB8018.
+    """
+    options = options or RunOptions()
+    cases: list[ScenarioCase] = []
+    for row, scenario in filled_in(load_yaml(read_source(path, path.as_posix()))):
+        seeds = seeds_of(scenario.seed, scenario.seeds)
+        if options.seed is not None:
+            seeds = (options.seed,)
+        dialect = options.dialect if scenario.plant is not None else None
+        cases += [
+            ScenarioCase(path, scenario, variation, dialect, row, seed, repeats=len(seeds) > 1)
+            for variation in scenario.variations or (Variation(),)
+            for seed in seeds
+        ]
+    return tuple(cases)
 
 
 def run_paths(
@@ -87,7 +100,7 @@ def run_paths(
 def _of_file(path: Path, options: RunOptions) -> Sequence[ScenarioCase | ScenarioResult]:
     """The cases of a file, or what is wrong in it."""
     try:
-        return [replace(case, dialect=options.dialect) for case in scenario_cases(path)]
+        return scenario_cases(path, options)
     except DiagnosticError as wrong:
         name, file = path.name, path.as_posix()
         return [ScenarioResult(name, file, options.seed or 0, False, wrong.diagnostics)]
@@ -96,7 +109,7 @@ def _of_file(path: Path, options: RunOptions) -> Sequence[ScenarioCase | Scenari
 def _run(options: RunOptions, item: ScenarioCase | ScenarioResult) -> ScenarioResult:
     if isinstance(item, ScenarioResult):
         return item
-    return run_case(item, _shipped_catalog(), options.seed, options.observers)
+    return run_case(item, _shipped_catalog(), observers=options.observers)
 
 
 @cache
@@ -108,8 +121,5 @@ def _shipped_catalog() -> Catalog:
 def _tells_nothing_new(result: ScenarioResult, before: ScenarioResult) -> bool:
     """Whether a scenario could not begin for the reason that its variation before has told."""
     return (
-        result.file == before.file
-        and not result.ran_dialect
-        and bool(result.failures)
-        and result.failures == before.failures
+        result.file == before.file and not result.ran_dialect and result.failures == before.failures
     )

@@ -140,3 +140,9 @@ def coded_kind(meanings: Mapping[int, str]) -> ValueKind:
         return f"{show(value)} ({meaning})" if meaning else show(value)
 
     return ValueKind("a code", whole, shown, is_number=True)
+
+
+def no_bytes(value: Found) -> Value:
+    """A value that a variable of the PLC can have."""
+    assert not isinstance(value, bytes), "the kinds of PLC variables give none"
+    return value

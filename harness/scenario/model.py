@@ -26,72 +26,15 @@ from fbgen.plant import PlantDialect, PlcFamily
 from harness.drives import Load, LoadShape
 from harness.durations import DurationNs, PositiveDurationNs
 from harness.installation import DriveConditions
+from harness.kernel import NS_PER_MS
+from harness.scenario.expectations import Conditions
 from harness.scenario.fault_schema import FAULT_NAME, with_places_and_settings
+from harness.scenario.property_model import Property
 from harness.scenario.scalars import ScalarValue
+from harness.scenario.seeds import Seeds
 
 FaultName = Annotated[Text, WithJsonSchema(FAULT_NAME)]
 """A fault of `harness.faults`; whether there is one is checked with the plant at hand."""
-
-
-class Range(Located):
-    """What a value must be; everything that is given must hold."""
-
-    equals: ScalarValue | None = Field(default=None, description="This value")
-    tolerance: Annotated[Real, Field(ge=0)] = Field(
-        default=0.0, description="How far off `equals` a number may be"
-    )
-    min: ScalarValue | None = Field(default=None, description="At least this much")
-    max: ScalarValue | None = Field(default=None, description="At most this much")
-    differs_from: ScalarValue | None = Field(default=None, description="Any value but this one")
-    bits: dict[SnakeName, ScalarValue] | None = Field(
-        default=None,
-        description="Bits or fields of a word by the catalogue's names, each with its value",
-    )
-    word: Text | None = Field(
-        default=None,
-        description="The word that names the bits, such as vf-s11.status; needed only where the "
-        "path does not say it",
-    )
-
-    def problems(self) -> Iterable[Diagnostic]:
-        """FB8002: nothing is demanded, or what is demanded contradicts itself."""
-        demands = (self.equals, self.min, self.max, self.differs_from, self.bits or None)
-        if all(item is None for item in demands):
-            yield Diagnostic(
-                "FB8002",
-                "nothing is demanded of the value",
-                self.span,
-                "give equals, min, max, differs_from or bits",
-            )
-        if self.word is not None and self.bits is None:
-            yield Diagnostic(
-                "FB8002",
-                "a word is named and none of its bits",
-                self.span_of("word"),
-                "write bits as well, such as bits: {status_changed: 1}",
-            )
-        if self.tolerance and not _is_number(self.equals):
-            yield Diagnostic(
-                "FB8002",
-                "a tolerance needs a number that the value may be off",
-                self.span_of("tolerance"),
-                "write equals: with a number, or min and max instead",
-            )
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)
-
-
-def _kind_of_expectation(value: Any) -> str:
-    return "a range" if isinstance(value, dict | Range) else "a value"
-
-
-Expectation = Annotated[
-    Annotated[ScalarValue, Tag("a value")] | Annotated[Range, Tag("a range")],
-    Discriminator(_kind_of_expectation),
-]
-"""A value, or what it must be in more words."""
 
 
 class SetStep(Located):
@@ -109,8 +52,8 @@ class WaitStep(Located):
 class ExpectStep(Located):
     """All of it must hold at one instant: now, or at the latest after `within`."""
 
-    expect: dict[str, Expectation] = Field(
-        min_length=1, description="Path: value, or path: {min: ..., max: ...} and the like"
+    expect: Conditions = Field(
+        description="Path: value, or path: {min: ..., max: ...} and the like"
     )
     within: DurationNs = Field(
         default=0,
@@ -121,6 +64,23 @@ class ExpectStep(Located):
         default=0,
         description="From the instant at which it holds it must go on holding for this time",
         json_schema_extra={"default": "0 s"},
+    )
+
+
+class WaitUntilStep(Located):
+    """Let time pass until all of it holds at one instant."""
+
+    wait_until: Conditions = Field(
+        description="Path: value, or path: {min: ..., max: ...} and the like"
+    )
+    within: PositiveDurationNs = Field(description="The limit: the scenario fails if it is over")
+
+
+class CallStep(Located):
+    """Call the block under test, once each cycle."""
+
+    call: Annotated[int, Field(ge=1, le=1_000_000, strict=True)] = Field(
+        description="How many cycles"
     )
 
 
@@ -171,6 +131,8 @@ class SequenceStep(Located):
 _KINDS: dict[str, type[Located]] = {
     "set": SetStep,
     "wait": WaitStep,
+    "wait_until": WaitUntilStep,
+    "call": CallStep,
     "expect": ExpectStep,
     "inject": InjectStep,
     "clear": ClearStep,
@@ -193,6 +155,8 @@ def _kind_of_step(step: Any) -> str | None:
 Step = Annotated[
     Annotated[SetStep, Tag("set step")]
     | Annotated[WaitStep, Tag("wait step")]
+    | Annotated[WaitUntilStep, Tag("wait_until step")]
+    | Annotated[CallStep, Tag("call step")]
     | Annotated[ExpectStep, Tag("expect step")]
     | Annotated[InjectStep, Tag("inject step")]
     | Annotated[ClearStep, Tag("clear step")]
@@ -275,7 +239,31 @@ class Scenario(Located):
 
     version: Literal[1] = Field(description="Version of this format")
     title: Text = Field(description="What is shown, in one sentence")
-    plant: Text = Field(description="The plant file, as seen from the folder of this file")
+    plant: Text | None = Field(
+        default=None, description="The plant file, as seen from the folder of this file"
+    )
+    block: Text | None = Field(
+        default=None,
+        description="Only this block is tested, called once each cycle, with nothing around it",
+    )
+    sources: tuple[Text, ...] = Field(
+        default=(),
+        description="PLC texts, as seen from the folder of this file, in the place of what is "
+        "generated for the plant",
+    )
+    dialect: Literal["tia", "step7", "iec", "twincat"] | None = Field(
+        default=None, description="Language of the sources, tia if not said; a plant has its own"
+    )
+    cycle: PositiveDurationNs = Field(
+        default=10 * NS_PER_MS,
+        description="Time from one call of the block to the next",
+        json_schema_extra={"default": "10 ms"},
+    )
+    stubs: dict[Text, dict[Text, ScalarValue]] = Field(
+        default_factory=dict,
+        description="Instructions and blocks that are not there: name, and the outputs of each "
+        "call by name, RET_VAL for the result of a function",
+    )
     seed: Count = Field(default=0, description="Seed of everything random, such as reply times")
     engine: Literal["compiled", "reference"] = Field(
         default="compiled", description="How the PLC text is run; both give the same"
@@ -286,16 +274,63 @@ class Scenario(Located):
     )
     tags: tuple[SnakeName, ...] = Field(default=(), description="Names for `fbgen test -k`")
     facts: tuple[Text, ...] = Field(default=(), description="Ids of behaviour rows that this shows")
+    seeds: Seeds = Field(
+        default=(), description="Run once with each: how many, from `seed` on, or a list of them"
+    )
+    cases: dict[SnakeName, dict[SnakeName, ScalarValue]] = Field(
+        default_factory=dict,
+        description="A table: run once for each row, by name, with its values for ${column}",
+    )
+    expect_failure: Text | None = Field(
+        default=None, description="Why a check fails; the scenario fails if none does"
+    )
+    properties: tuple[Property, ...] = Field(
+        default=(), description="What must hold during the whole run"
+    )
     steps: tuple[Step, ...] = Field(min_length=1, description="What is done and expected")
 
     def problems(self) -> Iterable[Diagnostic]:
-        """FB8008: nothing is checked."""
-        if not any(
-            isinstance(step, ExpectStep | TelegramsStep | SequenceStep) for step in self.steps
-        ):
+        """FB8008: nothing is checked. FB8018: what is said of the plant or block does not fit."""
+        checks = (ExpectStep, TelegramsStep, SequenceStep)
+        if not self.properties and not any(isinstance(step, checks) for step in self.steps):
             yield Diagnostic(
                 "FB8008",
                 "the scenario checks nothing, so it can not fail",
                 self.span_of("steps"),
-                "add a step with expect:",
+                "add a step with expect:, or properties:",
             )
+        yield from self._misfits()
+
+    def _misfits(self) -> Iterable[Diagnostic]:
+        if self.plant is None and not self.sources:
+            message = "nothing says what is tested"
+            advice = "add plant: with the plant file, or sources: with the PLC text of a block"
+            yield Diagnostic("FB8018", message, self.span, advice)
+        if self.block is not None and self.plant is not None and self.sources:
+            message = "a block of sources needs no plant"
+            advice = "leave out plant:, or block: to run the sources in the plant"
+            yield Diagnostic("FB8018", message, self.span_of("plant"), advice)
+        if self.plant is not None and self.dialect is not None:
+            message = "the sources of a plant are of the plant's dialect"
+            advice = "leave it out; variations: change the dialect of a plant"
+            yield Diagnostic("FB8018", message, self.span_of("dialect"), advice)
+        wrong: dict[str, object]
+        if self.is_of_block:
+            wrong, advice = {"drives": self.drives}, "a block on its own has no devices around it"
+        else:
+            wrong = {"stubs": self.stubs, "cycle": "cycle" in self.model_fields_set}
+            advice = "it is for a block on its own: name it with block:"
+        if self.plant is None:
+            wrong["variations"] = self.variations
+        for name in wrong:
+            if wrong[name]:
+                message = f"'{name}' does not fit here"
+                yield Diagnostic("FB8018", message, self.span_of(name), advice)
+        if isinstance(self.seeds, tuple) and self.seeds and "seed" in self.model_fields_set:
+            message = "a list of seeds leaves nothing for 'seed' to say"
+            yield Diagnostic("FB8018", message, self.span_of("seed"), "leave it out")
+
+    @property
+    def is_of_block(self) -> bool:
+        """Whether a block is tested on its own."""
+        return self.plant is None or self.block is not None

@@ -19,7 +19,6 @@ from fbgen.nearest import nearest
 from fbgen.plant import with_prefix
 from fbgen.source import Span
 from harness.drives import Inverter
-from harness.engine.interface import Value
 from harness.fieldbus import MasterMode
 from harness.gateways.tospbdp001 import Light, Tospbdp001
 from harness.installation import Installation
@@ -32,6 +31,7 @@ from harness.scenario.kinds import (
     ValueKind,
     choice_kind,
     coded_kind,
+    no_bytes,
     octets_kind,
     word_kind,
 )
@@ -128,7 +128,7 @@ class Paths:
             variable = with_prefix(rest, self._plant.plan.prefix)
             kind = self._variable(variable, span)
             engine = self._plant.cpu.engine
-            return Writable(kind, lambda value: engine.set_global(variable, _no_bytes(value)))
+            return Writable(kind, lambda value: engine.set_global(variable, no_bytes(value)))
         name, _, item = rest.partition(".")
         what, _, key = item.partition(".")
         if root != "drive" or what != "comno":
@@ -230,8 +230,3 @@ def _unknown(name: str, known: tuple[str, ...], what: str, span: Span | None) ->
 def _number(value: Found) -> float:
     assert isinstance(value, int | float), "NUMBER has read it"
     return float(value)
-
-
-def _no_bytes(value: Found) -> Value:
-    assert not isinstance(value, bytes), "the kinds of PLC variables give none"
-    return value

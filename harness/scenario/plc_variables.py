@@ -33,8 +33,12 @@ _NUMBERS = (Family.BITS, Family.SIGNED, Family.UNSIGNED, Family.REAL)
 
 
 def variable_kind(program: Program, path: str) -> ValueKind:
-    """What the variable at a path can be set to and compared with."""
-    kind = type_at(program, path)
+    """What the global variable at a path can be set to and compared with."""
+    return kind_of_type(program, path, type_at(program, path))
+
+
+def kind_of_type(program: Program, path: str, kind: Type) -> ValueKind:
+    """What a variable of a type can be set to and compared with; `path` is for messages."""
 
     def read(value: Scalar) -> Found:
         return _read(program, path, kind, value)

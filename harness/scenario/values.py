@@ -7,8 +7,8 @@ from fbgen.catalog import BitField, Catalog, Word
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.nearest import nearest
 from fbgen.source import Span
+from harness.scenario.expectations import Expectation, Range
 from harness.scenario.kinds import Found, ValueKind, WrongValueError, whole
-from harness.scenario.model import Expectation, Range
 from harness.scenario.places import at, key_span, value_span
 from harness.scenario.scalars import Scalar
 

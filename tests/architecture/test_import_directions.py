@@ -62,7 +62,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.scenario": BASE
     | TEXT
     | PLANT
-    | {"harness.durations", "harness.faults", "harness.results", "harness.trace"},
+    | {"harness.durations", "harness.faults", "harness.results", "harness.trace", "harness.trial"},
     "harness.demo": BASE | TEXT | PLANT | {"harness.scenario", "harness.trace"},
 }
 """Part -> the parts that it may import. A new part gets a line of its own here."""

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from fbgen.catalog import load_catalog
 from fbgen.diagnostics import DiagnosticError, render
 from harness.kernel import NS_PER_S
-from harness.scenario import load_scenario, prepare, scenario_cases
+from harness.scenario import prepare, scenario_cases
 from harness.scenario.model import ExpectStep, WaitStep
 from harness.scenario.selection import parse_selection
 
@@ -71,7 +71,7 @@ def outcome(path: Path) -> list[str]:
     """The codes of what is wrong with a scenario file, before or while it runs."""
     codes: list[str] = []
     try:
-        scenario = load_scenario(path)
+        scenario = scenario_cases(path)[0].scenario
         time_ns = sum(
             step.wait if isinstance(step, WaitStep) else step.within + step.stays_for
             for step in scenario.steps

@@ -1,6 +1,7 @@
 """A prefix of the plant's own: every name follows, and what does not fit is told."""
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,7 +11,7 @@ from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.emit.generated import GeneratedSet
 from fbgen.emit.generator import generate
 from fbgen.plant import LANGUAGES, Plant, PlantDialect, changed, in_dialect, load_plant, with_prefix
-from harness.scenario import ScenarioCase, load_scenario, run_case
+from harness.scenario import run_case, scenario_cases
 from harness.scenario.model import Variation
 
 ROOT = Path(__file__).parents[3]
@@ -73,7 +74,8 @@ def test_a_scenario_runs_on_a_plant_with_a_prefix_whichever_it_names(
     variation = Variation(dialect=dialect, prefix="HAL_", access="process_image", plc=None)
     if dialect == "iec":
         variation = variation.model_copy(update={"plc": "iec"})
-    result = run_case(ScenarioCase(path, load_scenario(path), variation), CATALOG)
+    case = replace(scenario_cases(path)[0], variation=variation)
+    result = run_case(case, CATALOG)
     assert result.passed, result
 
 

@@ -5,6 +5,7 @@ transfer between master and gateway: when, which outputs, which inputs. The same
 engines. The long form takes every scenario file.
 """
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,7 @@ import pytest
 
 from fbgen.catalog import load_catalog
 from harness.fieldbus import Transfer
-from harness.scenario import ScenarioCase, find_scenarios, load_scenario, prepare
+from harness.scenario import find_scenarios, prepare, scenario_cases
 from harness.scenario.model import Variation
 
 ROOT = Path(__file__).parents[3]
@@ -65,8 +66,9 @@ def transfers(
         name = one.station.settings.name
         found.append((one.time_ns, name, bytes(one.outputs), bytes(one.inputs)))
 
-    scenario = load_scenario(path).model_copy(update={"engine": engine})
-    run = prepare(ScenarioCase(path, scenario, Variation(**changes)), CATALOG)
+    case = scenario_cases(path)[0]
+    scenario = case.scenario.model_copy(update={"engine": engine})
+    run = prepare(replace(case, scenario=scenario, variation=Variation(**changes)), CATALOG)
     run.installation.master.taps.append(note)
     run.run()
     return found

@@ -21,13 +21,22 @@ FILES = [
     ("FB8009_wrong_value", 5, 48),
     ("FB8010_unknown_bit", 6, 37),
     ("FB8013_no_bytes", 7, 17),
+    ("FB8014_passes_after_all", 4, 17),
+    ("FB8015_no_column", 7, 67),
+    ("FB8016_incomplete_row", 6, 8),
+    ("FB8017_unused_column", 5, 18),
+    ("FB8018_call_in_a_plant", 5, 11),
+    ("FB8019_no_block", 4, 8),
+    ("FB8020_violated", 5, 14),
+    ("FB8021_shows_nothing", 5, 5),
 ]
 
 
 @pytest.mark.parametrize(("name", "line", "column"), FILES)
 def test_a_broken_scenario_is_reported_at_its_place(name: str, line: int, column: int) -> None:
     try:
-        found = run_case(scenario_cases(BAD / f"{name}.yaml")[0], load_catalog()).failures
+        result = run_case(scenario_cases(BAD / f"{name}.yaml")[0], load_catalog())
+        found = (*result.failures, *result.warnings)
     except DiagnosticError as wrong:
         found = wrong.diagnostics
     places = [(item.code, item.span and (item.span.line, item.span.column)) for item in found]

@@ -259,7 +259,7 @@ def test_an_unknown_key_is_marked_and_the_nearest_is_told(
 def test_a_step_has_exactly_one_of_the_keys(tmp_path: Path, line: str) -> None:
     (found,) = findings(tmp_path, steps(line, FINE))
     assert found.code == "FB1007"
-    assert "set, wait, expect, inject, clear, telegrams, of_sequence" in found.message
+    assert "set, wait, wait_until, call, expect, inject, clear, " in found.message
 
 
 @pytest.mark.parametrize("value", ["null", "[1]", "{a: 1}", ""])
@@ -277,7 +277,7 @@ def test_a_scenario_needs_steps(tmp_path: Path, text: str) -> None:
 
 def test_a_scenario_that_checks_nothing_is_a_mistake(tmp_path: Path) -> None:
     (found,) = findings(tmp_path, steps("- wait: 1 s"))
-    assert (found.code, found.help) == ("FB8008", "add a step with expect:")
+    assert (found.code, found.help) == ("FB8008", "add a step with expect:, or properties:")
 
 
 def test_unknown_drives_and_refused_parameters_are_marked(tmp_path: Path) -> None:

@@ -10,17 +10,45 @@ from fbgen.catalog import load_catalog
 from harness.durations import read_duration
 from harness.faults import FAULTS
 from harness.gateways.tospbdp001 import Leds
-from harness.scenario import model, run_case, scenario_cases
+from harness.scenario import (
+    block_stage,
+    expectations,
+    model,
+    property_model,
+    run_case,
+    scenario_cases,
+)
 from harness.scenario.paths import COMNO_ITEMS, DRIVE_ITEMS, GATEWAY_ITEMS, ROOTS
 from tests.unit.scenario.scenario_files import PLANT, ROOT
 
 PAGE = (ROOT / "docs" / "reference" / "scenario-files.md").read_text("utf-8")
 EXAMPLES = re.findall(r"^```yaml\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
 CODE = set(re.findall(r"`([^`\n]+)`", PAGE))
+TANK = """\
+FUNCTION_BLOCK "Tank"
+VAR_INPUT
+  start : BOOL;
+END_VAR
+VAR_OUTPUT
+  pump : BOOL;
+  level : INT;
+END_VAR
+VAR
+  delay : TON_TIME;
+  status : INT;
+END_VAR
+BEGIN
+  #status := READ_LEVEL(tank := 1, level => #level);
+  #delay(IN := #start AND #level < 80, PT := T#500ms);
+  #pump := #delay.Q;
+END_FUNCTION_BLOCK
+"""
+"""The block that an example of the page tests."""
 MODELS = [
     kind
-    for kind in vars(model).values()
-    if isinstance(kind, type) and issubclass(kind, BaseModel) and kind.__module__ == model.__name__
+    for part in (model, expectations, property_model)
+    for kind in vars(part).values()
+    if isinstance(kind, type) and issubclass(kind, BaseModel) and kind.__module__ == part.__name__
 ]
 
 
@@ -35,8 +63,9 @@ def test_every_key_is_described_for_editors(kind: type[BaseModel]) -> None:
 
 
 def test_every_path_is_explained_and_none_that_there_is_not() -> None:
-    paths = {re.sub(r"[A-Z]{3,}", "*", path) for path in CODE if path.split(".")[0] in ROOTS}
-    wanted = {"cpu.mode", "cpu.scans", "bus.mode", "plc.*", "gateway.*.led.*"}
+    roots = {*ROOTS, *block_stage.ROOTS}
+    paths = {re.sub(r"[A-Z]{3,}", "*", path) for path in CODE if path.split(".")[0] in roots}
+    wanted = {"cpu.mode", "cpu.scans", "bus.mode", "plc.*", "gateway.*.led.*", "block.*"}
     wanted |= {f"gateway.*.{item}" for item in GATEWAY_ITEMS}
     wanted |= {f"drive.*.{item}" for item in DRIVE_ITEMS}
     wanted |= {f"drive.*.{item}.*" for item in COMNO_ITEMS}
@@ -74,6 +103,8 @@ def test_every_unit_of_time_is_named() -> None:
 def test_every_example_passes(text: str, tmp_path: Path) -> None:
     path = tmp_path / "example.scenario.yaml"
     path.write_text(text.replace("plant: plant.yaml", f"plant: {PLANT.as_posix()}"), "utf-8")
-    (case,) = scenario_cases(path)
-    result = run_case(case, load_catalog())
-    assert result.passed, result.render()
+    (tmp_path / "tank.scl").write_text(TANK, "utf-8")
+    for case in scenario_cases(path):
+        result = run_case(case, load_catalog())
+        assert result.passed, result.render()
+        assert result.warnings == ()

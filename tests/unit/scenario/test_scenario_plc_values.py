@@ -8,6 +8,7 @@ from fbgen.plant import load_plant
 from fbgen.source import Source
 from harness.installation import PlantSetup, build_plant
 from harness.scenario.model import Scenario
+from harness.scenario.plant_stage import PlantStage
 from harness.scenario.runner import ScenarioRun
 from tests.unit.scenario.scenario_files import PLANT
 
@@ -66,7 +67,7 @@ def run(steps: str) -> ScenarioRun:
     plant = build_plant(load_plant(PLANT, catalog), catalog, setup)
     text = f"version: 1\ntitle: Types\nplant: x\nsteps:\n{steps}"
     scenario = validate(load_yaml(Source("types.scenario.yaml", text)), Scenario)
-    return ScenarioRun(scenario, plant, catalog)
+    return ScenarioRun(scenario, PlantStage(plant, catalog))
 
 
 def failure(steps: str) -> str:

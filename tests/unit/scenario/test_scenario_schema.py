@@ -8,7 +8,17 @@ from harness.faults import FAULTS, Target
 from harness.scenario.model import Scenario
 
 SCHEMA: dict[str, Any] = Scenario.model_json_schema()
-KEYS = ["set", "wait", "expect", "inject", "clear", "telegrams", "of_sequence"]
+KEYS = [
+    "set",
+    "wait",
+    "wait_until",
+    "call",
+    "expect",
+    "inject",
+    "clear",
+    "telegrams",
+    "of_sequence",
+]
 
 
 def definition(reference: dict[str, str]) -> dict[str, Any]:

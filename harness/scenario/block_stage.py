@@ -1,0 +1,133 @@
+"""One block as what a scenario plays on: called once each cycle, with nothing around it.
+
+Time passes from call to call as on a CPU: a cycle is due at the time 0 and then each cycle time.
+`call` goes on to the instant of the next cycles and stays at the last of them; waiting calls the
+block at each cycle that begins before the time is over.
+"""
+
+from collections.abc import Callable, Sequence
+
+from fbgen.catalog import Catalog
+from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
+from fbgen.nearest import nearest
+from fbgen.source import Span
+from harness.engine.loading import LoadedProgram
+from harness.kernel import Kernel
+from harness.scenario.kinds import Found, ValueKind, no_bytes
+from harness.scenario.paths import Readable, Writable
+from harness.scenario.plc_variables import kind_of_type, variable_kind
+from harness.trial import Subject
+
+ROOTS = ("block", "plc")
+
+
+class BlockPaths:
+    """`block.VARIABLE` is one of the block, `plc.VARIABLE` a global one."""
+
+    def __init__(self, program: LoadedProgram, subject: Subject) -> None:
+        self._engine = program.engine
+        self._subject = subject
+
+    def readable(self, path: str, span: Span | None) -> Readable:
+        """What a path gives. Raises DiagnosticError FB8003."""
+        root, rest = _split(path, span)
+        if root == "block":
+            return Readable(self._kind(rest, span), lambda: self._subject.value(rest))
+        return Readable(self._kind_of_global(rest, span), lambda: self._engine.global_value(rest))
+
+    def writable(self, path: str, span: Span | None) -> Writable:
+        """What a path can be set to. Raises DiagnosticError FB8003."""
+        root, rest = _split(path, span)
+        if root == "block":
+            return Writable(self._kind(rest, span), self._setter(rest))
+        engine = self._engine
+        kind = self._kind_of_global(rest, span)
+        return Writable(kind, lambda value: engine.set_global(rest, no_bytes(value)))
+
+    def _setter(self, path: str) -> Callable[[Found], None]:
+        return lambda value: self._subject.set(path, no_bytes(value))
+
+    def _kind(self, path: str, span: Span | None) -> ValueKind:
+        try:
+            kind = self._subject.type_of(path)
+        except DiagnosticError as wrong:
+            raise _unknown(wrong, "in the block", span) from None
+        return kind_of_type(self._engine.program, path, kind)
+
+    def _kind_of_global(self, path: str, span: Span | None) -> ValueKind:
+        try:
+            self._engine.global_value(path)
+        except DiagnosticError as wrong:
+            raise _unknown(wrong, "in the PLC", span) from None
+        return variable_kind(self._engine.program, path)
+
+
+def _split(path: str, span: Span | None) -> tuple[str, str]:
+    root, _, rest = path.partition(".")
+    if root not in ROOTS:
+        message = f"there is no kind of thing '{root}' beside a block on its own"
+        advice = nearest(root, ROOTS) if rest else f"write block.{path}"
+        raise error("FB8003", message, span, advice)
+    if not rest:
+        raise error("FB8003", "a variable must be named", span, f"write {root}.<variable>")
+    return root, rest
+
+
+def _unknown(wrong: DiagnosticError, where: str, span: Span | None) -> DiagnosticError:
+    first = wrong.diagnostics[0]
+    return error("FB8003", f"{where} {first.message}", span, first.help)
+
+
+class BlockStage:
+    """A block with its own state, its clock and its cycle."""
+
+    installation = None
+
+    def __init__(
+        self, program: LoadedProgram, subject: Subject, cycle_ns: int, catalog: Catalog
+    ) -> None:
+        self.catalog = catalog
+        self.program = program
+        self.paths = BlockPaths(program, subject)
+        self.after_scan: list[Callable[[], None]] = []
+        self._subject = subject
+        self._cycle_ns = cycle_ns
+        self._due_ns = 0
+
+    @property
+    def dialect(self) -> str:
+        """The dialect of the block."""
+        return self.program.engine.program.dialect
+
+    @property
+    def kernel(self) -> Kernel:
+        """The clock of the block."""
+        return self.program.clock.kernel
+
+    def start(self) -> None:
+        """Everything has its initial value already."""
+
+    def run_for(self, duration_ns: int) -> None:
+        """Let time pass, with the cycles that begin in it."""
+        kernel = self.kernel
+        end_ns = kernel.now_ns + duration_ns
+        while self._due_ns < end_ns:
+            self.call(1)
+        kernel.run_until(end_ns)
+
+    def call(self, cycles: int) -> None:
+        """So many cycles, the first one as soon as it is due."""
+        for _ in range(cycles):
+            self.kernel.run_until(self._due_ns)
+            self._due_ns += self._cycle_ns
+            self._subject.call()
+            for told in self.after_scan:
+                told()
+
+    def past(self) -> Sequence[Note]:
+        """Nothing goes on beside the block."""
+        return ()
+
+    def stopped(self) -> Diagnostic | None:
+        """There is no CPU that could stop: what the block cannot do is raised at once."""
+        return None

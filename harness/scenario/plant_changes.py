@@ -1,0 +1,72 @@
+"""What a scenario changes of its plant: variations of the plant file, drives set beforehand."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from fbgen.catalog import Catalog, Drive
+from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
+from fbgen.nearest import nearest
+from fbgen.plant import Plant, problems_of
+from harness.drives import Inverter, InverterSettings
+from harness.kernel import Kernel
+from harness.line import Line
+from harness.scenario.model import DriveSetup, Scenario, Variation
+from harness.scenario.places import at, key_span, value_span
+
+
+def varied_plant(plant: Plant, variation: Variation, catalog: Catalog) -> Plant:
+    """The plant with the changes of a variation. DiagnosticError if it does not allow them."""
+    gateway_changes = {
+        key: value
+        for key, value in (("layout", variation.layout), ("access", variation.access))
+        if value is not None
+    }
+    gateways = tuple(
+        gateway.model_copy(
+            update={**gateway_changes, "options": {**gateway.options, **variation.options}}
+        )
+        for gateway in plant.gateways
+    )
+    changes: dict[str, object] = {"gateways": gateways}
+    changes |= {
+        key: value
+        for key, value in (
+            ("dialect", variation.dialect),
+            ("plc", variation.plc),
+            ("prefix", variation.prefix),
+            ("error_obs", variation.error_obs),
+        )
+        if value is not None
+    }
+    changed = plant.model_copy(update=changes)
+    if found := problems_of(changed, catalog):
+        raise DiagnosticError(_of_variation(item, variation) for item in found)
+    return changed
+
+
+def _of_variation(found: Diagnostic, variation: Variation) -> Diagnostic:
+    """What the plant does not allow, at the variation that asks for it."""
+    notes = (*found.notes, Note("in the plant file the place is here", found.span))
+    return replace(found, span=variation.span, notes=notes)
+
+
+def drive_problems(scenario: Scenario, plan: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
+    """FB8003 for drives that the plant does not have, and what their series do not take."""
+    known = {item.name: item for item in plan.drives}
+    for name, setup in scenario.drives.items():
+        if name in known:
+            yield from _parameter_problems(setup, catalog.drive(known[name].series))
+        else:
+            message = f"there is no drive '{name}' in the plant '{plan.name}'"
+            place = key_span(scenario, "drives", name)
+            yield Diagnostic("FB8003", message, place, nearest(name, known))
+
+
+def _parameter_problems(setup: DriveSetup, series: Drive) -> Iterator[Diagnostic]:
+    """Each parameter tried on a drive of its own, so that each refusal gets its place."""
+    for key, value in setup.parameters.items():
+        kernel = Kernel()
+        try:
+            Inverter(kernel, Line(kernel), series, InverterSettings(parameters={key: value}))
+        except DiagnosticError as refused:
+            yield from at(value_span(setup, "parameters", key), refused.diagnostics)

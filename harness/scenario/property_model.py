@@ -1,0 +1,107 @@
+"""Properties of scenario files: what must hold during the whole run, whatever the steps do.
+
+properties:
+  - never: {drive.pump.running: true, drive.pump.powered: false}
+  - after: {plc.TOS_Plant.gw1.pump.stop.execute: true}
+    within: 2 s
+    then: {drive.pump.running: false}
+"""
+
+from typing import Annotated, Any
+
+from pydantic import Discriminator, Field, Tag
+
+from fbgen.catalog import Located
+from fbgen.catalog.scalars import Text
+from fbgen.nearest import near_names
+from harness.scenario.durations import PositiveDurationNs
+from harness.scenario.expectations import Conditions
+
+
+class AnyProperty(Located):
+    """What all kinds of properties may have."""
+
+    name: Text | None = Field(default=None, description="What it is for, shown when it is violated")
+    during: Conditions | None = Field(
+        default=None, description="The property counts only while all of this holds"
+    )
+
+
+class NeverProperty(AnyProperty):
+    """All of it must not hold at the same instant, ever."""
+
+    never: Conditions = Field(description="Path: value, or path: {min: ..., max: ...}")
+
+
+class AlwaysProperty(AnyProperty):
+    """All of it must hold at every instant."""
+
+    always: Conditions = Field(description="Path: value, or path: {min: ..., max: ...}")
+
+
+class AfterProperty(AnyProperty):
+    """Each time that `after` becomes true, `then` must hold at some instant `within` the time."""
+
+    after: Conditions = Field(description="What begins the time")
+    within: PositiveDurationNs = Field(description="How long it may take, such as 500 ms")
+    then: Conditions = Field(description="What must come of it")
+
+
+class AtMostProperty(AnyProperty):
+    """Something may happen only so often within a time."""
+
+    at_most: Annotated[int, Field(ge=0, strict=True)] = Field(
+        description="How often `of` may become true"
+    )
+    per: PositiveDurationNs = Field(description="In any stretch of this length, such as 1 s")
+    of: Conditions = Field(description="What is counted each time that it becomes true")
+
+
+class MutuallyExclusiveProperty(AnyProperty):
+    """Of these at most one may hold at the same instant."""
+
+    mutually_exclusive: Annotated[Conditions, Field(min_length=2)] = Field(
+        description="Two paths or more, each with the value that excludes the others"
+    )
+
+
+class EventuallyProperty(AnyProperty):
+    """All of it must hold at some instant of the run."""
+
+    eventually: Conditions = Field(description="Path: value, or path: {min: ..., max: ...}")
+
+
+_KINDS: dict[str, type[AnyProperty]] = {
+    "never": NeverProperty,
+    "always": AlwaysProperty,
+    "after": AfterProperty,
+    "at_most": AtMostProperty,
+    "mutually_exclusive": MutuallyExclusiveProperty,
+    "eventually": EventuallyProperty,
+}
+
+
+def _kind_of_property(value: Any) -> str | None:
+    """The tag of a property, as that of a step; see `harness.scenario.model`."""
+    if isinstance(value, dict):
+        keys = [key for key in _KINDS if key in value]
+        keys = keys or [near for key in value for near in near_names(str(key), _KINDS)][:1]
+    else:
+        keys = [key for key, kind in _KINDS.items() if isinstance(value, kind)]
+    return f"{keys[0]} property" if len(keys) == 1 else None
+
+
+Property = Annotated[
+    Annotated[NeverProperty, Tag("never property")]
+    | Annotated[AlwaysProperty, Tag("always property")]
+    | Annotated[AfterProperty, Tag("after property")]
+    | Annotated[AtMostProperty, Tag("at_most property")]
+    | Annotated[MutuallyExclusiveProperty, Tag("mutually_exclusive property")]
+    | Annotated[EventuallyProperty, Tag("eventually property")],
+    Discriminator(
+        _kind_of_property,
+        custom_error_type="property",
+        custom_error_message="a property has exactly one of the keys " + ", ".join(_KINDS),
+    ),
+]
+"""One property; its key says which kind."""

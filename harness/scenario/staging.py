@@ -1,0 +1,137 @@
+"""Builds what a scenario plays on: its plant with the changes of a variation, or its block."""
+
+import os.path
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from fbgen.catalog import Catalog, with_own_sequences
+from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.lang.ast import LiteralKind
+from fbgen.lang.checked import Program
+from fbgen.lang.literals import BadLiteralError, read_literal
+from fbgen.plant import Plant, in_dialect, load_plant
+from harness.engine.compiled.probes import ProbeMaker
+from harness.engine.environment import StandaloneEnvironment
+from harness.engine.interface import Limits
+from harness.engine.loading import Clock, LoadedProgram, engine_named, read_program
+from harness.engine.stubs import Stub
+from harness.installation import PlantSetup, build_plant, generated_program
+from harness.kernel import Kernel
+from harness.scenario.block_stage import BlockStage
+from harness.scenario.model import Scenario, Variation
+from harness.scenario.places import at
+from harness.scenario.plant_changes import drive_problems, varied_plant
+from harness.scenario.plant_stage import PlantStage
+from harness.scenario.scalars import Scalar
+from harness.scenario.stage import Stage
+from harness.trial import subject_named
+
+
+class Staging:
+    """Builds the stage of one scenario file."""
+
+    def __init__(self, path: Path, scenario: Scenario, catalog: Catalog) -> None:
+        self._folder = path.parent
+        self._scenario = scenario
+        self._catalog = catalog
+
+    def stage(
+        self, variation: Variation, dialect: str | None, seed: int, probes: Sequence[ProbeMaker]
+    ) -> Stage:
+        """Plant or block, before anything has happened.
+
+        Raises DiagnosticError with everything that is wrong in it.
+        """
+        scenario = self._scenario
+        if scenario.engine != "compiled":
+            probes = ()
+        if scenario.plant is None:
+            program = read_program(self._sources(), scenario.dialect or "tia", stubbed=self._stubs)
+            return self._block(program, probes, self._catalog)
+        path = self._file("plant", scenario.plant, "plant file")
+        catalog = with_own_sequences(self._catalog, path.parent)
+        plan = varied_plant(load_plant(path, catalog), variation, catalog)
+        if dialect is not None:
+            plan = in_dialect(plan, dialect, catalog)
+        if scenario.block is not None:
+            return self._block(generated_program(plan, catalog), probes, catalog)
+        return self._plant(plan, seed, probes, catalog)
+
+    def _plant(
+        self, plan: Plant, seed: int, probes: Sequence[ProbeMaker], catalog: Catalog
+    ) -> PlantStage:
+        scenario = self._scenario
+        if found := list(drive_problems(scenario, plan, catalog)):
+            raise DiagnosticError(found)
+        setup = PlantSetup(
+            seed,
+            scenario.engine,
+            {name: setup.conditions() for name, setup in scenario.drives.items()},
+            sources=self._sources() or None,
+            probes=probes,
+        )
+        return PlantStage(build_plant(plan, catalog, setup), catalog)
+
+    def _block(
+        self, program: Program, probes: Sequence[ProbeMaker], catalog: Catalog
+    ) -> BlockStage:
+        scenario = self._scenario
+        kernel = Kernel()
+        factory = engine_named(scenario.engine, probes)
+        engine = factory(program, StandaloneEnvironment(kernel), Limits())
+        loaded = LoadedProgram(engine, Clock(kernel))
+        for name, outputs in scenario.stubs.items():
+            loaded.stub(name, _constant(outputs))
+        try:
+            subject = subject_named(engine, scenario.block or "")
+        except DiagnosticError as wrong:
+            place = scenario.span_of("block")
+            raise DiagnosticError(
+                Diagnostic("FB8019", item.message, item.span, item.help)
+                for item in at(place, wrong.diagnostics)
+            ) from None
+        return BlockStage(loaded, subject, scenario.cycle, catalog)
+
+    @property
+    def _stubs(self) -> tuple[str, ...]:
+        return tuple(self._scenario.stubs)
+
+    def _sources(self) -> Sequence[Path]:
+        """The files of the PLC text. Raises DiagnosticError FB8007 for each that is missing."""
+        found: list[Diagnostic] = []
+        paths: list[Path] = []
+        for index, name in enumerate(self._scenario.sources):
+            try:
+                paths.append(self._file("sources", name, "PLC text", index))
+            except DiagnosticError as missing:
+                found += missing.diagnostics
+        if found:
+            raise DiagnosticError(found)
+        return paths
+
+    def _file(self, field: str, name: str, what: str, index: int | None = None) -> Path:
+        path = Path(os.path.normpath(self._folder / name))
+        if path.is_file():
+            return path
+        scenario = self._scenario
+        place = scenario.span_of(field) if index is None else scenario.item_span_of(field, index)
+        advice = "name it as seen from the folder of the scenario"
+        message = f"there is no {what} {path.as_posix()}"
+        raise DiagnosticError([Diagnostic("FB8007", message, place, advice)])
+
+
+def _constant(outputs: Mapping[str, Scalar]) -> Stub:
+    """A stub that gives the same at each call."""
+    values = {name: _value(value) for name, value in outputs.items()}
+    return lambda **_: values
+
+
+def _value(value: Scalar) -> Scalar:
+    """A value of the file; 16#8090 and the like as the number."""
+    if not isinstance(value, str) or "#" not in value:
+        return value
+    try:
+        literal = read_literal(value)
+    except BadLiteralError:
+        return value
+    return literal.value if literal.kind in (LiteralKind.INTEGER, LiteralKind.REAL) else value
