@@ -8,6 +8,7 @@ What a watch sees violated it tells as a `Violation` with the values of that ins
 tells one and is silent from then on.
 """
 
+from abc import ABC, abstractmethod
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -36,7 +37,7 @@ class Violation:
     seen: tuple[tuple[Check, Found], ...]
 
 
-class Monitor:
+class Monitor(ABC):
     """The watch over one property. `counted` tells whether it ever had something to decide."""
 
     never_counted: ClassVar[str] = ""
@@ -58,8 +59,9 @@ class Monitor:
         """What is violated because the run is over."""
         return None
 
+    @abstractmethod
     def _look(self, now_ns: int) -> Violation | None:
-        raise NotImplementedError
+        """What is violated now, while the property counts."""
 
     def _pause(self) -> None:
         """The property does not count for now."""

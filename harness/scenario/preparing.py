@@ -4,6 +4,7 @@ Everything that can be wrong in a step or a property is found here, before anyth
 of it at once. What is left for the run are the devices' own refusals and the expectations.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -77,7 +78,7 @@ def prepare_scenario(scenario: Scenario, stage: Stage) -> Prepared:
     return Prepared(tuple(steps), tuple(monitors))
 
 
-class _AnySteps:
+class _AnySteps(ABC):
     """The steps that there are on every stage."""
 
     def __init__(self, stage: Stage, conditions: Conditions, found: list[Diagnostic]) -> None:
@@ -100,10 +101,11 @@ class _AnySteps:
             case _:
                 yield from self._own(step)
 
+    @abstractmethod
     def _own(
         self, step: CallStep | InjectStep | ClearStep | TelegramsStep | SequenceStep
     ) -> Iterable[Action]:
-        raise NotImplementedError
+        """A step that there is only on a stage of this kind, or that is refused there."""
 
     def _report(self, code: str, message: str, place: Span | None, advice: str) -> None:
         self._found.append(Diagnostic(code, message, place, advice))

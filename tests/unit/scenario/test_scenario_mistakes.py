@@ -162,7 +162,7 @@ def test_an_expectation_that_contradicts_itself_is_a_mistake(tmp_path: Path, exp
             "0.1",
             "did you mean 'bit_error_rate'?",
         ),
-        (["- inject: cpu_stopped", "  settings: {for: 1}"], "1", "it has none"),
+        (["- inject: profibus_interrupted", "  settings: {for: 1}"], "1", "it has none"),
         (["- inject: drive_tripped", "  on: pump", "  settings: {display: 5}"], "5", "a text"),
         (["- clear: line_brocken", "  on: gw1"], "line_brocken", "did you mean 'line_broken'?"),
         (["- of_sequence: manual_exampl", "  gateway: gw1"], "manual_exampl", "'manual_example'"),
