@@ -46,6 +46,7 @@ class Monitor(ABC):
     def __init__(self, item: Property, conditions: Conditions) -> None:
         self.property = item
         self.counted = False
+        self._before = False
         self._during = conditions.checks(item, "during")
 
     def look(self, now_ns: int) -> Violation | None:
@@ -64,7 +65,8 @@ class Monitor(ABC):
         """What is violated now, while the property counts."""
 
     def _pause(self) -> None:
-        """The property does not count for now."""
+        """The property does not count for now; what has begun is forgotten."""
+        self._before = False
 
 
 def monitor_of(item: Property, conditions: Conditions) -> Monitor:
@@ -132,7 +134,6 @@ class _After(Monitor):
         self._within_ns = item.within
         self._trigger = conditions.checks(item, "after")
         self._checks = conditions.checks(item, "then")
-        self._before = False
         self._since_ns: int | None = None
 
     def _look(self, now_ns: int) -> Violation | None:
@@ -159,7 +160,8 @@ class _After(Monitor):
         return _violation(message, now_ns, [*unmet, *self._trigger])
 
     def _pause(self) -> None:
-        self._before, self._since_ns = False, None
+        super()._pause()
+        self._since_ns = None
 
 
 class _AtMost(Monitor):
@@ -170,7 +172,6 @@ class _AtMost(Monitor):
         self._most = item.at_most
         self._per_ns = item.per
         self._checks = conditions.checks(item, "of")
-        self._before = False
         self._times: deque[int] = deque()
 
     def _look(self, now_ns: int) -> Violation | None:
@@ -190,9 +191,6 @@ class _AtMost(Monitor):
             f"per {show_duration(self._per_ns)}"
         )
         return _violation(message, now_ns, self._checks)
-
-    def _pause(self) -> None:
-        self._before = False
 
 
 class _MutuallyExclusive(Monitor):

@@ -1,21 +1,23 @@
 """The trace of a scenario: its plant recorded from before the start, with steps, checks, faults."""
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from harness.engine.compiled.probes import ProbeMaker
 from harness.results import ScenarioResult
 from harness.scenario.cases import ScenarioCase
 from harness.scenario.events import StepEvent, StepMoment
+from harness.scenario.expectations import Expectation, Range
 from harness.scenario.model import (
+    CallStep,
     ClearStep,
-    Expectation,
     ExpectStep,
     InjectStep,
-    Range,
     SequenceStep,
     SetStep,
     Step,
     WaitStep,
+    WaitUntilStep,
 )
 from harness.scenario.places import key_span
 from harness.scenario.runner import ScenarioRun
@@ -43,9 +45,11 @@ class TraceObserver:
         return ()
 
     def attach(self, run: ScenarioRun) -> None:
-        """Record from now on."""
+        """Record from now on. A block on its own has no plant to be recorded."""
+        if run.stage.installation is None:
+            return
         variables = [path.removeprefix(_PLC) for path in _paths(self._steps)]
-        self._recorder = run.installation.record(variables)
+        self._recorder = run.stage.installation.record(variables)
         run.on_step.append(self._told)
 
     def finish(self, result: ScenarioResult) -> Trace | None:
@@ -97,13 +101,19 @@ def _judged(mark: Mark, trace: Trace, wrong: set[Place]) -> Mark:
 
 def _paths(steps: tuple[Step, ...]) -> list[str]:
     """The variables of the PLC that steps name, in their order."""
-    named = [
-        path
-        for step in steps
-        if isinstance(step, SetStep | ExpectStep)
-        for path in (step.set if isinstance(step, SetStep) else step.expect)
-    ]
+    named = [path for step in steps for path in _named(step)]
     return [path for path in dict.fromkeys(named) if path.startswith(_PLC)]
+
+
+def _named(step: Step) -> Iterable[str]:
+    match step:
+        case SetStep():
+            return step.set
+        case ExpectStep():
+            return step.expect
+        case WaitUntilStep():
+            return step.wait_until
+    return ()
 
 
 # --- in words -----------------------------------------------------------------------------------
@@ -118,6 +128,11 @@ def _title(step: Step) -> str:
         case ExpectStep():
             wanted = (f"{path}: {_wanted(item)}" for path, item in step.expect.items())
             return f"expect {', '.join(wanted)}{_when(step)}"
+        case WaitUntilStep():
+            wanted = (f"{path}: {_wanted(item)}" for path, item in step.wait_until.items())
+            return f"wait until {', '.join(wanted)} within {_time(step.within)}"
+        case CallStep():
+            return f"call {step.call}"
         case InjectStep():
             return f"inject {step.inject}" + (f" on {step.on}" if step.on else "")
         case ClearStep():
