@@ -25,6 +25,7 @@ class FaultSteps:
         self._found.append(Diagnostic(code, message, place, advice))
 
     def inject(self, step: InjectStep) -> Iterator[FaultAction]:
+        """The beginning of a fault; nothing if something is wrong with it."""
         kind = self._fault_type(step.inject, step.span_of("inject"))
         if kind is None:
             return
@@ -78,6 +79,7 @@ class FaultSteps:
         return step.on in places
 
     def clear(self, step: ClearStep) -> Iterator[FaultAction]:
+        """The end of a fault that a step before has begun."""
         key = (step.clear, step.on or "")
         if self._fault_type(step.clear, step.span_of("clear")) is None:
             return

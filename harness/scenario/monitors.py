@@ -14,8 +14,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
+from harness.durations import show_duration
 from harness.scenario.conditions import Check, Conditions, all_hold
-from harness.scenario.durations import show_duration
 from harness.scenario.kinds import Found
 from harness.scenario.property_model import (
     AfterProperty,

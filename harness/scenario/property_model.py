@@ -14,7 +14,7 @@ from pydantic import Discriminator, Field, Tag
 from fbgen.catalog import Located
 from fbgen.catalog.scalars import Text
 from fbgen.nearest import near_names
-from harness.scenario.durations import PositiveDurationNs
+from harness.durations import PositiveDurationNs
 from harness.scenario.expectations import Conditions
 
 
