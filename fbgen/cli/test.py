@@ -13,6 +13,7 @@ from fbgen.cli import FINDINGS, INTERRUPTED
 from fbgen.cli.dialects import PlantDialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.failure_annotations import AnnotationsOption, AnnotationWriter, CodeHost
+from fbgen.cli.html_report import HtmlOption, HtmlWriter, asked_for
 from fbgen.cli.junit_report import JunitOption, JunitWriter
 from fbgen.cli.layers import JsonOption
 from fbgen.cli.output import on_error_terminal, report, result, result_json, say
@@ -37,6 +38,7 @@ def register(program: typer.Typer) -> None:
             "fbgen test scenarios --dialect step7",
             "fbgen test scenarios --seed 7 --json",
             "fbgen test scenarios --junit results.xml --annotations github",
+            "fbgen test scenarios --html report.html",
             "fbgen test scenarios --trace runs.jsonl --vcd waves",
         ),
     )(run_scenarios)
@@ -69,6 +71,7 @@ def run_scenarios(
     ] = 1,
     dialect: PlantDialectOption = None,
     junit: JunitOption = None,
+    html: HtmlOption = None,
     annotations: AnnotationsOption = None,
     trace: TraceOption = None,
     vcd: VcdOption = None,
@@ -86,6 +89,7 @@ def run_scenarios(
         raise typer.BadParameter("--json and --annotations github both print on standard output")
     asked: list[ReportWriter | None] = [
         JunitWriter(junit) if junit else None,
+        HtmlWriter(html, asked_for(seed, select, dialect)) if html else None,
         AnnotationWriter(annotations) if annotations else None,
     ]
     writers = [*(writer for writer in asked if writer is not None), *trace_writers(trace, vcd)]

@@ -1,0 +1,54 @@
+"""`fbgen test --html FILE`: the results with timing diagrams, as one page for a browser."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, TypeAlias
+
+import typer
+
+if TYPE_CHECKING:
+    from fbgen.diagnostics import Diagnostic
+    from harness.results import ScenarioReport
+    from harness.scenario import ObserverMaker
+
+HtmlOption: TypeAlias = Annotated[
+    Path | None,
+    typer.Option(
+        "--html",
+        metavar="FILE",
+        help="Write the results with a timing diagram of each run, as one page for a browser.",
+    ),
+]
+
+
+@dataclass(frozen=True, slots=True)
+class HtmlWriter:
+    """Writes the page; `asked` is what narrows the session, in words."""
+
+    path: Path
+    asked: tuple[str, ...] = ()
+
+    @property
+    def observers(self) -> Sequence["ObserverMaker"]:
+        """Who records the runs."""
+        from harness.scenario.tracing import TraceObserver
+
+        return (TraceObserver,)
+
+    def write(self, report: "ScenarioReport") -> "Sequence[Diagnostic]":
+        """Write it over the last one. FB9002 if that cannot be done."""
+        from fbgen.cli.report_files import write_report
+        from harness.report.page import html_report
+
+        return write_report(self.path, html_report(report, self.asked))
+
+
+def asked_for(seed: int | None, select: str, dialect: str | None) -> tuple[str, ...]:
+    """What narrows or changes the session, as the report says it."""
+    said = [
+        f"seed {seed} for all" if seed is not None else "",
+        f"dialect {dialect} for all" if dialect is not None else "",
+        f"only {select}" if select else "",
+    ]
+    return tuple(text for text in said if text)
