@@ -7,7 +7,7 @@ is `page/trace.js`; both sides name the same keys.
 
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
-from math import isfinite
+from math import isfinite, isnan
 
 from harness.report.texts import Texts
 from harness.trace import Change, Channel, Frame, Mark, Place, Telegram, Trace, TraceWord
@@ -85,6 +85,8 @@ def _needs_text(value: TraceValue) -> bool:
 
 
 def _as_text(value: TraceValue) -> str:
+    if isinstance(value, float) and not isfinite(value):
+        return "NaN" if isnan(value) else "Infinity" if value > 0 else "-Infinity"
     return value.hex(" ").upper() if isinstance(value, bytes) else str(value)
 
 

@@ -28,9 +28,15 @@ class Painter {
 
   /** A track whose upper edge is at `top`. */
   track(track, top) {
+    const { context, view } = this;
+    context.save();
+    context.beginPath();
+    context.rect(0, top, view.width, track.height);
+    context.clip();
     if (track.drawn === "spans") this._spans(track, top);
     else if (track.drawn === "analog") this._analog(track, top);
     else this._steps(track, top);
+    context.restore();
   }
 
   // --- steps --------------------------------------------------------------------------------
@@ -193,7 +199,7 @@ class Painter {
     context.beginPath();
     this._course(track, first, last, y, smooth);
     context.stroke();
-    if (!dashed) {
+    if (!dashed && track.scale.whole) {
       context.lineTo(view.x(track.endOf(last)), y(0));
       context.lineTo(view.x(track.startOf(first)), y(0));
       context.fillStyle = colours["signal-faint"];
@@ -213,8 +219,9 @@ class Painter {
     let before = null;
     let column = null;
     for (let index = first; index <= last; index++) {
-      const value = Number(track.values[index]);
+      const value = track.values[index];
       if (!Number.isFinite(value)) {
+        if (before !== null) context.lineTo(view.x(track.startOf(index)), before.height);
         before = null;
         continue;
       }

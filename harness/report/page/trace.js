@@ -42,7 +42,8 @@ class Trace {
 
   _channel(data) {
     const [path, title, kind, group, owner, unit, word] = data.is;
-    const values = data.v ?? data.s.map((number) => this.texts[number]);
+    const texts = data.s?.map((number) => this.texts[number]);
+    const values = data.v ?? (kind === "real" ? texts.map(Number) : texts);
     const known = word < 0 ? null : this.words[word];
     const writers = data.w ?? null;
     return { path, title, kind, group, owner, unit, word: known, writers, values, times: timesOf(data.t) };

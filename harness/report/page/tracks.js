@@ -212,9 +212,12 @@ function shareScales(channels) {
   for (const channel of channels) {
     if (channel.drawn !== "analog") continue;
     const key = channel.unit ? `${channel.owner} ${channel.unit}` : channel.path;
-    const scale = scales.get(key) ?? { low: 0, high: 0 };
+    const scale = scales.get(key) ?? { low: 0, high: 0, whole: true };
     for (const value of channel.values) {
-      if (!Number.isFinite(value)) continue;
+      if (!Number.isFinite(value)) {
+        scale.whole = false;
+        continue;
+      }
       scale.low = Math.min(scale.low, value);
       scale.high = Math.max(scale.high, value);
     }

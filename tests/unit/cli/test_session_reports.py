@@ -79,3 +79,13 @@ def test_a_report_that_cannot_be_written_keeps_nobody_from_the_others(
 def test_json_and_lines_for_github_do_not_share_standard_output(fbgen: Fbgen, folder: Path) -> None:
     run = fbgen("test", "--json", "--annotations", "github")
     assert (run.status, run.out) == (2, "")
+
+
+def test_the_html_report_has_a_diagram_of_each_run_and_says_what_was_asked(
+    fbgen: Fbgen, folder: Path
+) -> None:
+    run = fbgen("test", "stands.scenario.yaml", "--seed", "7", "--html", "out/report.html")
+    assert run.status == 0
+    page = (folder / "out" / "report.html").read_text("utf-8")
+    assert page.count('<div class="diagram" data-trace=') == 2
+    assert "seed 7 for all" in page

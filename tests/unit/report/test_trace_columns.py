@@ -24,7 +24,7 @@ def test_texts_and_numbers_that_json_does_not_have_are_numbers_of_texts() -> Non
     texts = data["texts"]
     mode, frequency, huge = (data["channels"][number]["s"] for number in (0, 3, 6))
     assert [texts[int(str(number))] for number in mode] == ["STOP", "RUN"]
-    assert [texts[int(str(number))] for number in frequency] == ["0.0", "12.5", "nan", "40.0"]
+    assert [texts[int(str(number))] for number in frequency] == ["0.0", "12.5", "NaN", "40.0"]
     assert [texts[int(str(number))] for number in huge] == [str(2**63 + 1)]
 
 
