@@ -52,6 +52,8 @@ def test_the_wheel_carries_all_that_is_shipped(wheel: Path) -> None:
         }
         assert shipped <= names
     assert {"fbgen/py.typed", "harness/py.typed"} <= names
+    page = (ROOT / "harness" / "report" / "page").iterdir()
+    assert {f"harness/report/page/{path.name}" for path in page} <= names
     assert not [name for name in names if name.startswith("tests/")]
 
 
