@@ -80,6 +80,11 @@ class HardwareAccess:
         self._begin()
 
     @property
+    def modules(self) -> ModuleTable:
+        """What is mounted, by address."""
+        return self._modules
+
+    @property
     def classic(self) -> bool:
         """True for S7-300 and S7-400."""
         return self.settings.family.classic

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from harness.engine.compiled.probes import ProbeMaker
+from harness.engine.compiled import ProbeMaker, writers_probe
 from harness.results import ScenarioResult
 from harness.scenario.cases import ScenarioCase
 from harness.scenario.events import StepEvent, StepMoment
@@ -34,6 +34,7 @@ class TraceObserver:
 
     def __init__(self, case: ScenarioCase) -> None:
         self._steps = case.scenario.steps
+        self._compiled = case.scenario.engine == "compiled"
         self._recorder: Recorder | None = None
         self._step = 0
         self._checks: list[int] = []
@@ -41,8 +42,8 @@ class TraceObserver:
 
     @property
     def probes(self) -> tuple[ProbeMaker, ...]:
-        """Nothing in the PLC text."""
-        return ()
+        """Who wrote what, which the compiled engine can tell."""
+        return (writers_probe,) if self._compiled else ()
 
     def attach(self, run: ScenarioRun) -> None:
         """Record from now on. A block on its own has no plant to be recorded."""
@@ -70,7 +71,9 @@ class TraceObserver:
         for number in (self._step, *self._checks):
             self._recorder.marks.end(number, verdict)
         if isinstance(event.step, SetStep):
-            self._recorder.variables_written()
+            step = event.step
+            places = {path: key_span(step, "set", path) for path in step.set}
+            self._recorder.variables_written(places)
 
     def _begin(self, recorder: Recorder, step: Step) -> None:
         marks = recorder.marks

@@ -1,7 +1,8 @@
 """What is recorded of a gateway: supply, cyclic data with their fields, lamps."""
 
+from collections.abc import Callable
+
 from fbgen.catalog import Gateway
-from harness.fieldbus import Transfer
 from harness.gateways.tospbdp001 import Tospbdp001
 from harness.kernel import Kernel
 from harness.line import Spacing
@@ -17,7 +18,7 @@ class GatewayWatch:
     """Looks at one gateway whenever something may have changed, and at each transfer to it.
 
     Control word and trigger are those that have reached the gateway, zeros included that a master
-    in CLEAR sends; the status word is what the gateway posts.
+    in CLEAR sends; the status word is what the gateway posts. `trigger` is the trigger's channel.
     """
 
     def __init__(
@@ -27,18 +28,23 @@ class GatewayWatch:
         gateway: Tospbdp001,
         known: Gateway,
         spacing: Spacing,
+        *,
+        writer: Callable[[int], int | None],
     ) -> None:
+        """`writer` gives the place of who wrote a byte of the outputs last."""
         self._log = log
         self._kernel = kernel
         self._gateway = gateway
         self._spacing = spacing
+        self._writer = writer
+        self._before = b""
         self._control_offset = gateway.settings.layout.control_offset
         self._trigger_offset = gateway.settings.layout.trigger_offset
         add = self._add
         self._powered = add("powered", "has supply", "bool")
         self._online = add("online", "exchanges data with the master", "bool")
         self._control = add("control", "control word", "word", f"{known.id}.control")
-        self._trigger = add("trigger", "trigger byte", "integer")
+        self.trigger = add("trigger", "trigger byte", "integer")
         self._outputs = add("outputs", "bytes from the master", "bytes")
         self._status = add("status", "status word", "word", f"{known.id}.status")
         self._code = add("status_code", "status code in the status word", "integer")
@@ -60,20 +66,15 @@ class GatewayWatch:
         path = f"gateway.{name}.{item}"
         return self._log.add(Channel(path, title, kind, "gateway", name, bits=bits, word=word))
 
-    def transferred(self, transfer: Transfer) -> None:
-        """The master has polled the gateway."""
-        self.look()
-
     def look(self) -> None:
         """Note everything as it is now."""
         note, now_ns, gateway = self._log.note, self._kernel.now_ns, self._gateway
         outputs, status = gateway.slave.outputs, gateway.status.word
-        at = self._control_offset
         note(self._powered, now_ns, gateway.powered)
         note(self._online, now_ns, gateway.slave.online)
-        note(self._control, now_ns, outputs[at] << 8 | outputs[at + 1])
-        note(self._trigger, now_ns, outputs[self._trigger_offset])
-        note(self._outputs, now_ns, outputs)
+        if outputs != self._before:
+            self._outputs_came(now_ns, outputs)
+            self._before = outputs
         note(self._status, now_ns, status)
         note(self._code, now_ns, status >> _CODE_SHIFT & _CODE_MASK)
         note(self._count, now_ns, status & _COUNT_MASK)
@@ -83,3 +84,17 @@ class GatewayWatch:
         note(self._too_close, now_ns, len(self._spacing.too_close))
         for lamp, light in zip(self._lamps, gateway.leds, strict=True):
             note(lamp, now_ns, light.value)
+
+    def _outputs_came(self, now_ns: int, outputs: bytes) -> None:
+        """Note the outputs, with who wrote them: of several bytes, the first that is another."""
+        note, at, trigger = self._log.note, self._control_offset, self._trigger_offset
+        before = self._before or bytes(len(outputs))
+        others = [place for place, byte in enumerate(outputs) if byte != before[place]]
+        control = [place for place in others if at <= place <= at + 1]
+        writer = self._writer(control[0]) if control else None
+        note(self._control, now_ns, outputs[at] << 8 | outputs[at + 1], writer)
+        writer = self._writer(trigger) if trigger in others else None
+        note(self.trigger, now_ns, outputs[trigger], writer)
+        if writer is None and others:
+            writer = self._writer(others[0])
+        note(self._outputs, now_ns, outputs, writer)

@@ -4,14 +4,17 @@ Recording changes nothing of the run: it draws nothing from the random source, a
 into the kernel's queue (a look at drives whose frequency moves) comes last at its instant.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from functools import partial
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from fbgen.catalog import Catalog
 from fbgen.plant import PlantGateway, with_prefix
+from fbgen.source import Span
 from harness.engine.loading import engine_name
-from harness.fieldbus import Transfer
+from harness.fieldbus import Station, Transfer
 from harness.trace.cpu import CpuWatch
 from harness.trace.drives import DriveWatch
 from harness.trace.frame_meanings import FrameMeanings
@@ -25,6 +28,7 @@ from harness.trace.places import Places
 from harness.trace.plc import PlcWatch
 from harness.trace.telegrams import TelegramRecorder
 from harness.trace.variables import variable_channels
+from harness.trace.who_wrote import who_wrote
 from harness.trace.words import trace_word
 
 if TYPE_CHECKING:
@@ -47,9 +51,10 @@ class Recorder:
         self._begin_ns = plant.kernel.now_ns
         self._log = ChangeLog()
         self._places = Places()
+        self._who = who_wrote(plant.cpu, self._places)
         self.marks = Marks(plant.kernel, self._places)
         self._telegrams = plant.record_telegrams()
-        self._cpu = CpuWatch(self._log, plant.kernel, plant.cpu, plant.master)
+        self._cpu = CpuWatch(self._log, plant.kernel, plant.cpu, self._who)
         self._gateways = {
             entry.name: GatewayWatch(
                 self._log,
@@ -57,6 +62,7 @@ class Recorder:
                 plant.gateways[entry.name],
                 plant.catalog.gateway(entry.type),
                 plant.spacing[entry.name],
+                writer=partial(self._output_writer, plant.stations[entry.name]),
             )
             for entry in plant.plan.gateways
         }
@@ -64,7 +70,7 @@ class Recorder:
         for drive in plant.drives.values():
             DriveWatch(self._log, plant.kernel, drive)
         channels = _variables(plant, variables)
-        self._plc = PlcWatch(self._log, plant.cpu.engine, channels, self._begin_ns)
+        self._plc = PlcWatch(self._log, plant.cpu.engine, channels, self._begin_ns, self._who)
         stations = {id(plant.stations[name]): watch for name, watch in self._gateways.items()}
         plant.master.taps.append(partial(_to_gateway, stations))
         plant.cpu.after_scan.append(self._scanned)
@@ -73,9 +79,21 @@ class Recorder:
         self._cpu.scanned()
         self.variables_written()
 
-    def variables_written(self) -> None:
-        """Somebody has written variables of the PLC: its program, or who drives the plant."""
-        self._plc.look(self._plant.kernel.now_ns)
+    def variables_written(self, by: Mapping[str, Span | None] = MappingProxyType({})) -> None:
+        """Somebody has written variables of the PLC: its program, or who drives the plant.
+
+        `by` has the places of the latter by the paths of the channels.
+        """
+        places = {
+            with_prefix(path, self._plant.plan.prefix).casefold(): self._places.of(span)
+            for path, span in by.items()
+        }
+        self._plc.look(self._plant.kernel.now_ns, places)
+
+    def _output_writer(self, station: Station, offset: int) -> int | None:
+        if self._who is None or self._plant.master.clearing or not station.exchanging:
+            return None
+        return self._who.output(station, offset)
 
     def finish(self, title: str = "", scenario: str = "") -> Trace:
         """All that was recorded so far. Recording goes on."""
@@ -87,7 +105,7 @@ class Recorder:
             plant.kernel.seed,
             engine_name(plant.cpu.engine),
             plant.plan.code_dialect,
-            False,
+            self._who is not None,
             self._begin_ns,
             plant.kernel.now_ns,
             _words(self._log.channels, plant.catalog),
@@ -112,8 +130,14 @@ class Recorder:
 
     def _sent(self) -> tuple[Telegram, ...]:
         plan, catalog = self._plant.plan, self._plant.catalog
+        triggers = {watch.trigger: name for name, watch in self._gateways.items()}
+        writers = {
+            (triggers[change.channel], change.time_ns): change.writer
+            for change in self._log.changes
+            if change.channel in triggers
+        }
         found = [
-            telegram
+            replace(telegram, writer=writers.get((telegram.gateway, telegram.sent_ns)))
             for entry in plan.gateways
             for telegram in _telegrams_of(entry, self._telegrams[entry.name], catalog)
         ]

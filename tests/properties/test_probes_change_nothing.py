@@ -11,7 +11,7 @@ from test_engines_agree import LIMITS, QUICK, SWEEP, Scan, scans
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Expression, Program
 from fbgen.source import Source
-from harness.engine.compiled import Moment, Probe
+from harness.engine.compiled import Moment, Probe, writers_probe
 from harness.engine.compiled.decisions import Results, decision
 from harness.engine.compiled.probes import Probed
 from harness.engine.environment import StandaloneEnvironment
@@ -61,6 +61,7 @@ def history(program: Program, steps: list[Scan], probes: Sequence[Probe]) -> lis
 def compare(dialect: str, data: st.DataObject, steps: list[Scan]) -> None:
     program = read_program([Source("random.scl", data.draw(program_texts(dialect)))], dialect)
     alone = history(program, steps, ())
+    assert history(program, steps, [writers_probe(program)]) == alone
     assert history(program, steps, [looking_on("one")]) == alone
     assert history(program, steps, [looking_on("one"), looking_on("two")]) == alone
 

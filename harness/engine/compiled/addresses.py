@@ -17,6 +17,7 @@ from fbgen.lang.types import (
 from harness.engine.compiled.code import Code, Level
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits, masked, wrapped
+from harness.engine.compiled.write_notes import note_outputs
 
 _AREAS = {"I": "_environment.inputs", "Q": "_environment.outputs", "M": "_environment.markers"}
 _CODES = {"I": 0x81, "Q": 0x82, "M": 0x83, "DB": 0x84}
@@ -145,6 +146,8 @@ def write_address(
         area, byte = _area(procedure, address), address.byte
         number = code.at(Level.ATOM) if not code.text.isdigit() else f"({code.text})"
         procedure.line(f'{area}[{byte}:{byte + count}] = {number}.to_bytes({count}, "big")')
+    if address.area == "Q" and not outside:
+        note_outputs(procedure, address.byte, count)
 
 
 def _bit(place: str, bit: int, code: Code) -> str:

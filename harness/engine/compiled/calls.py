@@ -7,6 +7,7 @@ from fbgen.lang.checked import (
     Block,
     Expression,
     FunctionCall,
+    IndexRef,
     Place,
     SliceRef,
     SystemCall,
@@ -14,17 +15,28 @@ from fbgen.lang.checked import (
     VariableKind,
     VariableRef,
 )
-from fbgen.lang.checker.system_instructions import ELEMENT_MOVES
+from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, instruction_named
 from fbgen.lang.types import ArrayType, OpenArrayType, Type
 from harness.engine.compiled.code import Code, Listing, deepest
 from harness.engine.compiled.evaluation import Write, value
-from harness.engine.compiled.instructions import areas
+from harness.engine.compiled.instructions import areas, is_place
 from harness.engine.compiled.model import is_scalar
 from harness.engine.compiled.places import assign, cell, pinned
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits
 from harness.engine.compiled.signatures import Signature, comes_back, signature
+from harness.engine.compiled.write_notes import (
+    argument_entry,
+    is_plain,
+    is_simple,
+    note_elements,
+    note_record,
+    note_write,
+    writers_of,
+)
 
+RECORD_WRITES = ("DPWR_DAT", "SFC15")
+"""Instructions that write an area to a module."""
 _Outputs = Sequence[tuple[Variable, Place]]
 
 
@@ -223,7 +235,7 @@ def write_outputs(procedure: Procedure, outputs: _Outputs, names: dict[Variable,
     for variable, target in outputs:
         low, high = limits(variable.type)
         code = Code(names[variable], low=low, high=high, simple="." not in names[variable])
-        assign(procedure, target, code, variable.type)
+        assign(procedure, target, code, variable.type, argument_entry(procedure, target))
 
 
 # --- instructions -------------------------------------------------------------------------------
@@ -270,9 +282,30 @@ def instruction_statement(procedure: Procedure, node: SystemCall) -> Code:
     code = _instruction_code(procedure, node, cells)
     result = procedure.temporary()
     procedure.line(f"{result} = {code.text}")
+    _note_areas(procedure, node, cells)
     for target, text in back:
         assign(procedure, target, Code(text), target.type)
     return code._replace(text=result, depth=1, simple=True)
+
+
+def _note_areas(procedure: Procedure, node: SystemCall, cells: dict[str, str]) -> None:
+    """Who writes the areas that the instruction writes, and the outputs of a module."""
+    instruction = instruction_named(node.name)
+    if writers_of(procedure) is None or instruction is None:
+        return
+    written = {one.name for one in instruction.parameters if one.is_output or one.either_way}
+    arguments = dict(node.arguments)
+    for name, area in node.arguments:
+        if name in cells or not is_place(area) or not is_plain(area):
+            continue  # the copies in cells are copied back by assignments
+        if name not in written:
+            if node.name in RECORD_WRITES and is_simple(arguments["LADDR"]):
+                note_record(procedure, value(procedure, arguments["LADDR"]).text, area)
+        elif node.name not in ELEMENT_MOVES:
+            note_write(procedure, value(procedure, area).text, area.type)
+        elif isinstance(area, IndexRef) and is_simple(arguments["COUNT"]):
+            place = value(procedure, area).text
+            note_elements(procedure, place, value(procedure, arguments["COUNT"]).text, area.type)
 
 
 def evaluate(procedure: Procedure, node: FunctionCall | SystemCall) -> None:

@@ -57,12 +57,12 @@ _GIVEN = (VariableKind.INPUT, *IN_OUTS)
 
 
 class CompiledEngine:
-    """One program on one controller. `probe` looks on while it runs, as for coverage."""
+    """One program on one controller. `probe` looks on while it runs; `writers`: who wrote what."""
 
     __slots__ = (
         *("_bytes", "_cpu", "_environment", "_facts", "_globals", "_initial", "_listings", "_own"),
         *("_located", "_makers", "_memory", "_model", "_namespace", "_program", "_programs"),
-        *("_records", "_routines", "_runs", "_stopper"),
+        *("_records", "_routines", "_runs", "_stopper", "writers"),
     )
 
     def __init__(
@@ -75,6 +75,7 @@ class CompiledEngine:
         limits = limits or Limits()
         self._program = program
         self._environment = environment
+        self.writers = probe.writers if probe is not None else None
         library: dict[str, type] = {
             **timer_classes(
                 clock_of(environment), today=program.dialect == "tia" and not environment.classic

@@ -8,6 +8,7 @@ from harness.engine.compiled.model import is_scalar, run_method
 from harness.engine.compiled.places import assign, copy_into, place
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.walk import every_node, root_of
+from harness.engine.compiled.write_notes import argument_entry, note_write, passed_entry
 
 _EDGES = ("R_TRIG", "F_TRIG")
 
@@ -32,6 +33,8 @@ def instance_call(procedure: Procedure, node: InstanceCall) -> None:
             procedure.line(f"if {instance}._called != {method!r}:")
             procedure.line(f"    _turn({instance}, {method!r})")
         procedure.line(f"{instance}.{method}()")
+    if not isinstance(node.block, Block):
+        note_write(procedure, instance, node.instance.type)
     record = procedure.context.model.block_record(node.block)
     names = {
         variable: f"{instance}.{record.by_key[variable.name.casefold()].slot}"
@@ -57,7 +60,8 @@ def _user_block(procedure: Procedure, instance: str, node: InstanceCall, block: 
             procedure.line(f"{instance}.{slot} = _ValueCell({instance}.{slot}.value)")
         if in_out.write_back:
             back = f"{instance}.{slot}" if in_out.write_back == "yes" else in_out.write_back
-            assign(procedure, in_out.node, Code(back), in_out.variable.type)
+            passed = passed_entry(procedure, f"{instance}.{slot}")
+            assign(procedure, in_out.node, Code(back), in_out.variable.type, passed)
 
 
 def _can_store_at_once(procedure: Procedure, node: InstanceCall, codes: list[Code]) -> bool:
@@ -78,12 +82,13 @@ def _store_inputs(procedure: Procedure, instance: str, node: InstanceCall) -> No
             text = code.text if is_scalar(variable.type) else copied(code.text, variable.type)
             procedure.line(f"{name} = {text}")
             codes[number] = code._replace(text=name)
-    for (variable, _), code in zip(node.inputs, codes, strict=True):
+    for (variable, given), code in zip(node.inputs, codes, strict=True):
         target = f"{instance}.{record.by_key[variable.name.casefold()].slot}"
         if is_scalar(variable.type):
             procedure.line(f"{target} = {stored(code).text}")
         else:
             copy_into(procedure, target, variable.type, code.text)
+        note_write(procedure, target, variable.type, argument_entry(procedure, given))
 
 
 def _edge(procedure: Procedure, instance: str, node: InstanceCall) -> None:

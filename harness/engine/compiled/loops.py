@@ -26,6 +26,7 @@ from harness.engine.compiled.probes import Moment, Probed
 from harness.engine.compiled.procedure import Loop, Procedure
 from harness.engine.compiled.ranges import wrapped
 from harness.engine.compiled.walk import every_node
+from harness.engine.compiled.write_notes import note_write
 
 MOST_WRITTEN_OUT = 16
 """Passes up to which the numbers are a constant: cheaper than making a range at each start."""
@@ -124,6 +125,7 @@ def _write_range(
         passes = range(start, end + (1 if step > 0 else -1), step)
         if not passes:
             procedure.line(f"{text} = {start}")
+            note_write(procedure, text, kind)
             return
         interval = (min(passes[0], passes[-1]), max(passes[0], passes[-1]))
         behind = passes[-1] + step
@@ -152,9 +154,11 @@ def _write_range(
         procedure.line("else:")
         procedure.listing.indent += 4
         procedure.line(f"{text} = {after.text}")
+        note_write(procedure, text, kind)
         procedure.listing.indent -= 4
     else:
         procedure.line(f"{text} = {after.text}")
+        note_write(procedure, text, kind)
 
 
 def _range(passes: range) -> str:
@@ -185,6 +189,7 @@ def _write_range_loop(
     if not is_local and procedure.unwritten is None:
         procedure.listing.indent += 4
         procedure.line(f"{text} = {local}")
+        note_write(procedure, text, variable.type)
         procedure.listing.indent -= 4
     known, aliases = procedure.known, procedure.aliases
     procedure.known = {**known, variable.variable: loop.interval}

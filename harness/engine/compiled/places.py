@@ -40,6 +40,7 @@ from harness.engine.compiled.model import is_scalar, may_be_unconnected
 from harness.engine.compiled.paths import path_of
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits, wrapped
+from harness.engine.compiled.write_notes import is_steady, note_write, writers_of
 
 
 def _variable(procedure: Procedure, node: VariableRef) -> Code:
@@ -249,8 +250,13 @@ def place(procedure: Procedure, node: Place) -> Code:
     return value(procedure, node)
 
 
-def assign(procedure: Procedure, target: Place, code: Code, source: Type) -> None:
-    """Write statements that give a place a value; `source` is the type of the value."""
+def assign(procedure: Procedure, target: Place, code: Code, source: Type, writer: str = "") -> None:
+    """Write statements that give a place a value; `source` is the type of the value.
+
+    `writer` is the text of an entry of `Writers`, if another one than the statement writes it.
+    """
+    if writers_of(procedure) is not None and not is_steady(target):
+        target, code = _steady(procedure, target, code)
     if isinstance(target, SliceRef):
         _assign_slice(procedure, target, code)
     elif isinstance(target, MemoryRef):
@@ -265,8 +271,9 @@ def assign(procedure: Procedure, target: Place, code: Code, source: Type) -> Non
             code = cut(code, source.length, target.type)
         text = place(procedure, target).text
         code = stored(code)
+        held = text
         if isinstance(target, VariableRef) and target.variable in procedure.aliases:
-            attribute = procedure.text_of(target.variable)
+            attribute = held = procedure.text_of(target.variable)
             if procedure.unwritten is None:
                 text = f"{attribute} = {text}"
             else:
@@ -277,8 +284,22 @@ def assign(procedure: Procedure, target: Place, code: Code, source: Type) -> Non
             procedure.line(f"{text} = _cell[0]")
         else:
             procedure.line(f"{text} = {code.text}")
+        note_write(procedure, held, target.type, writer)
     else:
-        copy_into(procedure, place(procedure, target).text, target.type, code.text)
+        text = place(procedure, target).text
+        copy_into(procedure, text, target.type, code.text)
+        note_write(procedure, text, target.type, writer)
+
+
+def _steady(procedure: Procedure, target: Place, code: Code) -> tuple[Place, Code]:
+    """The place with its indices worked out, behind the value if that does more than to read."""
+    if not code.pure:
+        name = procedure.temporary()
+        procedure.line(f"{name} = {code.text}")
+        code = code._replace(
+            text=name, level=Level.ATOM, depth=1, safe=True, pure=True, simple=True
+        )
+    return pinned(procedure, target), code
 
 
 def _closes_at_end(text: str) -> bool:

@@ -11,6 +11,7 @@ from typing import TypeAlias
 
 from fbgen.lang import checked
 from fbgen.lang.checked import Expression, Program
+from harness.engine.compiled.writers import Writers
 
 Probed: TypeAlias = checked.Statement | checked.Branch | checked.CaseArm
 
@@ -36,12 +37,14 @@ class Probe:
     `line` gives the Python that runs at a moment of a node, in several lines if need be; "" for
     none. `decisions` gives the names of mappings from the vector of the conditions of a decision to
     its result (`harness.engine.compiled.decisions`); they are asked each time the decision is made.
-    It is called for all operators. `names` are the objects that lines and mappings name.
+    It is called for all operators. `names` are the objects that lines and mappings name. `writers`
+    is there if the probe wants to know who wrote what.
     """
 
     line: Callable[[Probed, Moment], str]
     names: Mapping[str, object]
     decisions: Callable[[Expression], Sequence[str]] = no_decisions
+    writers: Writers | None = None
 
 
 ProbeMaker: TypeAlias = Callable[[Program], Probe]
@@ -49,7 +52,10 @@ ProbeMaker: TypeAlias = Callable[[Program], Probe]
 
 
 def together(probes: Sequence[Probe]) -> Probe | None:
-    """Several probes as one; their `names` must differ. None if there is none."""
+    """Several probes as one; their `names` must differ, and one of them at most asks for `writers`.
+
+    None if there is none.
+    """
     if len(probes) < 2:
         return probes[0] if probes else None
     return Probe(
@@ -58,4 +64,11 @@ def together(probes: Sequence[Probe]) -> Probe | None:
         ),
         {name: value for probe in probes for name, value in probe.names.items()},
         lambda node: [name for probe in probes for name in probe.decisions(node)],
+        next((probe.writers for probe in probes if probe.writers is not None), None),
     )
+
+
+def writers_probe(_: Program) -> Probe:
+    """A probe that only wants to know who wrote what: the engine then has `writers`."""
+    writers = Writers()
+    return Probe(lambda node, moment: "", writers.names, writers=writers)

@@ -115,7 +115,8 @@ class Procedure:
     `aliases` has the locals that hold the value of a variable, too, `paths` those that hold a
     structure inside of another one, and `known` what is known of values: of loop variables, and
     behind conditions. `at_hand` has the locals with what was read
-    from the hardware already, by the identity of the node. `gathered` is there while values for
+    from the hardware already, by the identity of the node. `assigned` is the expression whose value
+    is being assigned. `gathered` is there while values for
     the hardware are collected instead of written. `split` marks a function that was split off; any
     other one returns by `return_line`. `unwritten` is there while attributes need not be written:
     it has those that a local has a newer value of, with the local.
@@ -128,6 +129,7 @@ class Procedure:
             "_temporaries",
             "aliases",
             "arguments",
+            "assigned",
             "at_hand",
             "context",
             "gathered",
@@ -152,6 +154,7 @@ class Procedure:
         self.paths: dict[Path, str] = {}
         self.known: Intervals = {}
         self.at_hand: dict[int, str] = {}
+        self.assigned: checked.Expression | None = None
         self.gathered: list[str] | None = None
         self._sites: list[Site] = []
         self._reads: list[tuple[checked.Place, str]] = []

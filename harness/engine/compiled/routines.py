@@ -23,6 +23,7 @@ from harness.engine.compiled.model import is_scalar
 from harness.engine.compiled.places import assign, place
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits
+from harness.engine.compiled.write_notes import note_write
 from harness.engine.environment import Environment
 from harness.engine.faults import stop_requested
 from harness.engine.interface import Value
@@ -50,7 +51,9 @@ def routine_statement(procedure: Procedure, node: RoutineCall) -> Code:
             assign(procedure, target, Code(given, low=low, high=high), target.type)
         else:
             table = procedure.context.table("place", target)
-            procedure.line(f"_fill({table}, {place(procedure, target).text}, {given})")
+            text = place(procedure, target).text
+            procedure.line(f"_fill({table}, {text}, {given})")
+            note_write(procedure, text, target.type)
         procedure.listing.indent -= 4
     low, high = limits(node.type)
     return Code(f"{results}[0]", low=low, high=high)

@@ -188,7 +188,9 @@ def _assignment(procedure: Procedure, node: Assignment) -> None:
         code = routine_statement(procedure, node.value)
     else:
         code = value(procedure, node.value)
+    procedure.assigned = node.value
     assign(procedure, node.target, code, node.value.type)
+    procedure.assigned = None
 
 
 # --- jumps --------------------------------------------------------------------------------------

@@ -1,9 +1,10 @@
 """Plants of the tests, recorded."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from fbgen.catalog import load_catalog
 from fbgen.plant import load_plant
+from harness.engine.compiled import ProbeMaker
 from harness.installation import Installation, PlantSetup, build_plant
 from harness.kernel import NS_PER_MS
 from harness.trace import Recorder, Trace
@@ -13,9 +14,14 @@ CATALOG = load_catalog()
 START = "TOS_Plant.gw1.pump.start_forward"
 
 
-def one_drive(seed: int = 0, engine: str = "compiled") -> Installation:
-    """Gateway gw1 with the drive pump, switched off."""
-    return build_plant(load_plant(PLANT, CATALOG), CATALOG, PlantSetup(seed, engine))
+def one_drive(
+    seed: int = 0, engine: str = "compiled", probes: Sequence[ProbeMaker] = (), **changes: object
+) -> Installation:
+    """Gateway gw1 with the drive pump, switched off; `changes` are those of the gateway."""
+    plan = load_plant(PLANT, CATALOG)
+    gateway = plan.gateways[0].model_copy(update=changes)
+    plan = plan.model_copy(update={"gateways": (gateway,)})
+    return build_plant(plan, CATALOG, PlantSetup(seed, engine, probes=probes))
 
 
 def started(plant: Installation, recorder: Recorder) -> None:

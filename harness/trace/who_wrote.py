@@ -1,0 +1,136 @@
+"""Who wrote a value: the statement of the PLC, with the instance of the block that ran it.
+
+Only an engine with `writers` knows (`harness.engine.compiled.writers_probe`). A value that changed
+without a note since its last change was written through a pointer; then nobody is named.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+from fbgen.lang.checked import LIVING, Block, Program
+from fbgen.lang.types import ArrayType, BlockType, StructType, Type
+from harness.engine.compiled import CompiledEngine
+from harness.engine.compiled.memory import Location
+from harness.engine.compiled.writers import Entry, Writers
+from harness.engine.interface import Engine
+from harness.fieldbus import Station
+from harness.plc import Cpu
+from harness.trace.places import Places, place_of
+
+
+def who_wrote(cpu: Cpu, places: Places) -> "WhoWrote | None":
+    """What a CPU's engine knows of writers; None if it was loaded without them."""
+    engine: Engine = cpu.engine
+    if isinstance(engine, CompiledEngine) and engine.writers is not None:
+        return WhoWrote(cpu, engine, engine.writers, places)
+    return None
+
+
+class WhoWrote:
+    """Names the places of statements by their numbers in `places`."""
+
+    def __init__(self, cpu: Cpu, engine: CompiledEngine, writers: Writers, places: Places) -> None:
+        self._cpu = cpu
+        self._engine = engine
+        self._writers = writers
+        self._places = places
+        self._instances: dict[int, str] | None = None
+        self._numbers: dict[tuple[int, int], int] = {}
+
+    def forget(self) -> None:
+        """The CPU starts: nobody has written anything."""
+        self._writers.forget()
+
+    def variable(self, path: str) -> "VariableWriter | None":
+        """Who writes a variable; None for one that is reached by an address."""
+        where = self._engine.location(path)
+        if not isinstance(where, Location) or where.key is None:
+            return None
+        return VariableWriter(self, self._writers, where.owner, where.key)
+
+    def output(self, station: Station, offset: int) -> int | None:
+        """Who wrote this byte of a station's outputs last."""
+        modules, writers = self._cpu.modules, self._writers
+        for laddr, entries in writers.records.items():
+            there, slot = modules.writable.get(laddr, (None, None))
+            if there is station and slot is not None:
+                at = offset - (slot.output_offset or 0)
+                if 0 <= at < len(entries):
+                    return self.number(entries[at])
+        return self.number(writers.outputs.get(station.settings.output_address + offset))
+
+    def number(self, entry: Entry | None) -> int | None:
+        """The number of an entry's place; None for none."""
+        if entry is None:
+            return None
+        statement, instance = entry
+        key = statement, id(instance)
+        if key not in self._numbers:
+            found = self._writers.statements[statement]
+            place = place_of(found.span, found.block.name, self._name_of(instance))
+            self._numbers[key] = self._places.number(place)
+        return self._numbers[key]
+
+    def _name_of(self, instance: Any) -> str:
+        if instance is None:
+            return ""
+        if self._instances is None:
+            self._instances = {}
+            for path in _instances(self._engine.program):
+                where = self._engine.location(path)
+                if isinstance(where, Location):
+                    self._instances[id(where.read())] = path
+        return self._instances.get(id(instance), "")
+
+
+class VariableWriter:
+    """Tells who wrote one variable."""
+
+    __slots__ = ("_key", "_owner", "_seen", "_who", "_writers")
+
+    def __init__(self, who: WhoWrote, writers: Writers, owner: object, key: str | int) -> None:
+        self._who = who
+        self._writers = writers
+        self._owner = owner
+        self._key = key
+        self._seen: Entry | None = None
+
+    def of_change(self) -> int | None:
+        """The place of the write that has just changed it; None if that was not noted."""
+        entry = self._writers.of(self._owner, self._key)
+        if entry is self._seen:
+            return None
+        self._seen = entry
+        return self._who.number(entry)
+
+    def last(self) -> int | None:
+        """The place of the last write, whether it changed the value or not."""
+        return self._who.number(self._writers.of(self._owner, self._key))
+
+
+def _instances(program: Program) -> Iterator[str]:
+    """The paths of all instances of the program's own blocks."""
+    for variable in program.globals.values():
+        yield from _below(program, variable.name, variable.type)
+    for block in program.program_instances().values():
+        yield from _inside(program, block.name, block)
+
+
+def _below(program: Program, path: str, kind: Type) -> Iterator[str]:
+    if isinstance(kind, ArrayType):
+        if len(kind.bounds) == 1 and isinstance(kind.element, BlockType | StructType | ArrayType):
+            first, last = kind.bounds[0]
+            for index in range(first, last + 1):
+                yield from _below(program, f"{path}[{index}]", kind.element)
+    elif isinstance(kind, StructType):
+        for field in kind.fields:
+            yield from _below(program, f"{path}.{field.name}", field.type)
+    elif isinstance(kind, BlockType) and isinstance(block := program.block_of(kind.name), Block):
+        yield path
+        yield from _inside(program, path, block)
+
+
+def _inside(program: Program, path: str, block: Block) -> Iterator[str]:
+    for variable in block.variables:
+        if variable.kind in LIVING:
+            yield from _below(program, f"{path}.{variable.name}", variable.type)
