@@ -140,7 +140,8 @@ def _tree(source: str | Path | Source, dialect: str) -> tuple[ast.File, Sequence
 
 def engine_name(engine: Engine) -> str:
     """What an engine is called as `engine_named` takes it."""
-    return next(name for name, (_, factory) in ENGINES.items() if factory == type(engine).__name__)
+    classes = {kind.__name__ for kind in type(engine).__mro__}
+    return next(name for name, (_, factory) in ENGINES.items() if factory in classes)
 
 
 def engine_named(name: str, probes: "Sequence[ProbeMaker]" = ()) -> EngineFactory:

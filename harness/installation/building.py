@@ -69,11 +69,14 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
         for item in entry.drives:
             conditions = setup.drives.get(item.name, DriveConditions())
             drives[item.name] = _drive(kernel, catalog.drive(item.series), item, line, conditions)
-    if setup.sources is None:
+    if setup.program is not None:
+        program = setup.program
+    elif setup.sources is None:
         program = generated_program(plan, catalog)
     else:
         program = read_program(setup.sources, plan.code_dialect)
-    cpu.load(program, engine_named(setup.engine, setup.probes))
+    load = setup.factory or engine_named(setup.engine, setup.probes)
+    cpu.load(program, load)
     return Installation(
         plan, catalog, kernel, cpu, master, gateways, stations, lines, drives, spacing
     )

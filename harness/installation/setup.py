@@ -5,8 +5,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from fbgen.lang.checked import Program
 from fbgen.source import Source
 from harness.drives import Load
+from harness.engine.interface import EngineFactory
 from harness.fieldbus import CycleTimes
 from harness.kernel import NS_PER_MS
 from harness.plc import CpuSettings
@@ -36,8 +38,8 @@ class PlantSetup:
     are the PLC text, as files or texts; None takes what fbgen generates for the plant. `cpu` gives
     the times of the CPU; its family, cycle and memory come from the plant file. `watchdog_ns` is
     the DP watchdog of every gateway, None for none. `probes` look on while the program runs; only
-    the compiled
-    engine takes them.
+    the compiled engine takes them. `program` is what `sources` have been read to already, and
+    `factory` loads it instead of the engine that is named.
     """
 
     seed: int = 0
@@ -48,3 +50,5 @@ class PlantSetup:
     bus: CycleTimes = field(default_factory=CycleTimes)
     watchdog_ns: int | None = 100 * NS_PER_MS
     probes: "Sequence[ProbeMaker]" = ()
+    program: Program | None = None
+    factory: EngineFactory | None = None

@@ -2,6 +2,7 @@
 
 import os.path
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from fbgen.catalog import Catalog, with_own_sequences
@@ -12,7 +13,7 @@ from fbgen.lang.literals import BadLiteralError, read_literal
 from fbgen.plant import Plant, in_dialect, load_plant
 from harness.engine.compiled.probes import ProbeMaker
 from harness.engine.environment import StandaloneEnvironment
-from harness.engine.interface import Limits
+from harness.engine.interface import EngineFactory, Limits
 from harness.engine.loading import Clock, LoadedProgram, engine_named, read_program
 from harness.engine.stubs import Stub
 from harness.installation import PlantSetup, build_plant, generated_program
@@ -25,6 +26,15 @@ from harness.scenario.plant_stage import PlantStage
 from harness.scenario.scalars import Scalar
 from harness.scenario.stage import Stage
 from harness.trial import subject_named
+
+
+@dataclass(frozen=True, slots=True)
+class Planned:
+    """A plant with the changes of a variation, None for a block on its own, and the program."""
+
+    plan: Plant | None
+    catalog: Catalog
+    program: Program
 
 
 class Staging:
@@ -42,43 +52,52 @@ class Staging:
 
         Raises DiagnosticError with everything that is wrong in it.
         """
-        scenario = self._scenario
-        if scenario.engine != "compiled":
+        if self._scenario.engine != "compiled":
             probes = ()
+        factory = engine_named(self._scenario.engine, probes)
+        return self.build(self.planned(variation, dialect), seed, factory)
+
+    def planned(self, variation: Variation, dialect: str | None) -> Planned:
+        """The plant as it will be built, and its program. Raises DiagnosticError as `stage`."""
+        scenario = self._scenario
         if scenario.plant is None:
             program = read_program(self._sources(), scenario.dialect or "tia", stubbed=self._stubs)
-            return self._block(program, probes, self._catalog)
+            return Planned(None, self._catalog, program)
         path = self._file("plant", scenario.plant, "plant file")
         catalog = with_own_sequences(self._catalog, path.parent)
         plan = varied_plant(load_plant(path, catalog), variation, catalog)
         if dialect is not None:
             plan = in_dialect(plan, dialect, catalog)
-        if scenario.block is not None:
-            return self._block(generated_program(plan, catalog), probes, catalog)
-        return self._plant(plan, seed, probes, catalog)
+        if scenario.block is None and (found := list(drive_problems(scenario, plan, catalog))):
+            raise DiagnosticError(found)
+        sources = self._sources()
+        if sources and scenario.block is None:
+            return Planned(plan, catalog, read_program(sources, plan.code_dialect))
+        return Planned(plan, catalog, generated_program(plan, catalog))
+
+    def build(self, planned: Planned, seed: int, factory: EngineFactory) -> Stage:
+        """Plant or block with a program loaded by `factory`. Raises DiagnosticError."""
+        if planned.plan is None or self._scenario.block is not None:
+            return self._block(planned, factory)
+        return self._plant(planned.plan, planned, seed, factory)
 
     def _plant(
-        self, plan: Plant, seed: int, probes: Sequence[ProbeMaker], catalog: Catalog
+        self, plan: Plant, planned: Planned, seed: int, factory: EngineFactory
     ) -> PlantStage:
         scenario = self._scenario
-        if found := list(drive_problems(scenario, plan, catalog)):
-            raise DiagnosticError(found)
         setup = PlantSetup(
             seed,
             scenario.engine,
             {name: setup.conditions() for name, setup in scenario.drives.items()},
-            sources=self._sources() or None,
-            probes=probes,
+            program=planned.program,
+            factory=factory,
         )
-        return PlantStage(build_plant(plan, catalog, setup), catalog)
+        return PlantStage(build_plant(plan, planned.catalog, setup), planned.catalog)
 
-    def _block(
-        self, program: Program, probes: Sequence[ProbeMaker], catalog: Catalog
-    ) -> BlockStage:
+    def _block(self, planned: Planned, factory: EngineFactory) -> BlockStage:
         scenario = self._scenario
         kernel = Kernel()
-        factory = engine_named(scenario.engine, probes)
-        engine = factory(program, StandaloneEnvironment(kernel), Limits())
+        engine = factory(planned.program, StandaloneEnvironment(kernel), Limits())
         loaded = LoadedProgram(engine, Clock(kernel))
         for name, outputs in scenario.stubs.items():
             loaded.stub(name, _constant(outputs))
@@ -90,7 +109,7 @@ class Staging:
                 Diagnostic("FB8019", item.message, item.span, item.help)
                 for item in at(place, wrong.diagnostics)
             ) from None
-        return BlockStage(loaded, subject, scenario.cycle, catalog)
+        return BlockStage(loaded, subject, scenario.cycle, planned.catalog)
 
     @property
     def _stubs(self) -> tuple[str, ...]:

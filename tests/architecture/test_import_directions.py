@@ -63,6 +63,10 @@ MAY_IMPORT: dict[str, set[str]] = {
     | TEXT
     | PLANT
     | {"harness.durations", "harness.faults", "harness.results", "harness.trace", "harness.trial"},
+    "harness.verify": BASE
+    | TEXT
+    | PLANT
+    | {"fbgen.workers", "harness.results", "harness.scenario", "harness.trace"},
     "harness.demo": BASE | TEXT | PLANT | {"harness.scenario", "harness.trace"},
 }
 """Part -> the parts that it may import. A new part gets a line of its own here."""

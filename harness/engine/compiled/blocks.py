@@ -55,9 +55,11 @@ def write_block(
     data: Bytes,
     *,
     probe: Probe | None = None,
+    body: Sequence[Statement] | None = None,
 ) -> Written:
-    """A block as Python source; raises FB6050 if it is nested too deep."""
-    body = model.program.bodies[block]
+    """A block as Python source, with another body if one is given; FB6050 if nested too deep."""
+    if body is None:
+        body = model.program.bodies[block]
     for framed in (False, True):
         context = BlockContext(block, model, facts, data, probe=probe, framed=framed)
         try:

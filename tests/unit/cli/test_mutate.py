@@ -1,0 +1,149 @@
+"""`fbgen mutate` from the command line, on a small block and a short scenario."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from tests.unit.cli.running import Fbgen
+
+SCENARIO = "tests/scenarios/ram_writes_spare_the_eeprom.scenario.yaml"
+SMALL = ("mutate", "--scenarios", SCENARIO, "--block", "TOS_TriggerCounter")
+
+
+@pytest.fixture(scope="module")
+def report(tmp_path_factory: pytest.TempPathFactory) -> dict[str, object]:
+    from fbgen.cli import main  # noqa: PLC0415 - only this fixture runs outside of a test
+
+    path = tmp_path_factory.mktemp("mutate") / "mutants.json"
+    main((*SMALL, "--json", str(path)))
+    found: dict[str, object] = json.loads(path.read_text(encoding="utf-8"))
+    return found
+
+
+def test_the_report_has_every_mutant_with_its_patch(report: dict[str, object]) -> None:
+    mutants = report["mutants"]
+    assert isinstance(mutants, list)
+    by_id = {one["id"]: one for one in mutants}
+    score = report["score"]
+    assert isinstance(score, dict)
+    assert score["mutants"] == len(by_id)
+    assert score["killed"] == sum(one["fate"] == "killed" for one in mutants)
+    first = next(one for one in mutants if one["operator"] == "drop")
+    assert first["diff"].startswith("--- TOS_TriggerCounter.scl\n+++ TOS_TriggerCounter.scl (")
+    assert any(one["origin"] for one in mutants), "some constants are from the catalogue"
+
+
+def test_survivors_are_shown_with_their_lines(fbgen: Fbgen) -> None:
+    run = fbgen(*SMALL, "--operators", "edge,drop")
+    assert run.status == 0
+    assert "TOS_TriggerCounter.scl:" in run.out
+    assert "-   #statAdvance := #advance;" in run.out
+    assert run.out.splitlines()[-1].startswith("all")
+
+
+def test_a_score_that_is_too_low_fails(fbgen: Fbgen) -> None:
+    run = fbgen(*SMALL, "--operators", "edge", "--fail-under", "50")
+    assert run.status == 1
+    assert "FB8064" in run.err
+
+
+def test_one_mutant_is_shown_with_the_check_that_noticed_it(
+    fbgen: Fbgen, report: dict[str, object]
+) -> None:
+    mutants = report["mutants"]
+    assert isinstance(mutants, list)
+    killed = next(one for one in mutants if one["fate"] == "killed")
+    run = fbgen("mutate", "--scenarios", SCENARIO, "--mutant", killed["id"])
+    assert run.status == 0
+    assert killed["id"] in run.out
+    assert f"error[{killed['message'].partition(':')[0]}]" in run.err
+
+
+def test_a_sample_is_drawn_by_the_seed(fbgen: Fbgen) -> None:
+    first = fbgen(*SMALL, "--max", "3", "--seed", "4")
+    again = fbgen(*SMALL, "--max", "3", "--seed", "4")
+    assert first.out == again.out
+    assert first.out.splitlines()[-1].split()[1] == "3"
+
+
+def test_a_page_for_people_is_written(fbgen: Fbgen, tmp_path: Path) -> None:
+    page = tmp_path / "mutants.html"
+    fbgen(*SMALL, "--operators", "edge", "--html", str(page))
+    text = page.read_text(encoding="utf-8")
+    assert "TOS_TriggerCounter:" in text
+    assert "http" not in text, "it opens offline"
+
+
+def test_a_log_goes_on_where_it_ended(fbgen: Fbgen, tmp_path: Path) -> None:
+    log = tmp_path / "mutants.jsonl"
+    whole = fbgen(*SMALL, "--log", str(log))
+    lines = log.read_text(encoding="utf-8").splitlines(keepends=True)
+    verdict = json.loads(lines[1])
+    told = {**verdict, "fate": "killed", "message": "as the log says", "scenario": "of the log"}
+    log.write_text("".join((lines[0], json.dumps(told) + "\n", lines[2][:9])), encoding="utf-8")
+    again = fbgen(*SMALL, "--log", str(log))
+    assert log.read_text(encoding="utf-8").count("\n") == len(lines)
+    assert again.out.splitlines()[-1].split()[1] == whole.out.splitlines()[-1].split()[1]
+    one = fbgen(*SMALL, "--log", str(log), "--mutant", verdict["id"])
+    assert "as the log says" in one.out, "what is in the log is not run again"
+
+
+def test_a_log_of_other_mutants_begins_anew(fbgen: Fbgen, tmp_path: Path) -> None:
+    log = tmp_path / "mutants.jsonl"
+    fbgen(*SMALL, "--operators", "edge", "--log", str(log))
+    fbgen("mutate", "--scenarios", SCENARIO, "--block", "TOS_WordToHz", "--log", str(log))
+    assert "TOS_TriggerCounter" not in log.read_text(encoding="utf-8")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="Ctrl+C is sent to the process")
+def test_ctrl_c_leaves_a_report_of_what_ran(tmp_path: Path) -> None:
+    log, report = tmp_path / "mutants.jsonl", tmp_path / "mutants.json"
+    command = [sys.executable, "-m", "fbgen.cli", "mutate", "--scenarios", SCENARIO]
+    command += ["--block", "TOS_Telegram", "--log", str(log), "--json", str(report)]
+    process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL)
+    while not log.exists() or log.read_text(encoding="utf-8").count("\n") < 3:
+        assert process.poll() is None, "it ended before it was stopped"
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=120)
+    assert process.returncode == 130
+    assert b"stopped by Ctrl-C" in said
+    found = json.loads(report.read_text(encoding="utf-8"))
+    assert found["interrupted"]
+    assert 0 < len(found["mutants"]) < found["planned"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        (("--block", "TOS_Trigger"), "FB8060"),
+        (("--mutant", "TOS_TriggerCounter:1:drop:1"), "FB8062"),
+        (("--block", "TOS_WordToHz", "--log", SCENARIO), "FB8063"),
+        (("--operators", "logic"), "FB8065"),
+        (("examples/five_drives/plant.yaml",), "FB8066"),
+    ],
+)
+def test_what_cannot_be_done_is_said(fbgen: Fbgen, arguments: tuple[str, ...], code: str) -> None:
+    run = fbgen("mutate", "--scenarios", SCENARIO, *arguments)
+    assert (run.status, run.err.splitlines()[0][:13]) == (1, f"error[{code}]")
+
+
+def test_a_scenario_that_fails_by_itself_is_named(fbgen: Fbgen, tmp_path: Path) -> None:
+    plant = (Path("tests/scenarios") / "one_drive.yaml").resolve()
+    scenario = tmp_path / "wrong.scenario.yaml"
+    scenario.write_text(
+        f"version: 1\ntitle: Wrong\nplant: {os.path.relpath(plant, tmp_path)}\n"
+        "steps:\n  - expect: {cpu.mode: RUN}\n    within: 100 ms\n"
+        "  - expect: {drive.pump.running: true}\n",
+        encoding="utf-8",
+    )
+    run = fbgen("mutate", "--scenarios", str(scenario), "--block", "TOS_TriggerCounter")
+    assert run.status == 1
+    assert "FB8061" in run.err
+    assert "fbgen test" in run.err
