@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from fbgen.cli import FINDINGS, INTERRUPTED
+from fbgen.cli.coverage_report import CoverageOption, FailUnderOption, coverage_writer
 from fbgen.cli.dialects import PlantDialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.failure_annotations import AnnotationsOption, AnnotationWriter, CodeHost
@@ -40,6 +41,7 @@ def register(program: typer.Typer) -> None:
             "fbgen test scenarios --junit results.xml --annotations github",
             "fbgen test scenarios --html report.html",
             "fbgen test scenarios --trace runs.jsonl --vcd waves",
+            "fbgen test scenarios --coverage coverage.html --fail-under statement=90,branch=80",
         ),
     )(run_scenarios)
 
@@ -75,6 +77,8 @@ def run_scenarios(
     annotations: AnnotationsOption = None,
     trace: TraceOption = None,
     vcd: VcdOption = None,
+    coverage: CoverageOption = None,
+    fail_under: FailUnderOption = "",
     as_json: JsonOption = False,
 ) -> None:
     """Run scenario files on simulated plants.
@@ -91,6 +95,7 @@ def run_scenarios(
         JunitWriter(junit) if junit else None,
         HtmlWriter(html, asked_for(seed, select, dialect)) if html else None,
         AnnotationWriter(annotations) if annotations else None,
+        coverage_writer(coverage, fail_under, prints=not as_json),
     ]
     writers = [*(writer for writer in asked if writer is not None), *trace_writers(trace, vcd)]
     observers = tuple(dict.fromkeys(one for writer in writers for one in writer.observers))

@@ -12,12 +12,14 @@ from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Expression, Program
 from fbgen.source import Source
 from harness.engine.compiled import Moment, Probe, writers_probe
-from harness.engine.compiled.decisions import Results, decision
+from harness.engine.compiled.decisions import Results, decision, result
 from harness.engine.compiled.probes import Probed
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.loading import engine_named, read_program
 from harness.engine.variables import BlockInstance, plain
 from harness.kernel import Kernel
+from harness.verify.coverage import Coverage
+from harness.verify.coverage.counts import BlockCounts
 
 
 def looking_on(name: str) -> Probe:
@@ -64,6 +66,27 @@ def compare(dialect: str, data: st.DataObject, steps: list[Scan]) -> None:
     assert history(program, steps, [writers_probe(program)]) == alone
     assert history(program, steps, [looking_on("one")]) == alone
     assert history(program, steps, [looking_on("one"), looking_on("two")]) == alone
+    coverage = Coverage()
+    assert history(program, steps, [coverage(program), looking_on("two")]) == alone
+    for block in coverage.blocks():
+        agree_with_each_other(block)
+
+
+def agree_with_each_other(block: BlockCounts) -> None:
+    """What is counted in one way and in another is the same, or there was a fault in between."""
+    hits: dict[tuple[int, int], int] = {}
+    for place, count in block.statements():
+        hits[place[:2]] = max(hits.get(place[:2], 0), count)
+    assert min(block.statement_hits) >= 0
+    for branching, taken in block.branchings():
+        reached = hits[branching.place[:2]]
+        if branching.kind in ("IF", "CASE"):
+            assert sum(taken) <= reached
+            assert sum(taken) >= reached - 1, "a fault ends the run"
+    for place, vectors in block.decisions():
+        for vector in vectors:
+            assert vector >> 2 * len(place.conditions) == 0
+            assert vectors[vector] is result(place.tree, vector)
 
 
 @pytest.mark.parametrize("dialect", ["tia", "iec"])

@@ -148,6 +148,13 @@ class Results(dict[int, bool]):
         self[vector] = found = result(self.tree, vector)
         return found
 
+    def plus(self, other: "Results") -> "Results":
+        """The vectors that have occurred here or there, for the same decision."""
+        both = Results(self.tree)
+        both.update(self)
+        both.update(other)
+        return both
+
 
 def write_decision(procedure: Procedure, node: Expression, names: Sequence[str]) -> Code:
     """A decision whose result is taken from mappings, which note its vectors."""

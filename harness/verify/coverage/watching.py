@@ -1,0 +1,209 @@
+"""Looks on at a plant for catalogue coverage: words, ComNos, trips, RET_VALs.
+
+Telegrams are those on the RS-485 lines, as the drives hear and answer them; the gateway's own
+heartbeats, in ASCII, belong to no test.
+"""
+
+from collections.abc import Iterator, Mapping
+
+from fbgen.catalog import ComNo, Drive, Gateway, Word
+from fbgen.lang.types import Scalar
+from fbgen.source import Span
+from fbgen.wire import toshiba_binary
+from fbgen.wire.toshiba import Address, Reply, Request
+from harness.engine.environment import Area
+from harness.fieldbus import DpMaster, Station, Transfer
+from harness.installation import Installation
+from harness.line import Line, Port, Transmission
+from harness.plc.consistent_data import RetVal
+from harness.plc.hardware_access import Instruction
+from harness.verify.coverage.catalogue import (
+    GATEWAY_WORDS,
+    READ,
+    READ_RESULTS,
+    READ_WORDS,
+    TRIPS,
+    WRITE_RESULTS,
+    WRITTEN,
+    WRITTEN_WORDS,
+    CatalogueCoverage,
+)
+
+_INSTRUCTIONS = {
+    "DPRD_DAT": READ_RESULTS,
+    "SFC14": READ_RESULTS,
+    "DPWR_DAT": WRITE_RESULTS,
+    "SFC15": WRITE_RESULTS,
+}
+
+
+def watch(plant: Installation, coverage: CatalogueCoverage) -> None:
+    """Look on at a plant from now on."""
+    for entry in plant.plan.gateways:
+        gateway = plant.gateways[entry.name]
+        known = plant.catalog.gateway(entry.type)
+        control_at = gateway.settings.layout.control_offset
+        _GatewayWatch(coverage, plant.master, known, plant.stations[entry.name], control_at)
+        series = {one.inv_no: plant.catalog.drive(one.series) for one in entry.drives}
+        if series:
+            writing = {
+                command.code
+                for command in plant.catalog.protocol(known.protocol).commands
+                if command.writes
+            }
+            _LineWatch(coverage, plant.lines[entry.name], gateway.port, series, writing)
+    _watch_trips(plant, coverage)
+    _watch_instructions(plant, coverage)
+
+
+class _GatewayWatch:
+    """The control word that the master sends and the status word that it gets."""
+
+    __slots__ = ("_control", "_control_at", "_coverage", "_known", "_last", "_station", "_status")
+
+    def __init__(
+        self,
+        coverage: CatalogueCoverage,
+        master: DpMaster,
+        known: Gateway,
+        station: Station,
+        control_at: int,
+    ) -> None:
+        self._coverage = coverage
+        self._station = station
+        self._known = known
+        self._control, self._status = known.control, known.status_word
+        self._control_at = control_at
+        self._last = b"", b""
+        for word in (self._control, self._status):
+            coverage.know(GATEWAY_WORDS, _values(f"{known.id}.{word.name}", word))
+        master.taps.append(self._transferred)
+
+    def _transferred(self, transfer: Transfer) -> None:
+        if transfer.station is not self._station:
+            return
+        outputs, inputs = transfer.outputs, transfer.inputs
+        last = outputs[self._control_at : self._control_at + 2], inputs[:2]
+        if last == self._last:
+            return
+        self._last = last
+        for word, data in zip((self._control, self._status), last, strict=True):
+            for item in _found(f"{self._known.id}.{word.name}", word, int.from_bytes(data, "big")):
+                self._coverage.see(GATEWAY_WORDS, item)
+
+
+class _LineWatch:
+    """Requests of the gateway and replies of its drives; the same bytes are looked at only once."""
+
+    __slots__ = ("_coverage", "_first", "_gateway", "_series", "_told", "_writing")
+
+    def __init__(
+        self,
+        coverage: CatalogueCoverage,
+        line: Line,
+        gateway: Port,
+        series: Mapping[int, Drive],
+        writing: set[int],
+    ) -> None:
+        """`series` are the drives by INV-NO, `writing` the commands that write."""
+        self._coverage = coverage
+        self._gateway = gateway
+        self._series = series
+        self._first = next(iter(series.values()))
+        self._writing = writing
+        self._told: set[bytes] = set()
+        for drive in series.values():
+            coverage.know(WRITTEN, _comnos(drive, "w"))
+            coverage.know(READ, _comnos(drive, "r"))
+            for comno in drive.comnos:
+                if comno.word is not None:
+                    items = list(_values(f"{drive.id}.{comno.word}", drive.word(comno.word)))
+                    for group, access in ((WRITTEN_WORDS, "w"), (READ_WORDS, "r")):
+                        if access in comno.access:
+                            coverage.know(group, items)
+        line.taps.append(self._heard)
+
+    def _heard(self, transmission: Transmission) -> None:
+        data = transmission.data
+        if data in self._told:
+            return
+        self._told.add(data)
+        if transmission.sender is self._gateway:
+            request = toshiba_binary.parse_request(data)
+            if isinstance(request, Request) and request.command in self._writing:
+                self._tell(WRITTEN, WRITTEN_WORDS, request.address, request.com_no, request.data)
+        elif transmission.sender is not None:
+            reply = toshiba_binary.parse_reply(data)
+            if isinstance(reply, Reply) and reply.command not in self._writing:
+                self._tell(READ, READ_WORDS, reply.address, reply.com_no, reply.data)
+
+    def _tell(self, group: str, words: str, address: Address, number: int, data: int) -> None:
+        drive = self._first
+        if isinstance(address, int):
+            drive = self._series.get(address, drive)
+        comno = next((one for one in drive.comnos if one.number == number), None)
+        if comno is None:
+            return
+        self._coverage.see(group, _comno(drive, comno))
+        if comno.word is not None:
+            for item in _found(f"{drive.id}.{comno.word}", drive.word(comno.word), data):
+                self._coverage.see(words, item)
+
+
+def _watch_trips(plant: Installation, coverage: CatalogueCoverage) -> None:
+    names: dict[int, str] = {}
+    for drive in plant.drives.values():
+        series = drive.series
+        known = {one.code: f"{series.id} {one.display} ({one.code:02X})" for one in series.trips}
+        known.pop(0, None)
+        coverage.know(TRIPS, known.values())
+        names |= known
+
+    def look() -> None:
+        for drive in plant.drives.values():
+            if drive.tripped:
+                coverage.see(TRIPS, names.get(drive.trip_code, ""))
+
+    plant.cpu.after_scan.append(look)
+
+
+def _watch_instructions(plant: Installation, coverage: CatalogueCoverage) -> None:
+    """Note what the instructions give to the program; only to one that calls them."""
+    for name, instruction in list(plant.cpu.instructions.items()):
+        if name in _INSTRUCTIONS:
+            plant.cpu.instructions[name] = _noting(coverage, _INSTRUCTIONS[name], instruction)
+
+
+def _noting(coverage: CatalogueCoverage, group: str, instruction: Instruction) -> Instruction:
+    names = {int(one): f"16#{one:04X} {one.name.lower().replace('_', ' ')}" for one in RetVal}
+
+    def noted(arguments: "Mapping[str, Scalar | Area]", span: Span) -> Scalar:
+        ret_val = instruction(arguments, span)
+        assert isinstance(ret_val, int), "RET_VAL is an INT"
+        coverage.know(group, names.values())
+        coverage.see(group, names.get(ret_val & 0xFFFF, ""))
+        return ret_val
+
+    return noted
+
+
+# --- items ----------------------------------------------------------------------------------------
+
+
+def _comnos(drive: Drive, access: str) -> Iterator[str]:
+    return (_comno(drive, one) for one in drive.comnos if access in one.access)
+
+
+def _comno(drive: Drive, comno: ComNo) -> str:
+    return f"{drive.id} {comno.hex} {comno.name}"
+
+
+def _values(name: str, word: Word) -> Iterator[str]:
+    """Each bit as 0 and as 1; a wider field with each value that has a meaning."""
+    for field in word.bits:
+        values = (0, 1) if field.low == field.high else field.values
+        yield from (f"{name}.{field.name} = {value}" for value in values)
+
+
+def _found(name: str, word: Word, data: int) -> Iterator[str]:
+    return (f"{name}.{one.field.name} = {one.value}" for one in word.decode(data))
