@@ -7,6 +7,7 @@ and this style, by their hashes, so that nothing in a trace or a title can becom
 import json
 from base64 import b64encode
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
@@ -28,7 +29,18 @@ _SCRIPTS = (
 NS_PER_S = 1_000_000_000
 
 
-def html_report(report: ScenarioReport, asked: Sequence[str] = ()) -> str:
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Something about the whole session that stands below the scenarios, such as coverage."""
+
+    title: str
+    headings: Sequence[str]
+    rows: Sequence[Sequence[str]]
+
+
+def html_report(
+    report: ScenarioReport, asked: Sequence[str] = (), tables: Sequence[Table] = ()
+) -> str:
     """The page; `asked` is what narrows the session, in words.
 
     The same results give the same page, byte for byte.
@@ -49,6 +61,7 @@ def html_report(report: ScenarioReport, asked: Sequence[str] = ()) -> str:
                 "asked": asked,
             },
             scenarios=[_scenario(result) for result in report.results],
+            tables=tables,
             style=Markup(style),
             style_hash=_hash(style),
             script=Markup(script),

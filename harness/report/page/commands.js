@@ -128,6 +128,15 @@ function buildToolbar(diagram) {
   };
 }
 
+/** What the colours of spans say. */
+const LEGEND = [
+  ["blue", "telegram, request of the gateway"],
+  ["green", "reply of a drive; step or check that held"],
+  ["violet", "heartbeat of the gateway, and the answer to it"],
+  ["orange", "refusal, telegram without a reply, fault"],
+  ["red", "damaged or collided frame; what failed"],
+];
+
 /** All keys and what the mouse does, as a dialog. */
 function keyList() {
   const rows = [
@@ -140,6 +149,10 @@ function keyList() {
     ["Shift + click", "cursor B"],
     ["double click", "zoom to a value"],
   ].map(([key, text]) => make("tr", {}, make("th", { textContent: key }), make("td", { textContent: text })));
+  for (const [tone, text] of LEGEND) {
+    const sample = make("span", { className: `sample ${tone}`, "aria-label": tone });
+    rows.push(make("tr", {}, make("th", {}, sample), make("td", { textContent: text })));
+  }
   const close = make("button", { textContent: "Close" });
   return make("dialog", { className: "keys", "aria-label": "keys" },
     make("table", {}, make("tbody", {}, ...rows)), make("form", { method: "dialog" }, close));

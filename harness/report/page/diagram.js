@@ -15,6 +15,7 @@ class Diagram {
     this.kept = new Set(trace.failures().map((mark) => mark.target.toLowerCase()));
     this.cursors = { A: null, B: null };
     this.selected = null;
+    this.onPaper = false;
     this._build();
     this._firstView();
     this.arrange();
@@ -168,6 +169,14 @@ class Diagram {
     return this.rows.find((row) => y >= row.top && y < row.top + row.height) ?? null;
   }
 
+  /** Paper does not scroll: it gets all rows, in the colours that the page has then. */
+  setOnPaper(onPaper) {
+    this.onPaper = onPaper;
+    this.resized();
+    this.colours = coloursOf(this.host);
+    this.draw();
+  }
+
   recolour() {
     this.colours = coloursOf(this.host);
     this.changed();
@@ -179,7 +188,7 @@ class Diagram {
     const width = this.stage.clientWidth;
     if (width === 0) return;
     this.view.width = width;
-    const limit = Math.max(280, Math.round(innerHeight * 0.64));
+    const limit = this.onPaper ? this.height + RULER_PX : Math.max(280, Math.round(innerHeight * 0.64));
     this.scroller.style.maxHeight = `${limit}px`;
     this.stage.style.height = `${this.height}px`;
     this.sight = Math.min(limit - RULER_PX, Math.max(this.height, 60));
@@ -214,7 +223,7 @@ class Diagram {
   _drawWaves() {
     const { view, colours, scroller } = this;
     const context = this.canvas.getContext("2d");
-    const offset = scroller.scrollTop;
+    const offset = this.onPaper ? 0 : scroller.scrollTop;
     context.clearRect(0, 0, view.width, this.sight);
     this._shadeFaults(context, this.sight);
     this._grid(context, this.sight);

@@ -312,7 +312,7 @@ class Painter {
     const text = [item.title ?? item.meaning ?? ""];
     const middle = (upper + lower) / 2;
     if (right - left >= 40) this._label(text, left + 5, right - 4, middle, SMALL, colours.ink);
-    else if (next - right > 60) this._label(text, right + 4, Math.min(next, right + 420) - 4, middle, SMALL, colours.muted);
+    else if (right > 0 && next - right > 60) this._label(text, right + 4, Math.min(next, right + 420) - 4, middle, SMALL, colours.muted);
   }
 }
 

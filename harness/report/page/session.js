@@ -65,15 +65,12 @@ function start() {
   addEventListener("beforeprint", () => {
     before = document.documentElement.dataset.theme;
     document.documentElement.dataset.theme = "light";
-    for (const diagram of diagrams.values()) {
-      diagram.colours = coloursOf(diagram.host);
-      diagram.draw();
-    }
+    diagrams.forEach((diagram) => diagram.setOnPaper(true));
   });
   addEventListener("afterprint", () => {
     if (before) document.documentElement.dataset.theme = before;
     else delete document.documentElement.dataset.theme;
-    recolour();
+    diagrams.forEach((diagram) => diagram.setOnPaper(false));
   });
 }
 

@@ -282,6 +282,10 @@ def test_paper_gets_the_diagram_in_the_colours_of_the_day(shown: Show) -> None:
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     expect(page.locator(".toolbar input")).to_be_hidden()
     assert page.evaluate("document.documentElement.dataset.theme") == "light"
+    waves, rows = page.locator(".waves").bounding_box(), page.locator(".labels").bounding_box()
+    assert waves is not None
+    assert rows is not None
+    assert round(waves["height"]) == round(rows["height"])
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     assert page.evaluate("document.documentElement.dataset.theme ?? null") is None
     assert page.pdf()[:5] == b"%PDF-"

@@ -7,7 +7,7 @@ from hashlib import sha256
 from html.parser import HTMLParser
 
 from fbgen.diagnostics import render
-from harness.report.page import html_report
+from harness.report.page import Table, html_report
 from harness.results import ScenarioReport
 from harness.trace import Channel
 from tests.unit.report.results import FAILED, PASSED, SESSION
@@ -85,3 +85,10 @@ def test_the_same_results_give_the_same_page() -> None:
 
 def test_a_session_that_ctrl_c_ended_says_so() -> None:
     assert "stopped by Ctrl-C" in Elements(html_report(ScenarioReport((PASSED,), True))).text
+
+
+def test_tables_about_the_session_stand_below_the_scenarios() -> None:
+    table = Table("Coverage", ("block", "statements"), [("TOS_Line", "91 % of <100>")])
+    text = Elements(html_report(SESSION, tables=(table,))).text
+    assert text.index("91 % of <100>") > text.index(PASSED.name)
+    assert "TOS_Line" in text
