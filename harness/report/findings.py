@@ -10,10 +10,12 @@ from harness.results import ScenarioReport, ScenarioResult
 def findings_of(report: ScenarioReport) -> Iterator[Diagnostic]:
     """Each failure at its line of the scenario, then what its notes say at lines of PLC text.
 
-    A failure without a place stands at the first line of its scenario file.
+    A failure without a place stands at the first line of its scenario file. Failures that were
+    expected are none; warnings are told too.
     """
     for result in report.results:
-        for failure in result.failures:
+        failures = () if result.passed else result.failures
+        for failure in (*failures, *result.warnings):
             yield _failure(result, failure)
             for note in failure.notes:
                 if note.span is not None:
@@ -26,4 +28,10 @@ def _failure(result: ScenarioResult, failure: Diagnostic) -> Diagnostic:
     told += [failure.help] if failure.help else []
     told.append(f"run it again: {result.replay}")
     place = failure.span or Span(Source(result.file, ""), 0, 0)
-    return Diagnostic(failure.code, f"{result.name}: {failure.message}", place, "\n".join(told))
+    return Diagnostic(
+        failure.code,
+        f"{result.name}: {failure.message}",
+        place,
+        "\n".join(told),
+        severity=failure.severity,
+    )

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from pathlib import PurePosixPath
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
+from fbgen.diagnostics import render
 from harness.results import ScenarioReport, ScenarioResult
 
 NS_PER_S = 1_000_000_000
@@ -28,7 +29,9 @@ def junit_xml(report: ScenarioReport) -> str:
     if report.interrupted:
         root.append(_interrupted(len(report.results)))
     total_ns = sum(result.virtual_ns for result in report.results)
-    root.attrib |= _counts(root) | {"time": _seconds(total_ns)}
+    counts = _counts(root)
+    del counts["skipped"]
+    root.attrib |= counts | {"time": _seconds(total_ns)}
     indent(root)
     return tostring(root, encoding="unicode", xml_declaration=False).join(
         ('<?xml version="1.0" encoding="UTF-8"?>\n', "\n")
@@ -46,6 +49,13 @@ def _suite(number: int, result: ScenarioResult) -> Element:
     case.set("classname", _package(result.file))
     if not result.passed:
         _add_failures(case, result)
+    elif result.expected_failure is not None:
+        expected = SubElement(case, "skipped", type="expected failure")
+        expected.set("message", _clean(result.expected_failure))
+        expected.text = _clean(f"\n{result.render()}\n")
+    if result.warnings:
+        told = "\n".join(render(warning) for warning in result.warnings)
+        SubElement(case, "system-out").text = _clean(f"\n{told}\n")
     suite.attrib |= _counts(suite)
     return suite
 
@@ -92,6 +102,7 @@ def _counts(element: Element) -> dict[str, str]:
         "tests": str(len(list(element.iter("testcase")))),
         "failures": str(len(list(element.iter("failure")))),
         "errors": str(len(list(element.iter("error")))),
+        "skipped": str(len(list(element.iter("skipped")))),
     }
 
 

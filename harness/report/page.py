@@ -80,6 +80,8 @@ def _scenario(result: ScenarioResult) -> dict[str, object]:
         "facts": list(_facts(result, trace)),
         "replay": result.replay,
         "failures": [render(failure) for failure in result.failures],
+        "warnings": [render(warning) for warning in result.warnings],
+        "expected_failure": result.expected_failure if result.passed else None,
         "marks": [_mark(mark) for mark in trace.marks] if trace else [],
         "trace": _data(trace) if trace else "",
     }

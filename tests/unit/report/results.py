@@ -1,6 +1,8 @@
 """Results of scenarios as a session leaves them, made by hand."""
 
-from fbgen.diagnostics import Diagnostic, Note
+from dataclasses import replace
+
+from fbgen.diagnostics import Diagnostic, Note, Severity
 from fbgen.source import Source, Span
 from harness.results import ScenarioReport, ScenarioResult
 
@@ -38,5 +40,13 @@ FAILED = ScenarioResult(
 UNREADABLE = ScenarioResult(
     *("broken.scenario.yaml", "tests/broken.scenario.yaml", 0, False),
     failures=(Diagnostic("FB1001", "this is no YAML: \x07\ufffe"),),
+)
+EXPECTED = replace(
+    FAILED, passed=True, expected_failure="the line is not repaired yet", name="Known"
+)
+WARNED = replace(
+    PASSED,
+    warnings=(Diagnostic("FB8021", "nothing was decided", severity=Severity.WARNING),),
+    name="Told",
 )
 SESSION = ScenarioReport((PASSED, FAILED, UNREADABLE))

@@ -2,7 +2,8 @@
 
 from fbgen.diagnostics import Severity
 from harness.report.findings import findings_of
-from tests.unit.report.results import FAILED, FOUND, SESSION
+from harness.results import ScenarioReport
+from tests.unit.report.results import EXPECTED, FAILED, FOUND, SESSION, WARNED
 
 
 def test_failures_and_their_notes_stand_at_their_places_in_order() -> None:
@@ -13,6 +14,11 @@ def test_failures_and_their_notes_stand_at_their_places_in_order() -> None:
         ("FB8012", Severity.ERROR, "tests/start.scenario.yaml:1:1"),
         ("FB1001", Severity.ERROR, "tests/broken.scenario.yaml:1:1"),
     ]
+
+
+def test_expected_failures_are_no_findings_and_warnings_are() -> None:
+    found = [(item.code, item.severity) for item in findings_of(ScenarioReport((EXPECTED, WARNED)))]
+    assert found == [("FB8021", Severity.WARNING)]
 
 
 def test_a_finding_says_which_scenario_and_how_to_run_it_again() -> None:

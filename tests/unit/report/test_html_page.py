@@ -10,7 +10,7 @@ from fbgen.diagnostics import render
 from harness.report.page import Table, html_report
 from harness.results import ScenarioReport
 from harness.trace import Channel
-from tests.unit.report.results import FAILED, PASSED, SESSION
+from tests.unit.report.results import EXPECTED, FAILED, PASSED, SESSION, WARNED
 from tests.unit.report.traces import short_trace
 
 HOSTILE = "</script><script>alert(1)</script><!--"
@@ -75,6 +75,15 @@ def test_results_and_failures_can_be_read_without_the_script() -> None:
         assert expected in text
     for failure in FAILED.failures:
         assert render(failure) in text
+
+
+def test_what_was_expected_to_fail_and_warnings_are_shown_as_such() -> None:
+    page = html_report(ScenarioReport((EXPECTED, WARNED)))
+    text = Elements(page).text
+    assert "2 passed" in text
+    assert "0 failed" in page
+    assert "Failed as expected: the line is not repaired yet" in text
+    assert "warning[FB8021]: nothing was decided" in text
 
 
 def test_the_same_results_give_the_same_page() -> None:

@@ -10,7 +10,7 @@ from fbgen.diagnostics import render
 from harness.report.junit import junit_xml
 from harness.results import ScenarioReport
 from tests.unit.report.junit_schema import against_the_schema
-from tests.unit.report.results import FAILED, FOUND, PASSED, SESSION
+from tests.unit.report.results import EXPECTED, FAILED, FOUND, PASSED, SESSION, WARNED
 
 
 def test_the_file_is_as_the_schema_demands() -> None:
@@ -73,6 +73,22 @@ def test_properties_say_how_it_ran_and_how_to_run_it_again() -> None:
         "replay": "fbgen test tests/start.scenario.yaml --seed 7 -k '\"[step7]\"'",
         "place": "tests/start.scenario.yaml:2:14",
     }
+
+
+def test_a_failure_that_was_expected_is_skipped_and_says_why() -> None:
+    root = fromstring(junit_xml(ScenarioReport((EXPECTED, PASSED))))
+    assert against_the_schema(root) == []
+    assert (root.get("failures"), [item.get("skipped") for item in root]) == ("0", ["1", "0"])
+    skipped = root.find(".//skipped")
+    assert skipped is not None
+    assert skipped.get("message") == "the line is not repaired yet"
+    assert FOUND in (skipped.text or "")
+
+
+def test_warnings_are_output() -> None:
+    root = fromstring(junit_xml(ScenarioReport((WARNED,))))
+    assert against_the_schema(root) == []
+    assert "warning[FB8021]: nothing was decided" in (root.findtext(".//system-out") or "")
 
 
 def test_a_session_that_ctrl_c_ended_does_not_look_whole() -> None:
