@@ -2,7 +2,9 @@
 // with their number: what cannot be told apart is not drawn apart. So a picture takes as long as it
 // has pixels, however many events there are.
 
-const CLOSE_PX = { bool: 3, bus: 6, spans: 3 };
+/** Spans below this width stand in no row of their own while they are close to each other. */
+const NARROW_PX = 24;
+const CLOSE_PX = { bool: 3, bus: 12, spans: 9 };
 const FONT = '11px ui-monospace, "SF Mono", Menlo, Consolas, "DejaVu Sans Mono", monospace';
 const SMALL = '10px ui-sans-serif, system-ui, "Segoe UI", "DejaVu Sans", sans-serif';
 const GLYPH_PX = 6.7;
@@ -266,7 +268,7 @@ class Painter {
 
   /** Short spans in a row with short gaps between them: the number of the first behind them. */
   _endOfCrowd(lane, index, close) {
-    const wide = close * 4;
+    const wide = NARROW_PX * this.view.resolution;
     let at = index;
     while (at < lane.items.length && lane.ends[at] - lane.starts[at] < wide) {
       if (at + 1 < lane.items.length && lane.starts[at + 1] - lane.ends[at] > close) return at + 1;
