@@ -18,22 +18,9 @@ from xsdata.formats.dataclass.parsers import XmlParser
 from xsdata.formats.dataclass.parsers.config import ParserConfig
 from xsdata.formats.dataclass.serializers import XmlSerializer
 
-from fbgen.catalog import load_catalog
-from fbgen.emit.generated import GeneratedFile
-from fbgen.emit.generator import generate
-from fbgen.plant import in_dialect, load_plant
+from tests.unit.emit.examples import generated
 
-EXAMPLES = Path(__file__).parents[3] / "examples"
 PLANTS = ["manual_example", pytest.param("five_drives", marks=pytest.mark.slow)]
-CATALOG = load_catalog()
-
-
-def generated(example: str, dialect: str) -> tuple[GeneratedFile, ...]:
-    """The files of an example that is reached through the process image."""
-    plant = load_plant(EXAMPLES / example / "plant.yaml", CATALOG)
-    gateways = tuple(item.model_copy(update={"access": "process_image"}) for item in plant.gateways)
-    changed = plant.model_copy(update={"gateways": gateways})
-    return generate(in_dialect(changed, dialect, CATALOG), CATALOG).files
 
 
 def blocks_of(example: str) -> set[str]:
