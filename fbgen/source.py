@@ -3,10 +3,7 @@
 from bisect import bisect_right
 from dataclasses import dataclass, field
 from functools import cached_property
-from operator import itemgetter
 from typing import NamedTuple
-
-_offset = itemgetter(0)
 
 TEMPLATE = "template"
 """What the origin of a template line is called."""
@@ -50,6 +47,11 @@ class Source:
         starts.extend(i + 1 for i, char in enumerate(self.text) if char == "\n")
         return starts
 
+    @cached_property
+    def origin_offsets(self) -> list[int]:
+        """From which offsets on the `origins` count."""
+        return [offset for offset, _ in self.origins]
+
     def line_column(self, offset: int) -> tuple[int, int]:
         """1-based line and column of an offset."""
         line = bisect_right(self._line_starts, offset)
@@ -65,7 +67,7 @@ class Source:
 
     def origin_at(self, offset: int) -> Origin | None:
         """Where the character at `offset` came from, if the text was generated."""
-        index = bisect_right(self.origins, offset, key=_offset)
+        index = bisect_right(self.origin_offsets, offset)
         return self.origins[index - 1][1] if index else None
 
 

@@ -190,9 +190,18 @@ class ExpressionParser(AddressParser):
     def _postfix(self, base: Expression) -> Expression:
         """`base` with all that follows it: members, slices, indices, arguments, `^`, `:P`."""
         source, start = self.source, base.span[1]
+        kinds, ends = self.kinds, self.ends
         while True:
-            kind = self.kinds[self.at]
+            at = self.at
+            kind = kinds[at]
             if kind == ".":
+                # most members are plain names, and addresses begin with DB
+                if kinds[at + 1] == "name" and type(base) is not Call:
+                    text = self.texts[at + 1]
+                    if text[0] not in "dD" or not self.has_addresses:
+                        base = Member(_make(Span, (source, start, ends[at + 1])), base, text)
+                        self.at = at + 2
+                        continue
                 base = self._member(base)
             elif kind == "[":
                 self.at += 1
@@ -226,11 +235,7 @@ class ExpressionParser(AddressParser):
         place = _make(Span, (self.source, base.span[1], self.ends[at]))
         self.at = at + 1
         if kind == "name":
-            if (
-                self.has_addresses
-                and (text[0] in "dD" or type(base) is Call)
-                and (address := self.member_address(base, text))
-            ):
+            if self.has_addresses and (address := self.member_address(base, text)):
                 return address
             return Member(place, base, text)
         if kind == '"':
@@ -296,7 +301,10 @@ class ExpressionParser(AddressParser):
         leading = self.take_leading() if self.extra_at <= first else ()
         following = self.kinds[first + 1] if self.kinds[first] != "end" else "end"
         if following in (":=", "=>"):
-            name = self.name()
+            name, is_quoted = self.texts[first], False
+            if self.kinds[first] != "name":
+                written = self.name()
+                name, is_quoted = written.name, written.quoted
             self.at = first + 2
             kind = ArgumentKind.INPUT if following == ":=" else ArgumentKind.OUTPUT
             value: Expression | None = None
@@ -304,7 +312,7 @@ class ExpressionParser(AddressParser):
             if not is_empty or (following == ":=" and not self._has_empty_arguments):
                 value = self.expression()
             span = self.span(first)
-            return Argument(span, kind, name.name, value, leading, None, name.quoted)
+            return Argument(span, kind, name, value, leading, None, is_quoted)
         value = self.expression()
         return Argument(self.span(first), ArgumentKind.POSITIONAL, "", value, leading)
 

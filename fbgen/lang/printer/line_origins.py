@@ -3,14 +3,12 @@
 import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
-from operator import itemgetter
 
 from fbgen.source import Origin, Span
 
 LineOrigins = tuple[Origin, ...]
 """The line of the template first, then each value in its order. Empty for a text of a person."""
 
-_offset = itemgetter(0)
 _WORD = re.compile(r"\w+")
 
 
@@ -23,7 +21,7 @@ def line_origins(lines: Sequence[str], place: Span | None) -> list[LineOrigins]:
     if place is None or not place.source.origins:
         return [() for _ in lines]
     if len(lines) == 1:
-        return [_of_one_line(place)]
+        return [of_one_line(place)]
     pieces = list(_pieces(place))
     values = [(text, origin) for text, origin in pieces if not origin.is_template]
     found: list[LineOrigins] = []
@@ -37,10 +35,12 @@ def line_origins(lines: Sequence[str], place: Span | None) -> list[LineOrigins]:
     return found
 
 
-def _of_one_line(place: Span) -> LineOrigins:
+def of_one_line(place: Span | None) -> LineOrigins:
     """The first line of a template in the place, or the one in front of it, and all values."""
+    if place is None or not place.source.origins:
+        return ()
     origins = place.source.origins
-    at = max(0, bisect_right(origins, place.start, key=_offset) - 1)
+    at = max(0, bisect_right(place.source.origin_offsets, place.start) - 1)
     values: list[Origin] = []
     template = origins[at][1]
     back = at
@@ -63,7 +63,7 @@ def _pieces(place: Span) -> Iterator[tuple[str, Origin]]:
     first one stands in."""
     source = place.source
     origins = source.origins
-    at = max(0, bisect_right(origins, place.start, key=_offset) - 1)
+    at = max(0, bisect_right(source.origin_offsets, place.start) - 1)
     back = at
     while back >= 0:
         origin = origins[back][1]

@@ -2,7 +2,7 @@
 
 from fbgen.lang.ast import Trivia, TriviaKind, TriviaList
 from fbgen.lang.dialects.dialect import Dialect, Feature
-from fbgen.lang.printer.line_origins import LineOrigins, line_origins
+from fbgen.lang.printer.line_origins import LineOrigins, line_origins, of_one_line
 from fbgen.source import Span
 
 WIDTH = 100
@@ -35,7 +35,10 @@ class Lines:
         found: list[LineOrigins] = []
         for count in self._together:
             at = len(found)
-            found += line_origins(self._lines[at : at + count], self._places[at])
+            if count == 1:
+                found.append(of_one_line(self._places[at]))
+            else:
+                found += line_origins(self._lines[at : at + count], self._places[at])
         return tuple(found)
 
     def indentation(self) -> str:
