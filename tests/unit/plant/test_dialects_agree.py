@@ -6,6 +6,7 @@ engines. The long form takes every scenario file.
 """
 
 from dataclasses import replace
+from itertools import cycle
 from pathlib import Path
 from typing import Any
 
@@ -53,6 +54,19 @@ TWINS: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "plcopen": (IMAGE, {"plc": "iec", "dialect": "plcopen", **IMAGE}),
     "iec": (IMAGE, {"plc": "iec", "dialect": "iec", **IMAGE}),
 }
+OF_DIALECT: dict[str, dict[str, Any]] = {
+    "tia": {},
+    "step7": {"plc": "s7-300", "dialect": "step7"},
+    "iec": {"plc": "iec", "dialect": "iec", **IMAGE},
+}
+PAIRS = [
+    *(("tests/scenarios/plc_restart_in_a_telegram.scenario.yaml", item) for item in OF_DIALECT),
+    *(
+        pytest.param(*every.values, dialect, marks=pytest.mark.slow)
+        for every, dialect in zip(EVERY, cycle(OF_DIALECT), strict=False)
+    ),
+]
+"""The reference engine is slow: it runs each scenario in one dialect, the dialects taking turns."""
 CATALOG = load_catalog()
 
 
@@ -82,18 +96,11 @@ def test_a_dialect_does_what_tia_does(scenario: str, twins: str) -> None:
     assert second == first
 
 
-@pytest.mark.parametrize("dialect", ["tia", "step7", "iec"])
-@pytest.mark.parametrize(
-    "scenario", ["tests/scenarios/plc_restart_in_a_telegram.scenario.yaml", *EVERY]
-)
+@pytest.mark.parametrize(("scenario", "dialect"), PAIRS)
 def test_both_engines_do_the_same(scenario: str, dialect: str) -> None:
-    changes: dict[str, Any] = {
-        "tia": {},
-        "step7": {"plc": "s7-300", "dialect": "step7"},
-        "iec": {"plc": "iec", "dialect": "iec", **IMAGE},
-    }[dialect]
     first, second = (
-        transfers(ROOT / scenario, changes, engine) for engine in ("compiled", "reference")
+        transfers(ROOT / scenario, OF_DIALECT[dialect], engine)
+        for engine in ("compiled", "reference")
     )
     assert len(first) > 5
     assert second == first
