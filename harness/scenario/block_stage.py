@@ -6,11 +6,13 @@ block at each cycle that begins before the time is over.
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 from fbgen.catalog import Catalog
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
 from fbgen.nearest import nearest
 from fbgen.source import Span
+from harness.engine.compiled.last_writes import last_write
 from harness.engine.loading import LoadedProgram
 from harness.kernel import Kernel
 from harness.scenario.kinds import Found, ValueKind, no_bytes
@@ -32,17 +34,22 @@ class BlockPaths:
         """What a path gives. Raises DiagnosticError FB8003."""
         root, rest = _split(path, span)
         if root == "block":
-            return Readable(self._kind(rest, span), lambda: self._subject.value(rest))
-        return Readable(self._kind_of_global(rest, span), lambda: self._engine.global_value(rest))
+            writer = partial(self._subject.last_write, rest)
+            return Readable(self._kind(rest, span), lambda: self._subject.value(rest), writer)
+        kind = self._kind_of_global(rest, span)
+        writer = partial(last_write, self._engine, rest)
+        return Readable(kind, lambda: self._engine.global_value(rest), writer)
 
     def writable(self, path: str, span: Span | None) -> Writable:
         """What a path can be set to. Raises DiagnosticError FB8003."""
         root, rest = _split(path, span)
         if root == "block":
-            return Writable(self._kind(rest, span), self._setter(rest))
+            writer = partial(self._subject.last_write, rest)
+            return Writable(self._kind(rest, span), self._setter(rest), writer)
         engine = self._engine
         kind = self._kind_of_global(rest, span)
-        return Writable(kind, lambda value: engine.set_global(rest, no_bytes(value)))
+        writer = partial(last_write, engine, rest)
+        return Writable(kind, lambda value: engine.set_global(rest, no_bytes(value)), writer)
 
     def _setter(self, path: str) -> Callable[[Found], None]:
         return lambda value: self._subject.set(path, no_bytes(value))

@@ -4,7 +4,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from fbgen.diagnostics import Diagnostic, Note, Severity
+from fbgen.source import Span
 from harness.kernel import NS_PER_S
+from harness.scenario.actions import Write
 from harness.scenario.conditions import Check
 from harness.scenario.kinds import Found
 from harness.scenario.monitors import Monitor, Violation
@@ -16,6 +18,27 @@ class Failures:
 
     def __init__(self, stage: Stage) -> None:
         self._stage = stage
+        self._set: dict[object, tuple[Span | None, object]] = {}
+
+    def was_set(self, write: Write) -> None:
+        """A step has set something: that is the last write until the PLC writes it."""
+        last = write.target.writer() if write.target.writer is not None else None
+        if last is not None:
+            self._set[last.where] = (write.place, last.entry)
+
+    def _last_write(self, check: Check) -> Iterator[Note]:
+        """Who wrote a value last, where that is known."""
+        last = check.source.writer() if check.source.writer is not None else None
+        if last is None:
+            return
+        place, entry = self._set.get(last.where, (None, None))
+        if place is not None and entry is last.entry:
+            yield Note("it was last set here", place)
+        elif last.span is not None:
+            by = f", by {last.instance}" if last.instance else ""
+            yield Note(f"it was last written here{by}", last.span)
+        else:
+            yield Note("the PLC has not written it since it started")
 
     def unmet(self, checks: Sequence[Check], when: str) -> list[Diagnostic]:
         """FB8001 for each path that is not as demanded; what went before stands with the last."""
@@ -26,7 +49,7 @@ class Failures:
             if not check.demand.holds(value):
                 shown = f"{check.path} is {check.show(value)}{when}"
                 message = f"{shown}, expected {check.demand.describe()}"
-                notes = (_instant(now_ns), *_decoded(check, value))
+                notes = (_instant(now_ns), *_decoded(check, value), *self._last_write(check))
                 found.append(Diagnostic("FB8001", message, check.place, notes=notes))
         return self.with_past(found)
 

@@ -11,6 +11,7 @@ from fbgen.workers import in_order
 from harness.results import ScenarioReport, ScenarioResult
 from harness.scenario.case_table import filled_in
 from harness.scenario.cases import ScenarioCase, run_case
+from harness.scenario.explaining import explained
 from harness.scenario.model import Variation
 from harness.scenario.options import RunOptions
 from harness.scenario.seeds import seeds_of
@@ -109,7 +110,8 @@ def _of_file(path: Path, options: RunOptions) -> Sequence[ScenarioCase | Scenari
 def _run(options: RunOptions, item: ScenarioCase | ScenarioResult) -> ScenarioResult:
     if isinstance(item, ScenarioResult):
         return item
-    return run_case(item, _shipped_catalog(), observers=options.observers)
+    catalog = _shipped_catalog()
+    return explained(item, run_case(item, catalog, observers=options.observers), catalog)
 
 
 @cache

@@ -11,7 +11,9 @@ drive.NAME.ITEM     a drive, `drive.pump.frequency`, `drive.pump.comno.FE03`
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from types import MappingProxyType
+from typing import TypeAlias
 
 from fbgen.catalog import Catalog
 from fbgen.diagnostics import DiagnosticError, error
@@ -19,6 +21,7 @@ from fbgen.nearest import nearest
 from fbgen.plant import with_prefix
 from fbgen.source import Span
 from harness.drives import Inverter
+from harness.engine.compiled.last_writes import LastWrite, last_write
 from harness.fieldbus import MasterMode
 from harness.gateways.tospbdp001 import Light, Tospbdp001
 from harness.installation import Installation
@@ -40,20 +43,32 @@ from harness.scenario.plc_variables import variable_kind
 ROOTS = ("plc", "cpu", "bus", "gateway", "drive")
 
 
+Writer: TypeAlias = Callable[[], LastWrite | None]
+"""Gives the last write of a variable; None where nobody takes notes."""
+
+
 @dataclass(frozen=True, slots=True)
 class Readable:
-    """What a path gives: `get` the value now, `kind` what sort of value."""
+    """What a path gives: `get` the value now, `kind` what sort of value.
+
+    `writer` tells which line of the PLC wrote it last; None for what no PLC writes.
+    """
 
     kind: ValueKind
     get: Callable[[], Found]
+    writer: Writer | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Writable:
-    """What a path can be set to. `set` may raise DiagnosticError for a device that refuses."""
+    """What a path can be set to. `set` may raise DiagnosticError for a device that refuses.
+
+    `writer` is as that of `Readable`.
+    """
 
     kind: ValueKind
     set: Callable[[Found], None]
+    writer: Writer | None = None
 
 
 _DRIVE: Mapping[str, tuple[ValueKind, Callable[[Inverter], Found]]] = MappingProxyType(
@@ -103,7 +118,9 @@ class Paths:
         if root == "plc":
             variable = with_prefix(rest, plant.plan.prefix)
             kind = self._variable(variable, span)
-            return Readable(kind, lambda: plant.cpu.engine.global_value(variable))
+            engine = plant.cpu.engine
+            writer = partial(last_write, engine, variable)
+            return Readable(kind, lambda: engine.global_value(variable), writer)
         if root == "cpu":
             _one_of(rest, ("mode", "scans"), "property of the CPU", span)
             if rest == "scans":
@@ -128,7 +145,10 @@ class Paths:
             variable = with_prefix(rest, self._plant.plan.prefix)
             kind = self._variable(variable, span)
             engine = self._plant.cpu.engine
-            return Writable(kind, lambda value: engine.set_global(variable, no_bytes(value)))
+            writer = partial(last_write, engine, variable)
+            return Writable(
+                kind, lambda value: engine.set_global(variable, no_bytes(value)), writer
+            )
         name, _, item = rest.partition(".")
         what, _, key = item.partition(".")
         if root != "drive" or what != "comno":

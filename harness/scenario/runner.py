@@ -117,6 +117,7 @@ class ScenarioRun:
         for write in action.writes:
             try:
                 write.target.set(write.value)
+                self._failures.was_set(write)
             except DiagnosticError as wrong:
                 raise DiagnosticError(at(write.place, wrong.diagnostics)) from None
 

@@ -1,10 +1,9 @@
 """What is recorded of the CPU and of its DP master: modes and scans."""
 
 from harness.kernel import Kernel
-from harness.plc import Cpu, CpuMode
+from harness.plc import Cpu
 from harness.trace.log import ChangeLog
 from harness.trace.model import Channel
-from harness.trace.who_wrote import WhoWrote
 
 
 class CpuWatch:
@@ -13,8 +12,7 @@ class CpuWatch:
     A scan counts from the instant at which its program is through.
     """
 
-    def __init__(self, log: ChangeLog, kernel: Kernel, cpu: Cpu, who: WhoWrote | None) -> None:
-        self._who = who
+    def __init__(self, log: ChangeLog, kernel: Kernel, cpu: Cpu) -> None:
         self._log = log
         self._kernel = kernel
         self._cpu = cpu
@@ -22,13 +20,8 @@ class CpuWatch:
         self._mode = log.add(Channel("cpu.mode", "operating mode", "text", "cpu"))
         self._scans = log.add(Channel("cpu.scans", "scans since the start", "integer", "cpu"))
         self._sends = log.add(Channel("bus.mode", "what the master sends", "text", "bus"))
-        cpu.on_mode.append(self._changed)
+        cpu.on_mode.append(lambda _: self.look())
         cpu.master.on_mode.append(self.look)
-        self.look()
-
-    def _changed(self, mode: CpuMode) -> None:
-        if mode is CpuMode.STARTUP and self._who is not None:
-            self._who.forget()
         self.look()
 
     def look(self) -> None:

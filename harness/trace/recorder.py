@@ -54,7 +54,7 @@ class Recorder:
         self._who = who_wrote(plant.cpu, self._places)
         self.marks = Marks(plant.kernel, self._places)
         self._telegrams = plant.record_telegrams()
-        self._cpu = CpuWatch(self._log, plant.kernel, plant.cpu, self._who)
+        self._cpu = CpuWatch(self._log, plant.kernel, plant.cpu)
         self._gateways = {
             entry.name: GatewayWatch(
                 self._log,

@@ -4,12 +4,8 @@ Only an engine with `writers` knows (`harness.engine.compiled.writers_probe`). A
 without a note since its last change was written through a pointer; then nobody is named.
 """
 
-from collections.abc import Iterator
-from typing import Any
-
-from fbgen.lang.checked import LIVING, Block, Program
-from fbgen.lang.types import ArrayType, BlockType, StructType, Type
 from harness.engine.compiled import CompiledEngine
+from harness.engine.compiled.last_writes import instance_name
 from harness.engine.compiled.memory import Location
 from harness.engine.compiled.writers import Entry, Writers
 from harness.engine.interface import Engine
@@ -34,12 +30,7 @@ class WhoWrote:
         self._engine = engine
         self._writers = writers
         self._places = places
-        self._instances: dict[int, str] | None = None
         self._numbers: dict[tuple[int, int], int] = {}
-
-    def forget(self) -> None:
-        """The CPU starts: nobody has written anything."""
-        self._writers.forget()
 
     def variable(self, path: str) -> "VariableWriter | None":
         """Who writes a variable; None for one that is reached by an address."""
@@ -67,20 +58,10 @@ class WhoWrote:
         key = statement, id(instance)
         if key not in self._numbers:
             found = self._writers.statements[statement]
-            place = place_of(found.span, found.block.name, self._name_of(instance))
+            name = instance_name(self._engine, self._writers, instance)
+            place = place_of(found.span, found.block.name, name)
             self._numbers[key] = self._places.number(place)
         return self._numbers[key]
-
-    def _name_of(self, instance: Any) -> str:
-        if instance is None:
-            return ""
-        if self._instances is None:
-            self._instances = {}
-            for path in _instances(self._engine.program):
-                where = self._engine.location(path)
-                if isinstance(where, Location):
-                    self._instances[id(where.read())] = path
-        return self._instances.get(id(instance), "")
 
 
 class VariableWriter:
@@ -106,31 +87,3 @@ class VariableWriter:
     def last(self) -> int | None:
         """The place of the last write, whether it changed the value or not."""
         return self._who.number(self._writers.of(self._owner, self._key))
-
-
-def _instances(program: Program) -> Iterator[str]:
-    """The paths of all instances of the program's own blocks."""
-    for variable in program.globals.values():
-        yield from _below(program, variable.name, variable.type)
-    for block in program.program_instances().values():
-        yield from _inside(program, block.name, block)
-
-
-def _below(program: Program, path: str, kind: Type) -> Iterator[str]:
-    if isinstance(kind, ArrayType):
-        if len(kind.bounds) == 1 and isinstance(kind.element, BlockType | StructType | ArrayType):
-            first, last = kind.bounds[0]
-            for index in range(first, last + 1):
-                yield from _below(program, f"{path}[{index}]", kind.element)
-    elif isinstance(kind, StructType):
-        for field in kind.fields:
-            yield from _below(program, f"{path}.{field.name}", field.type)
-    elif isinstance(kind, BlockType) and isinstance(block := program.block_of(kind.name), Block):
-        yield path
-        yield from _inside(program, path, block)
-
-
-def _inside(program: Program, path: str, block: Block) -> Iterator[str]:
-    for variable in block.variables:
-        if variable.kind in LIVING:
-            yield from _below(program, f"{path}.{variable.name}", variable.type)

@@ -11,6 +11,7 @@ from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import IN_OUTS, Block, Variable, VariableKind
 from fbgen.lang.types import BlockType, Type
 from fbgen.nearest import nearest
+from harness.engine.compiled.last_writes import LastWrite, last_write, last_write_in
 from harness.engine.faults import unknown_name
 from harness.engine.interface import Engine, Value
 from harness.engine.path_types import part_type, type_at
@@ -39,6 +40,10 @@ class Subject(Protocol):
 
     def set(self, path: str, value: Value) -> None:
         """Set a variable for the calls that follow. Raises DiagnosticError."""
+        ...
+
+    def last_write(self, path: str) -> LastWrite | None:
+        """The line that wrote a variable last; None where nobody takes notes."""
         ...
 
 
@@ -81,6 +86,7 @@ class InstanceSubject:
     """A function block with an instance of its own."""
 
     def __init__(self, engine: Engine, block: Block) -> None:
+        self._engine = engine
         self._program = engine.program
         self._instance = engine.instance(block.name)
         self._type = BlockType(block.name)
@@ -101,6 +107,9 @@ class InstanceSubject:
 
     def set(self, path: str, value: Value) -> None:
         self._instance.set(path, value)
+
+    def last_write(self, path: str) -> LastWrite | None:
+        return last_write_in(self._engine, self._instance, path)
 
 
 class FunctionSubject:
@@ -140,6 +149,9 @@ class FunctionSubject:
     def set(self, path: str, value: Value) -> None:
         self._arguments[self._variable(path).name] = value
 
+    def last_write(self, path: str) -> LastWrite | None:
+        return None
+
     def _variable(self, path: str) -> Variable:
         variable = self._variables.get(path.strip().strip('#"').casefold())
         if variable is None:
@@ -172,6 +184,9 @@ class CyclicSubject:
 
     def set(self, path: str, value: Value) -> None:
         self._engine.set_global(self._path(path), value)
+
+    def last_write(self, path: str) -> LastWrite | None:
+        return last_write(self._engine, self._path(path))
 
     def _path(self, path: str) -> str:
         first = str(parse_path(path)[0]).casefold()

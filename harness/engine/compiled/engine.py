@@ -160,10 +160,10 @@ class CompiledEngine:
         self._run_listing("<structures>", write_structures(self._model))
         self._namespace |= self._bytes.unions()
         self._namespace |= self._bytes.blocks()
-        slots = tuple(part.slot for part in record.parts)
-        self._namespace[GLOBALS] = type("Globals", (), {"__slots__": slots})()
+        slots = {"__slots__": tuple(part.slot for part in record.parts)}
+        everything: object = type("Globals", (), slots)()
+        self._namespace[GLOBALS] = everything
         self._run_listing("<globals>", listing)
-        everything: object = self._namespace[GLOBALS]
         return everything
 
     # --- what it is ---------------------------------------------------------------------------
@@ -303,8 +303,7 @@ class CompiledEngine:
         """An array of the size of the value."""
         array = array_of(name, kind, value)
         scope: dict[str, Any] = {}
-        fresh = Initializer(self._model).fresh(array)
-        exec(f"fresh = {fresh}", self._namespace, scope)
+        exec(f"fresh = {Initializer(self._model).fresh(array)}", self._namespace, scope)
         accepted = accept(self._program, name, kind, value)
         self._memory.fill(name, array, scope["fresh"], accepted)
         return OpenArray(scope["fresh"], array.bounds)
@@ -455,14 +454,13 @@ class CompiledEngine:
         return found_at(path, self._memory, self._model, self._globals, self._programs)
 
     def reader(self, paths: Sequence[str]) -> Reader:
-        """What reads these single values, again and again."""
+        """What reads these single values."""
         return written_reader([self.location(path) for path in paths])
 
     def location(self, path: str) -> Location | Callable[[], Value]:
         """Where the data at a path is; what reads it if it has an absolute address."""
-        if located_at(path, self._program, self._located, self._programs) is not None:
-            return partial(self.global_value, path)
-        return self._find(path)
+        located = located_at(path, self._program, self._located, self._programs)
+        return self._find(path) if located is None else partial(self.global_value, path)
 
     def snapshot(self) -> State:
         """All that lives in the program itself: global variables and the variables of PROGRAMs."""
@@ -480,6 +478,8 @@ class CompiledEngine:
         """Initial values everywhere in the program; after a warm start remanent variables stay."""
         self._restore(self._initial, remanent_too=not warm)
         self._start_instances(retains=not warm)
+        if self.writers is not None:
+            self.writers.forget()
 
     def _start_instances(self, *, retains: bool) -> None:
         """FB_init of all instances that the program itself has."""

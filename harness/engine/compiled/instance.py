@@ -52,21 +52,22 @@ class CompiledInstance:
 
     def get(self, path: str) -> Value:
         """The value of a variable or of a part of it; an in-out as the last call left it."""
-        location = self._find(path)
+        location = self.location(path)
         return self._memory.export(location.kind, location.read())
 
     def set(self, path: str, value: Value) -> None:
         """Write a variable or a part of it. Parts of a structure that are not named stay."""
-        self._memory.load(path, self._find(path), value)
+        self._memory.load(path, self.location(path), value)
 
-    def _find(self, path: str) -> Location:
+    def location(self, path: str) -> Location:
+        """Where the data at a path is."""
         return self._memory.find_in(path, self._data, self._record, parse_path(path))
 
     def call_method(
         self, path: str, method: Block, arguments: Mapping[str, Value]
     ) -> FunctionResult:
         """Call a method of the instance, or of the one at a path."""
-        return self._call_on(self._find(path).read() if path else self._data, method, arguments)
+        return self._call_on(self.location(path).read() if path else self._data, method, arguments)
 
     def snapshot(self) -> State:
         """Everything that the next call depends on, without what its in-outs refer to."""

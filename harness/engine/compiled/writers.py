@@ -38,15 +38,17 @@ class Writers:
     """The last writers of one program.
 
     `statements` are those that entries number. `outputs` has the entry of each byte of the outputs
-    by its address, `records` those of the bytes of a module by its LADDR.
+    by its address, `records` those of the bytes of a module by its LADDR. `instances` are the paths
+    of instances by their `id`, once somebody has asked for one.
     """
 
-    __slots__ = ("_numbers", "_tables", "outputs", "records", "statements")
+    __slots__ = ("_numbers", "_tables", "instances", "outputs", "records", "statements")
 
     def __init__(self) -> None:
         self.statements: list[Writing] = []
         self.outputs: dict[int, Entry] = {}
         self.records: dict[int, list[Entry]] = {}
+        self.instances: dict[int, str] = {}
         self._numbers: dict[tuple[int, int, Block], int] = {}
         self._tables: dict[str, dict[Any, Entry]] = {}
 
