@@ -1,5 +1,6 @@
 """The examples for CI servers: each command in them works, in the folder that they speak of."""
 
+import re
 import shlex
 import shutil
 from collections.abc import Iterator
@@ -8,6 +9,8 @@ from pathlib import Path
 import pytest
 import yaml
 
+from fbgen.cli.table import table
+from harness.verify.coverage import HEADINGS, Coverage, rows
 from tests.unit.cli.running import Fbgen
 
 ROOT = Path(__file__).parents[3]
@@ -43,10 +46,16 @@ def read(name: str) -> dict[str, object]:
 @pytest.mark.parametrize(
     ("name", "left"),
     [
-        ("github-actions.yaml", ["reports/report.html", "reports/results.xml"]),
+        (
+            "github-actions.yaml",
+            ["reports/report.html", "reports/results.xml", "reports/coverage/index.html"],
+        ),
         (
             "gitlab-ci.yaml",
-            ["gl-code-quality-report.json", "reports/report.html", "reports/results.xml"],
+            [
+                *("gl-code-quality-report.json", "reports/report.html", "reports/results.xml"),
+                "reports/coverage/cobertura.xml",
+            ],
         ),
     ],
 )
@@ -71,9 +80,27 @@ def test_every_command_succeeds_and_leaves_what_is_kept(
 
 def test_gitlab_keeps_what_the_commands_write() -> None:
     text = (EXAMPLES / "gitlab-ci.yaml").read_text("utf-8")
-    for job, kept in (("blocks", {"codequality"}), ("scenarios", {"codequality", "junit"})):
+    for job, kept in (
+        ("blocks", {"codequality"}),
+        ("scenarios", {"codequality", "junit", "coverage_report"}),
+    ):
         entry = read("gitlab-ci.yaml")[job]
         assert isinstance(entry, dict)
         reports = entry["artifacts"]["reports"]
         assert set(reports) == kept
+        coverage = reports.pop("coverage_report", None)
+        assert coverage in (
+            None,
+            {"coverage_format": "cobertura", "path": "reports/coverage/cobertura.xml"},
+        )
         assert all(text.count(str(file)) >= 1 for file in reports.values())
+
+
+def test_gitlab_finds_the_share_of_statements_in_the_table() -> None:
+    entry = read("gitlab-ci.yaml")["scenarios"]
+    assert isinstance(entry, dict)
+    *_, total = rows(Coverage())
+    line = table(HEADINGS, [total]).splitlines()[-1].replace("    -", "  7 % 1/14", 1)
+    found = re.search(str(entry["coverage"]).strip("/"), line)
+    assert found is not None
+    assert found[1] == "7"
