@@ -16,13 +16,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
-from fbgen.lang import ast
 from fbgen.lang.checked import Program
-from fbgen.lang.checker import check, check_reporting
-from fbgen.lang.containers import XML_SUFFIXES, read_document, read_text
-from fbgen.lang.tag_files import global_file
-from fbgen.lang.tags import ConstantValue, Tag
 from fbgen.source import Source
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.faults import engine_without_probes, unknown_engine
@@ -38,11 +32,11 @@ from harness.engine.organization import ObSettings
 from harness.engine.retentive import restore_retentive, retentive_values
 from harness.engine.running import Running
 from harness.engine.stubs import Stub
-from harness.engine.type_texts import type_written
 from harness.engine.variables import BlockInstance, Globals
 from harness.kernel import NS_PER_MS, NS_PER_S, NS_PER_US, Kernel
 
 if TYPE_CHECKING:
+    from fbgen.lang.tags import ConstantValue, Tag
     from harness.engine.compiled import ProbeMaker
 
 ENGINES = {
@@ -61,8 +55,8 @@ def load_program(
     limits: Limits | None = None,
     db_numbers: Mapping[str, int] = MappingProxyType({}),
     *,
-    constants: Mapping[str, ConstantValue] = MappingProxyType({}),
-    tags: Iterable[str | Path | Source | Tag] = (),
+    constants: "Mapping[str, ConstantValue]" = MappingProxyType({}),
+    tags: "Iterable[str | Path | Source | Tag]" = (),
     stubs: Mapping[str, Stub] = MappingProxyType({}),
     cycle_ms: float = 10,
     obs: ObSettings | None = None,
@@ -96,8 +90,8 @@ def read_program(
     sources: Iterable[str | Path | Source],
     dialect: str = "tia",
     db_numbers: Mapping[str, int] = MappingProxyType({}),
-    constants: Mapping[str, ConstantValue] = MappingProxyType({}),
-    tags: Iterable[str | Path | Source | Tag] = (),
+    constants: "Mapping[str, ConstantValue]" = MappingProxyType({}),
+    tags: "Iterable[str | Path | Source | Tag]" = (),
     *,
     stubbed: Collection[str] = (),
 ) -> Program:
@@ -105,37 +99,9 @@ def read_program(
 
     `stubbed` are the names of blocks that a stub stands for.
     """
-    files: list[ast.File] = []
-    found: list[Diagnostic] = []
-    if isinstance(sources, str | Path | Source):
-        sources = (sources,)
-    for source in sources:
-        try:
-            file, findings = _tree(source, dialect)
-        except DiagnosticError as failure:
-            found.extend(failure.diagnostics)
-        else:
-            files.append(file)
-            found += [one for one in findings if one.severity is Severity.ERROR]
-    try:
-        files.append(global_file(dialect, constants, tags))
-    except DiagnosticError as failure:
-        raise DiagnosticError([*found, *failure.diagnostics]) from None
-    if found:
-        _, more = check_reporting(
-            files, dialect, db_numbers=db_numbers, stubbed=stubbed, unread=found
-        )
-        raise DiagnosticError([*found, *(one for one in more if one.severity is Severity.ERROR)])
-    return check(files, dialect, db_numbers=db_numbers, stubbed=stubbed)
+    from harness.engine import reading  # noqa: PLC0415 - a program from the cache needs no parser
 
-
-def _tree(source: str | Path | Source, dialect: str) -> tuple[ast.File, Sequence[Diagnostic]]:
-    if isinstance(source, Source):
-        is_xml = Path(source.name).suffix.lower() in XML_SUFFIXES
-        document = read_text(source, dialect, is_xml)
-    else:
-        document = read_document(Path(source), dialect)
-    return document.file, document.findings
+    return reading.read_program(sources, dialect, db_numbers, constants, tags, stubbed=stubbed)
 
 
 def engine_name(engine: Engine) -> str:
@@ -238,6 +204,8 @@ class LoadedProgram:
         The type is written as in VAR, with names of the program; `.value` is what a block has made
         of it. Raises FB6020, FB6021 and FB6024.
         """
+        from harness.engine.type_texts import type_written  # noqa: PLC0415 - brings the parser
+
         return self._engine.new_variable(type_written(self._engine.program, type_name), value)
 
     def reference(self, path: str) -> Reference:

@@ -2,14 +2,16 @@
 and checking its text takes longer than simulating a minute of it: so programs are kept."""
 
 from collections import OrderedDict
+from typing import TYPE_CHECKING
 
 from fbgen.catalog import Catalog
-from fbgen.emit.generated import GeneratedFile
-from fbgen.emit.generator import generate
 from fbgen.lang.checked import Program
 from fbgen.plant import Plant
 from fbgen.source import Origin, Source
 from harness.engine.loading import read_program
+
+if TYPE_CHECKING:
+    from fbgen.emit.generated import GeneratedFile
 
 _KEPT = 32
 _programs: OrderedDict[tuple[str, int], tuple[Catalog, Program]] = OrderedDict()
@@ -17,6 +19,8 @@ _programs: OrderedDict[tuple[str, int], tuple[Catalog, Program]] = OrderedDict()
 
 def generated_sources(plan: Plant, catalog: Catalog) -> list[Source]:
     """What fbgen generates for a plant, in the plant's dialect; lines know where they are from."""
+    from fbgen.emit.generator import generate  # noqa: PLC0415 - not for a program that is kept
+
     files = generate(plan, catalog).files
     return [Source(file.name, file.text, _origins(file)) for file in files if file.is_program]
 
@@ -36,7 +40,7 @@ def generated_program(plan: Plant, catalog: Catalog) -> Program:
     return _programs[key][1]
 
 
-def _origins(file: GeneratedFile) -> tuple[tuple[int, Origin | None], ...]:
+def _origins(file: "GeneratedFile") -> tuple[tuple[int, Origin | None], ...]:
     places: list[tuple[int, Origin | None]] = []
     offset = 0
     for line, origins in zip(file.text.splitlines(keepends=True), file.origins, strict=False):

@@ -28,6 +28,12 @@ class VariableKind(Enum):
 IN_OUTS = (VariableKind.IN_OUT, VariableKind.KEPT)
 """Both kinds of in-outs: references to a variable of the caller, and copies of one."""
 
+RECEIVER = "THIS"
+"""The name of the variable through which a method has its instance."""
+
+IN_GLOBALS = ""
+"""The name of what starts the instances among the global variables."""
+
 LIVING = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.KEPT, VariableKind.STATIC)
 """The variables that an instance of a block keeps from call to call."""
 

@@ -30,10 +30,10 @@ from fbgen.lang.checked import (
     VariableKind,
     VariableRef,
 )
+from fbgen.lang.checked.variables import IN_GLOBALS, RECEIVER
 from fbgen.lang.checker.binding import bind_variables, report_missing
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.literals import ERRONEOUS
-from fbgen.lang.checker.objects import RECEIVER
 from fbgen.lang.checker.symbols import Scope
 from fbgen.lang.types import (
     BOOL,
@@ -52,8 +52,6 @@ if TYPE_CHECKING:
     from fbgen.lang.checker.library import Library
 
 FB_INIT = "fb_init"
-IN_GLOBALS = ""
-"""The name of what starts the instances among the global variables."""
 _RETAINS, _COPIES = "binitretains", "bincopycode"
 _OWNERS = (BlockKind.FUNCTION_BLOCK, BlockKind.PROGRAM)
 _NOWHERE = Span(Source("arguments of FB_init", ""), 0, 0)

@@ -12,6 +12,7 @@ from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import LIVING, AnyBlock, Block, StandardBlock, Variable, VariableKind
+from fbgen.lang.checked.variables import RECEIVER
 from fbgen.lang.checker.configured_variables import with_configured_variables
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.enabling import enable_variables
@@ -25,7 +26,7 @@ from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.lone_members import with_their_members
 from fbgen.lang.checker.memory_use import MemoryUse, is_optimized
 from fbgen.lang.checker.namespaces import Namespaces, written_whole
-from fbgen.lang.checker.objects import RECEIVER, Objects, kept_sections
+from fbgen.lang.checker.objects import Objects, kept_sections
 from fbgen.lang.checker.own_names import with_own_names
 from fbgen.lang.checker.rules import Rules
 from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS, standard_block

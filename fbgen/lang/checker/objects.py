@@ -15,6 +15,7 @@ from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Block, BlockMembers, Variable, VariableKind
+from fbgen.lang.checked.variables import RECEIVER
 from fbgen.lang.checker.object_interfaces import ObjectInterfaces
 from fbgen.lang.life_cycle import LIFE_CYCLE
 from fbgen.lang.types import BlockType
@@ -23,7 +24,6 @@ from fbgen.source import Span
 if TYPE_CHECKING:
     from fbgen.lang.checker.library import Library
 
-RECEIVER = "THIS"
 _WITH_MEMBERS = (BlockKind.FUNCTION_BLOCK, BlockKind.PROGRAM)
 """Derived blocks may give them more parameters."""
 _INHERITED = (*(VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.IN_OUT, VariableKind.STATIC),)

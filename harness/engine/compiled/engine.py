@@ -8,8 +8,7 @@ from typing import Any, NoReturn
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import IN_OUTS, AnyBlock, Block, Program, Variable, VariableKind
-from fbgen.lang.checker.instance_starts import IN_GLOBALS
-from fbgen.lang.checker.objects import RECEIVER
+from fbgen.lang.checked.variables import IN_GLOBALS, RECEIVER
 from fbgen.lang.types import BlockType, OpenArrayType, ReferenceType, StructType, Type
 from harness.engine.compiled.areas import read_located, write_located
 from harness.engine.compiled.blocks import write_block, write_structures

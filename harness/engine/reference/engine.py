@@ -16,8 +16,7 @@ from fbgen.lang.checked import (
     Variable,
     VariableKind,
 )
-from fbgen.lang.checker.instance_starts import IN_GLOBALS
-from fbgen.lang.checker.objects import RECEIVER
+from fbgen.lang.checked.variables import IN_GLOBALS, RECEIVER
 from fbgen.lang.types import ArrayType, BlockType, OpenArrayType, Scalar, Type
 from harness.engine.environment import Environment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block
