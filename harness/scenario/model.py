@@ -27,14 +27,16 @@ from harness.drives import Load, LoadShape
 from harness.durations import DurationNs, PositiveDurationNs
 from harness.installation import DriveConditions
 from harness.kernel import NS_PER_MS
+from harness.rules import RULES
 from harness.scenario.expectations import Conditions
-from harness.scenario.fault_schema import FAULT_NAME, with_places_and_settings
+from harness.scenario.fault_model import FaultName, ScenarioFault
+from harness.scenario.fault_schema import with_places_and_settings
 from harness.scenario.property_model import Property
 from harness.scenario.scalars import ScalarValue
 from harness.scenario.seeds import Seeds
 
-FaultName = Annotated[Text, WithJsonSchema(FAULT_NAME)]
-"""A fault of `harness.faults`; whether there is one is checked with the plant at hand."""
+RuleName = Annotated[Text, WithJsonSchema({"enum": ["all", *sorted(RULES)]})]
+"""A rule of the plant; which ones there are is checked with the plant at hand."""
 
 
 class SetStep(Located):
@@ -287,12 +289,19 @@ class Scenario(Located):
     properties: tuple[Property, ...] = Field(
         default=(), description="What must hold during the whole run"
     )
+    faults: tuple[ScenarioFault, ...] = Field(
+        default=(), description="Faults that come by the clock, beside those of the steps"
+    )
+    rules: tuple[RuleName, ...] = Field(
+        default=(), description="Rules of the plant that hold in every scan; all: every one of them"
+    )
     steps: tuple[Step, ...] = Field(min_length=1, description="What is done and expected")
 
     def problems(self) -> Iterable[Diagnostic]:
         """FB8008: nothing is checked. FB8018: what is said of the plant or block does not fit."""
         checks = (ExpectStep, TelegramsStep, SequenceStep)
-        if not self.properties and not any(isinstance(step, checks) for step in self.steps):
+        watched = self.properties or self.rules
+        if not watched and not any(isinstance(step, checks) for step in self.steps):
             yield Diagnostic(
                 "FB8008",
                 "the scenario checks nothing, so it can not fail",

@@ -4,9 +4,10 @@ Expectations are looked at every virtual millisecond while they wait. The first 
 fulfilled ends the scenario, and so does the first property that is violated.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError
+from harness.faults.schedule import FaultEvent, arm
 from harness.installation import Installation
 from harness.kernel import NS_PER_MS
 from harness.scenario.actions import (
@@ -19,6 +20,7 @@ from harness.scenario.actions import (
     WaitAction,
     WaitUntilAction,
 )
+from harness.scenario.clockwork import clockwork
 from harness.scenario.conditions import Check, all_hold
 from harness.scenario.events import StepEvent, StepMoment
 from harness.scenario.failures import Failures
@@ -37,7 +39,7 @@ class ScenarioRun:
     """One scenario on its stage. `checks` counts what was demanded and held.
 
     The functions in `on_step` are told when a step begins, is done, or has failed. `warnings` are
-    there when the run has ended well.
+    there when the run has ended well. `faults` are those that come by the clock, in their order.
     """
 
     def __init__(self, scenario: Scenario, stage: Stage) -> None:
@@ -50,6 +52,8 @@ class ScenarioRun:
         self._steps = prepared.steps
         self._failures = Failures(stage)
         self._watch = Watch(prepared.monitors, stage, self._failures)
+        self._faults, self._rules = clockwork(scenario, stage)
+        self.faults: Sequence[FaultEvent] = tuple(event for event, _ in self._faults)
         self._watches_the_cpu = any(
             isinstance(step, ExpectStep) and "cpu.mode" in step.expect for step in scenario.steps
         )
@@ -71,12 +75,15 @@ class ScenarioRun:
         Raises DiagnosticError FB8001, FB8006, FB8012, FB8020, or what a device or block refuses.
         """
         self.stage.start()
+        if self.stage.installation is not None:
+            arm(self.stage.installation, self._faults)
         self._watch.begin()
         for prepared in self._steps:
             self._tell(prepared.step, StepMoment.BEGUN)
             try:
                 self._carry_out(prepared.action)
                 self._watch.look_on()
+                self._rules.check()
             except DiagnosticError:
                 self._tell(prepared.step, StepMoment.FAILED)
                 raise

@@ -56,17 +56,20 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.installation": BASE | TEXT | PLANT | {"harness.trace"},
     "harness.durations": {"harness.kernel"},
     "harness.faults": BASE | TEXT | PLANT | {"harness.durations"},
+    "harness.rules": BASE | TEXT | PLANT,
     "harness.sweep": BASE | TEXT | PLANT,
     "harness.trial": BASE | {"fbgen.lang", "harness.engine", "harness.kernel"},
     "harness.results": BASE,
     "harness.scenario": BASE
     | TEXT
     | PLANT
-    | {"harness.durations", "harness.faults", "harness.results", "harness.trace", "harness.trial"},
+    | {"harness.durations", "harness.faults", "harness.results", "harness.rules"}
+    | {"harness.trace", "harness.trial"},
     "harness.verify": BASE
     | TEXT
     | PLANT
-    | {"fbgen.workers", "harness.results", "harness.scenario", "harness.trace"},
+    | {"fbgen.workers", "harness.durations", "harness.faults"}
+    | {"harness.results", "harness.scenario", "harness.trace"},
     "harness.demo": BASE | TEXT | PLANT | {"harness.scenario", "harness.trace"},
 }
 """Part -> the parts that it may import. A new part gets a line of its own here."""

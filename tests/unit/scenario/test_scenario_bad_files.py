@@ -10,6 +10,8 @@ from harness.scenario import run_case, scenario_cases
 
 BAD = Path(__file__).parents[1] / "bad"
 FILES = [
+    ("FB7520_no_other_drive", 7, 15),
+    ("FB7521_overlaps_itself", 5, 36),
     ("FB8001_not_fulfilled", 6, 14),
     ("FB8002_contradiction", 6, 35),
     ("FB8003_unknown_path", 5, 14),
@@ -29,6 +31,8 @@ FILES = [
     ("FB8019_no_block", 4, 8),
     ("FB8020_violated", 5, 14),
     ("FB8021_shows_nothing", 5, 5),
+    ("FB8070_rule_broken", 4, 8),
+    ("FB8071_unknown_rule", 4, 8),
 ]
 
 
@@ -44,4 +48,6 @@ def test_a_broken_scenario_is_reported_at_its_place(name: str, line: int, column
 
 
 def test_every_broken_file_is_tried() -> None:
-    assert {path.stem for path in BAD.glob("FB8*.yaml")} == {name for name, _, _ in FILES}
+    assert {path.stem for code in ("FB752", "FB8") for path in BAD.glob(f"{code}*.yaml")} == {
+        name for name, _, _ in FILES
+    }

@@ -1,0 +1,14 @@
+"""Rules of a plant that hold whatever goes wrong around it, one file each, with their `RULE`."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from harness.rules import cpu_runs, lost_is_told, no_command_unasked, telegrams_spaced
+from harness.rules.rule import Rule, Watch
+
+__all__ = ["RULES", "Rule", "Watch"]
+
+_MODULES = (cpu_runs, lost_is_told, no_command_unasked, telegrams_spaced)
+
+RULES: Mapping[str, Rule] = MappingProxyType({item.RULE.name: item.RULE for item in _MODULES})
+"""By the name that scenarios use."""

@@ -1,0 +1,27 @@
+"""The variables of the drives in TOS_Plant, for rules."""
+
+from collections.abc import Callable, Sequence
+
+from fbgen.plant import with_prefix
+from harness.engine.interface import Value
+from harness.installation import Installation
+
+ReadDrives = Callable[[], "list[tuple[str, Sequence[Value]]]"]
+"""The values of each drive, with its name."""
+
+
+def drive_reader(plant: Installation, variables: Sequence[str]) -> ReadDrives:
+    """What reads these variables, such as `polled.lost`, of all drives at once; fast."""
+    data = with_prefix("TOS_Plant", plant.plan.prefix)
+    names, paths = [], []
+    for gateway in plant.plan.gateways:
+        for drive in gateway.drives:
+            names.append(drive.name)
+            paths += [f"{data}.{gateway.name}.{drive.name}.{name}" for name in variables]
+    read, count = plant.cpu.engine.reader(paths), len(variables)
+
+    def values() -> list[tuple[str, Sequence[Value]]]:
+        all_values = tuple(read())
+        return [(name, all_values[at * count : (at + 1) * count]) for at, name in enumerate(names)]
+
+    return values

@@ -1,0 +1,26 @@
+"""A drive that has tripped or whose answer is missing is never shown as running or ready."""
+
+from collections.abc import Iterator
+
+from harness.installation import Installation
+from harness.rules.drive_variables import drive_reader
+from harness.rules.rule import Rule, Watch
+
+_VARIABLES = ("polled.lost", "polled.tripped", "state.running", "state.ready")
+
+
+def _watch(plant: Installation) -> Watch:
+    read = drive_reader(plant, _VARIABLES)
+
+    def broken() -> Iterator[str]:
+        for name, (lost, tripped, running, ready) in read():
+            if (lost or tripped) and (running or ready):
+                shown = "running" if running else "ready"
+                yield f"{name} is shown as {shown}, and it is {'lost' if lost else 'tripped'}"
+
+    return broken
+
+
+RULE = Rule(
+    "lost_is_told", "A drive that is lost or tripped is not shown as running or ready", _watch
+)

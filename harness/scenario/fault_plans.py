@@ -1,0 +1,58 @@
+"""From the `faults` of a scenario to a list of events, each with the fault that then comes."""
+
+from collections.abc import Sequence
+from random import Random
+
+from fbgen.diagnostics import Diagnostic, DiagnosticError
+from harness.faults import FAULTS, Fault
+from harness.faults.schedule import FaultEvent
+from harness.faults.settings import fault_settings
+from harness.installation import Installation
+from harness.scenario.fault_making import FaultMaking
+from harness.scenario.fault_model import RandomFaults, ScenarioFault
+
+
+def prepare_faults(
+    entries: Sequence[ScenarioFault], plant: Installation
+) -> list[tuple[FaultEvent, Fault]]:
+    """The events of all entries in the order of their instants. What is drawn depends on the seed
+    of the plant and the place of its entry in the list, on nothing else.
+
+    Raises DiagnosticError with everything that the plant does not allow.
+    """
+    found: list[Diagnostic] = []
+    making = FaultMaking(plant, found)
+    armed: list[tuple[FaultEvent, Fault]] = []
+    for number, entry in enumerate(entries):
+        if isinstance(entry, RandomFaults):
+            for name in entry.kinds:
+                making.kind(name, entry.span_of("kinds"))
+            random = Random(f"{plant.kernel.seed} {number}")
+            places = possible_places(plant)
+            armed += [(event, _made(event, plant)) for event in entry.events(random, places)]
+        elif making.fault(entry) is not None:
+            armed += [(event, _made(event, plant)) for event in entry.events()]
+    if found:
+        raise DiagnosticError(found)
+    return sorted(armed, key=lambda item: item[0].at_ns)
+
+
+def possible_places(plant: Installation) -> dict[str, tuple[str, ...]]:
+    """Where each fault can be in this plant, as it is without settings."""
+    places: dict[str, tuple[str, ...]] = {}
+    for name, kind in FAULTS.items():
+        settings = kind.settings()
+        fitting = []
+        for on in kind.target.places(plant) or ("",):
+            try:
+                kind.make(plant, on, settings)
+            except DiagnosticError:
+                continue
+            fitting.append(on)
+        places[name] = tuple(fitting)
+    return places
+
+
+def _made(event: FaultEvent, plant: Installation) -> Fault:
+    kind = FAULTS[event.name]
+    return kind.make(plant, event.on, fault_settings(kind, dict(event.settings), {}))
