@@ -49,7 +49,7 @@ class ScheduledFault(Located):
             missing = "until:" if self.until is None else "every:"
             message = f"a fault that comes again needs every: and until:, here {missing} is missing"
             yield Diagnostic("FB7521", message, self.span, f"write {missing}, or leave out both")
-        if self.every is not None and (self.lasts is None or self.lasts > self.every):
+        elif self.every is not None and (self.lasts is None or self.lasts > self.every):
             yield Diagnostic(
                 "FB7521",
                 "a fault that comes again is over before it does",

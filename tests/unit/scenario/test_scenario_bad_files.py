@@ -11,7 +11,7 @@ from harness.scenario import run_case, scenario_cases
 BAD = Path(__file__).parents[1] / "bad"
 FILES = [
     ("FB7520_no_other_drive", 7, 15),
-    ("FB7521_overlaps_itself", 5, 36),
+    ("FB7521_overlaps_itself", 5, 34),
     ("FB8001_not_fulfilled", 6, 14),
     ("FB8002_contradiction", 6, 35),
     ("FB8003_unknown_path", 5, 14),

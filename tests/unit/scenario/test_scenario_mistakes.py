@@ -141,7 +141,7 @@ def test_an_expectation_that_contradicts_itself_is_a_mistake(tmp_path: Path, exp
 @pytest.mark.parametrize(
     ("lines", "text", "help_text"),
     [
-        (["- inject: line_brocken", "  on: gw1"], "line_brocken", "did you mean 'line_broken'?"),
+        (["- inject: line_brocken", "  on: gw1"], "line_brocken", "did you mean 'line_broken' or"),
         (["- inject: Line", "  on: gw1"], "Line", "'line_broken'"),
         (["- inject: line_broken"], "line_broken", "on: gw1"),
         (["- inject: line_broken", "  on: pump"], "pump", "known: gw1"),
@@ -164,7 +164,7 @@ def test_an_expectation_that_contradicts_itself_is_a_mistake(tmp_path: Path, exp
         ),
         (["- inject: profibus_interrupted", "  settings: {for: 1}"], "1", "it has none"),
         (["- inject: drive_tripped", "  on: pump", "  settings: {display: 5}"], "5", "a text"),
-        (["- clear: line_brocken", "  on: gw1"], "line_brocken", "did you mean 'line_broken'?"),
+        (["- clear: line_brocken", "  on: gw1"], "line_brocken", "did you mean 'line_broken' or"),
         (["- of_sequence: manual_exampl", "  gateway: gw1"], "manual_exampl", "'manual_example'"),
         (["- of_sequence: start_forward", "  gateway: gw1"], "start_forward", "manual_example"),
         (["- of_sequence: manual_example", "  gateway: gw2"], "gw2", "did you mean 'gw1'?"),
