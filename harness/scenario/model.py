@@ -33,6 +33,7 @@ from harness.scenario.fault_model import FaultName, ScenarioFault
 from harness.scenario.fault_schema import with_places_and_settings
 from harness.scenario.property_model import Property
 from harness.scenario.scalars import ScalarValue
+from harness.scenario.schema_places import with_places
 from harness.scenario.seeds import Seeds
 
 RuleName = Annotated[Text, WithJsonSchema({"enum": ["all", *sorted(RULES)]})]
@@ -296,6 +297,11 @@ class Scenario(Located):
         default=(), description="Rules of the plant that hold in every scan; all: every one of them"
     )
     steps: tuple[Step, ...] = Field(min_length=1, description="What is done and expected")
+
+    @classmethod
+    def model_json_schema(cls, *arguments: Any, **settings: Any) -> dict[str, Any]:
+        """As editors take it, with the places of a table of cases."""
+        return with_places(super().model_json_schema(*arguments, **settings))
 
     def problems(self) -> Iterable[Diagnostic]:
         """FB8008: nothing is checked. FB8018: what is said of the plant or block does not fit."""
