@@ -59,6 +59,10 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.rules": BASE | TEXT | PLANT,
     "harness.sweep": BASE | TEXT | PLANT,
     "harness.trial": BASE | {"fbgen.lang", "harness.engine", "harness.kernel"},
+    "harness.pytest_plugin": BASE
+    | TEXT
+    | PLANT
+    | {"harness.faults", "harness.results", "harness.scenario"},
     "harness.results": BASE,
     "harness.scenario": BASE
     | TEXT
