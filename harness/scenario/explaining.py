@@ -14,7 +14,7 @@ from harness.scenario.cases import ScenarioCase, run_case
 from harness.scenario.runner import ScenarioRun
 from harness.trace import Trace
 
-_UNMET = "FB8001"
+_ABOUT_VALUES = ("FB8001", "FB8020")
 
 
 class WriterNotes:
@@ -39,7 +39,7 @@ def explained(case: ScenarioCase, result: ScenarioResult, catalog: Catalog) -> S
         result.passed
         or case.scenario.engine != "compiled"
         or (trace is not None and trace.writers)
-        or all(failure.code != _UNMET for failure in result.failures)
+        or all(failure.code not in _ABOUT_VALUES for failure in result.failures)
     ):
         return result
     again = run_case(case, catalog, result.seed, [WriterNotes])

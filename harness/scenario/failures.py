@@ -57,7 +57,7 @@ class Failures:
         """FB8020: a property of the scenario is violated."""
         notes = [_instant(violation.time_ns)]
         for check, value in violation.seen:
-            notes += _decoded(check, value)
+            notes += [*_decoded(check, value), *self._last_write(check)]
         item = monitor.property
         message = f"{item.name}: {violation.message}" if item.name else violation.message
         return Diagnostic("FB8020", message, violation.seen[0][0].place, notes=tuple(notes))

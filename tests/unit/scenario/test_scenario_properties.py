@@ -5,7 +5,8 @@ from pathlib import Path
 import pytest
 
 from fbgen.diagnostics import Severity
-from tests.unit.scenario.block_scenarios import only_failure, tank
+from harness.scenario import run_paths
+from tests.unit.scenario.block_scenarios import only_failure, tank, tank_file
 from tests.unit.scenario.scenario_files import marked, ran, steps
 
 STEPS = """\
@@ -120,6 +121,16 @@ def test_what_is_violated_while_the_guard_is_open_is_no_violation(tmp_path: Path
     failure = only_failure(tank(tmp_path, properties(line)))
     assert failure.message == "full: block.pump is true, which must never be"
     assert failure.notes[0].message == "at 0.200 s of the plant's time"
+
+
+def test_a_violation_names_the_line_that_wrote_the_value(tmp_path: Path) -> None:
+    path = tank_file(tmp_path, properties("- never: {block.pump: true, block.level: 10}"))
+    failure = only_failure(run_paths([path]).results[0])
+    written, was_set = [note for note in failure.notes if note.span is not None]
+    assert written.span is not None
+    assert written.message == "it was last written here"
+    assert written.span.text.startswith("#pump := #delay.Q")
+    assert was_set.message == "it was last set here"
 
 
 def test_mistakes_in_properties_are_told_before_anything_runs(tmp_path: Path) -> None:
