@@ -13,6 +13,7 @@ from fbgen.diagnostics import DiagnosticError, render
 from harness.pytest_plugin import SEED
 from harness.results import ScenarioResult
 from harness.scenario import RunOptions, ScenarioCase, run_case, scenario_cases
+from harness.scenario.explaining import explained
 
 
 class ScenarioWarning(pytest.PytestWarning):
@@ -55,7 +56,8 @@ class ScenarioItem(pytest.Item):
 
     def runtest(self) -> None:
         """Run it; a failure that is expected is reported as such."""
-        result = run_case(self.case, _shipped_catalog())
+        catalog = _shipped_catalog()
+        result = explained(self.case, run_case(self.case, catalog), catalog)
         for warning in result.warnings:
             self.warn(ScenarioWarning(render(warning)))
         if not result.passed:
