@@ -4,6 +4,7 @@ import re
 from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
+from types import CodeType
 
 from jinja2 import (
     ChoiceLoader,
@@ -14,6 +15,7 @@ from jinja2 import (
     TemplateSyntaxError,
     UndefinedError,
 )
+from jinja2.bccache import Bucket, BytecodeCache
 from jinja2.exceptions import SecurityError
 from jinja2.ext import Extension
 
@@ -46,7 +48,7 @@ class LineMarks(Extension):
             at = start + len(line) - len(content)
             if content and at not in inside and not content.startswith(("{%", "{#")):
                 indent = line[: len(line) - len(content)]
-                lines[number - 1] = f"{indent}{environment.lines.mark(place, number)}{content}"
+                lines[number - 1] = f"{indent}{_LINES.mark(place, number)}{content}"
             start += len(line) + 1
         return "\n".join(lines)
 
@@ -56,8 +58,34 @@ def _places_inside_tags(source: str) -> set[int]:
     return {offset for tag in _TAG.finditer(source) for offset in range(tag.start() + 1, tag.end())}
 
 
+_LINES = TemplateLines()
+"""The lines of all templates that were compiled: their marks stand in what is kept."""
+
+_MOST_TEMPLATES = 1000
+
+
+class _Compiled(BytecodeCache):
+    """Compiled templates of one language, by file and content, however often somebody generates."""
+
+    def __init__(self) -> None:
+        self._kept: dict[tuple[str, str], CodeType | None] = {}
+
+    def load_bytecode(self, bucket: Bucket) -> None:
+        bucket.code = self._kept.get((bucket.key, bucket.checksum))
+
+    def dump_bytecode(self, bucket: Bucket) -> None:
+        if len(self._kept) >= _MOST_TEMPLATES:
+            self._kept.clear()
+        self._kept[bucket.key, bucket.checksum] = bucket.code
+
+
+@lru_cache(maxsize=4)
+def _compiled_in(texts: Texts) -> _Compiled:
+    return _Compiled()
+
+
 class _Templates(TemplateSandbox):
-    """Compiled templates of some folders in one language. `table` is that of the run at hand."""
+    """The templates of some folders in one language, with the table of one run."""
 
     def __init__(self, folders: Sequence[Path], texts: Texts) -> None:
         super().__init__(
@@ -67,11 +95,11 @@ class _Templates(TemplateSandbox):
             lstrip_blocks=True,
             keep_trailing_newline=True,
             finalize=self._finalize,
+            bytecode_cache=_compiled_in(texts),
         )
         self.folders = folders
         self.texts = texts
-        self.lines = TemplateLines()
-        self.table = OriginTable(self.lines)
+        self.table = OriginTable(_LINES)
         self.add_extension(LineMarks)
 
     def place_of(self, template: str) -> str:
@@ -86,12 +114,6 @@ class _Templates(TemplateSandbox):
             return self.table.marked(without_marks(value.text), value.origin)
         text = str(value)
         return text if is_marked(text) else without_marks(text)
-
-
-@lru_cache(maxsize=4)
-def _shipped_templates(texts: Texts) -> _Templates:
-    """The shipped templates: compiled once, however often somebody generates."""
-    return _Templates([shipped("templates")], texts)
 
 
 class TemplateRenderer:
@@ -110,13 +132,12 @@ class TemplateRenderer:
                     f"the template folder {folder} is not there",
                     help="give --templates a folder with blocks/, types/, access/ or data/ in it",
                 )
-        self._environment = _Templates(self._folders, texts) if extra else _shipped_templates(texts)
-        self.table = OriginTable(self._environment.lines)
+        self._environment = _Templates(self._folders, texts)
+        self.table = self._environment.table
 
     def render(self, template: str, context: dict[str, object]) -> str:
         """The template as marked text. Raises DiagnosticError FB5003 or FB5004."""
         self._environment.refill()
-        self._environment.table = self.table
         try:
             return self._environment.get_template(template).render(context)
         except TemplateNotFound as missing:

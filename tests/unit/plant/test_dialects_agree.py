@@ -70,11 +70,20 @@ PAIRS = [
 CATALOG = load_catalog()
 
 
-def transfers(
-    path: Path, changes: dict[str, Any], engine: str = "compiled"
-) -> list[tuple[int, str, bytes, bytes]]:
-    """Every transfer of a scenario on the plant with these changes."""
-    found: list[tuple[int, str, bytes, bytes]] = []
+Run = list[tuple[int, str, bytes, bytes]]
+_RUNS: dict[str, Run] = {}
+
+
+def transfers(path: Path, changes: dict[str, Any], engine: str = "compiled") -> Run:
+    """Every transfer of a scenario on the plant with these changes; each is run once."""
+    key = f"{path} {sorted(changes.items())} {engine}"
+    if key not in _RUNS:
+        _RUNS[key] = _transfers(path, changes, engine)
+    return _RUNS[key]
+
+
+def _transfers(path: Path, changes: dict[str, Any], engine: str) -> Run:
+    found: Run = []
 
     def note(one: Transfer) -> None:
         name = one.station.settings.name
