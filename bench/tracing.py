@@ -12,7 +12,7 @@ from bench.measuring import Figure, measure
 from harness.engine.compiled import ProbeMaker, writers_probe
 from harness.installation import Installation, PlantSetup, plant
 from harness.kernel import NS_PER_S
-from harness.trace import Recorder, trace_text
+from harness.trace import Recorder, Trace, trace_text
 from harness.trace.vcd import vcd_text
 
 _PLANT = Path(__file__).parents[1] / "examples" / "five_drives" / "plant.yaml"
