@@ -41,7 +41,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "fbgen.artefacts": BASE | TEXT,
     "fbgen.docs": BASE | TEXT,
     "fbgen.cli": BASE | TEXT | {"fbgen.artefacts", "fbgen.docs"},
-    "harness": BASE | TEXT | PLANT,
+    "harness": BASE | TEXT | PLANT | {"harness.trace"},
     "harness.kernel": set(),
     "harness.line": BASE | {"fbgen.wire", "harness.kernel"},
     "harness.fieldbus": BASE | {"fbgen.catalog", "fbgen.wire", "harness.kernel"},
