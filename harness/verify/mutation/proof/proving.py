@@ -1,0 +1,144 @@
+"""Is a mutant the same as the block? Yes with a proof, no with a start that tells them apart."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+
+import z3
+
+from fbgen.lang.checked import (
+    Block,
+    FieldRef,
+    FunctionCall,
+    IndexRef,
+    InstanceCall,
+    Place,
+    Program,
+    ReferenceTo,
+    Statement,
+    Variable,
+    VariableKind,
+    VariableRef,
+)
+from fbgen.lang.checked import Constant as ConstantIndex
+from harness.engine.compiled.walk import every_node
+from harness.verify.mutation.proof.memory import Memory, any_values
+from harness.verify.mutation.proof.statements import Execution
+from harness.verify.mutation.proof.terms import UnknownError
+
+EFFORT = 2_000_000
+"""How much the solver may do for one proof: a count of its own, the same on every machine."""
+
+
+class Answer(Enum):
+    """What the solver says."""
+
+    EQUIVALENT = "equivalent"
+    DIFFERENT = "different"
+    UNKNOWN = "unknown"
+
+
+@dataclass(frozen=True, slots=True)
+class Proof:
+    """The answer, and why there is none."""
+
+    answer: Answer
+    why: str = ""
+
+
+def transition(program: Program, block: Block, body: Sequence[Statement]) -> Memory:
+    """What one call makes of any start. Raises UnknownError."""
+    variables = set(block.variables)
+    for node in every_node(body):
+        if isinstance(node, VariableRef) and node.variable.kind is VariableKind.GLOBAL:
+            variables.add(node.variable)
+    execution = Execution(program, Memory.begin(any_values(program, variables)))
+    execution.run(body)
+    return execution.memory
+
+
+def compare(
+    program: Program, block: Block, body: Sequence[Statement], other: Sequence[Statement]
+) -> Proof:
+    """Whether one call of a block with other statements can be told from one with its own."""
+    try:
+        check_places(program, block)
+        first, second = transition(program, block, body), transition(program, block, other)
+    except UnknownError as unknown:
+        return Proof(Answer.UNKNOWN, str(unknown))
+    differ = [first.world != second.world, first.stopped != second.stopped]
+    for key in {*first.values, *second.values}:
+        if key[0].kind is VariableKind.TEMP:
+            continue
+        one, two = first.values.get(key), second.values.get(key)
+        if one is None or two is None:
+            return Proof(Answer.UNKNOWN, f"{key[0].name} is in one of them only")
+        if not one.eq(two):
+            differ.append(one != two)
+    solver = z3.Solver()
+    solver.set("rlimit", EFFORT)
+    solver.add(z3.Or(*differ))
+    found = solver.check()
+    if found == z3.unsat:
+        return Proof(Answer.EQUIVALENT)
+    if found == z3.sat:
+        return Proof(Answer.DIFFERENT)
+    return Proof(Answer.UNKNOWN, "the solver gave up")
+
+
+# --- places that could be one ---------------------------------------------------------------------
+
+
+def check_places(program: Program, block: Block) -> None:
+    """Raises UnknownError if two names of the block may mean one place.
+
+    In-outs are different places if each call hands different ones over, and no global variable that
+    the block could reach besides.
+    """
+    in_outs = {one for one in block.variables if one.kind is VariableKind.IN_OUT}
+    for body in program.bodies.values():
+        for node in every_node(body):
+            if isinstance(node, ReferenceTo):
+                raise UnknownError("references")
+            if not in_outs:
+                continue
+            if (isinstance(node, FunctionCall) and node.function is block) or (
+                isinstance(node, InstanceCall) and node.block is block
+            ):
+                _check_call(program, block, node.in_outs)
+
+
+def _check_call(program: Program, block: Block, in_outs: Sequence[tuple[Variable, Place]]) -> None:
+    ways = [_way(place) for _, place in in_outs]
+    for number, one in enumerate(ways):
+        if any(not _apart(one, other) for other in ways[number + 1 :]):
+            raise UnknownError("two in-outs may be the same variable")
+    used = {
+        node.variable for node in every_node(program.bodies[block]) if isinstance(node, VariableRef)
+    }
+    if any(way[0] in used for way in ways if way):
+        raise UnknownError("an in-out may be a global variable that the block uses")
+
+
+def _way(place: Place) -> list[object]:
+    """The variable, then names and fixed indices; None stands for an index that is worked out."""
+    way: list[object] = []
+    while not isinstance(place, VariableRef):
+        if isinstance(place, FieldRef):
+            way.insert(0, place.name.casefold())
+        elif isinstance(place, IndexRef):
+            fixed = all(isinstance(one, ConstantIndex) for one in place.indices)
+            index = tuple(getattr(one, "value", None) for one in place.indices)
+            way.insert(0, index if fixed else None)
+        else:
+            raise UnknownError("an in-out with an address")
+        place = place.base
+    way.insert(0, place.variable)
+    return way
+
+
+def _apart(one: list[object], other: list[object]) -> bool:
+    for first, second in zip(one, other, strict=False):
+        if first != second and first is not None and second is not None:
+            return True
+    return False
