@@ -73,6 +73,10 @@ def mutate(
     jobs: Annotated[
         int, typer.Option("-j", "--jobs", metavar="N", min=1, help="Processes that work.")
     ] = 1,
+    prove: Annotated[
+        bool,
+        typer.Option("--prove", help="Look for proofs that survivors are equivalent; takes z3."),
+    ] = False,
     log: Annotated[
         Path | None,
         typer.Option("--log", metavar="FILE", help="Go on from there after Ctrl-C."),
@@ -99,11 +103,13 @@ def mutate(
     from harness.verify.mutation.work import stage_of
 
     kinds = _operators(operators)
+    if prove:
+        _need_solver()
     cases = _cases(scenarios or [Path()], every=variations)
     stage = stage_of(cases)
     homes = _homes(stage, plants) if plants else None
     targets = targets_of(stage, block or _blocks_in(mutant or ()), homes)
-    wanted = Wanted(kinds, most, seed, tuple(mutant or ()), jobs, log)
+    wanted = Wanted(kinds, most, seed, tuple(mutant or ()), jobs, prove, log)
     shown = _Shown()
     run = run_mutants(cases, targets, wanted, began=shown.began, finished=shown.finished)
     shown.end()
@@ -119,6 +125,19 @@ def mutate(
     if findings := found.too_low(run, fail_under):
         report(findings)
         raise typer.Exit(FINDINGS)
+
+
+def _need_solver() -> None:
+    from importlib.util import find_spec
+
+    from fbgen.diagnostics import error
+
+    if find_spec("z3") is None:
+        raise error(
+            "FB8067",
+            "proofs need the package z3-solver, which is not there",
+            help="pip install fbgen[proof]",
+        )
 
 
 def _operators(text: str) -> "Collection[Operator]":

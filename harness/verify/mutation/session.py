@@ -23,6 +23,7 @@ from harness.verify.mutation.work import (
     find_effect,
     in_order_of_time,
     look,
+    prove,
     stage_of,
     try_mutant,
 )
@@ -32,7 +33,8 @@ from harness.verify.mutation.work import (
 class Wanted:
     """What a run is asked for.
 
-    `most` limits the mutants, drawn by `seed`; `ids` names single ones. `log` is the file that an
+    `most` limits the mutants, drawn by `seed`; `ids` names single ones. With `prove` a solver looks
+    at what no check has noticed. `log` is the file that an
     ended run goes on from.
     """
 
@@ -41,6 +43,7 @@ class Wanted:
     seed: int = 0
     ids: tuple[str, ...] = ()
     jobs: int = 1
+    prove: bool = False
     log: Path | None = None
 
 
@@ -101,6 +104,8 @@ def run_mutants(
     session = _Session(cases, stage, wanted.jobs, log, verdicts, began, finished)
     try:
         session.work_on(chosen)
+        if wanted.prove:
+            session.prove(chosen)
     except KeyboardInterrupt:
         run.interrupted = True
     run.tried += [
@@ -207,6 +212,17 @@ class _Session:
         ):
             self.finished(verdict.id)
             self._settle(replace(verdict, effect=effect))
+
+    def prove(self, chosen: Sequence[_Chosen]) -> None:
+        """Look for proofs that mutants make no difference to anybody."""
+        open_fates = (Fate.SURVIVED, Fate.UNCHANGED, Fate.UNREACHED)
+        alive = [one for one in chosen if self.verdicts[one.id].fate in open_fates]
+        work = [self._trial(one, (one.target.home,)) for one in alive]
+        self.began("proofs", len(work))
+        for one, why in zip(alive, in_order(prove, work, self.jobs), strict=False):
+            self.finished(one.id)
+            if why:
+                self._settle(Verdict(one.id, Fate.PROVED, why=why))
 
     def _settle(self, verdict: Verdict) -> None:
         self.verdicts[verdict.id] = verdict

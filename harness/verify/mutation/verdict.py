@@ -12,12 +12,11 @@ class Fate(Enum):
     UNCHANGED = "unchanged"
     UNREACHED = "unreached"
     PROVED = "proved"
-    EXCUSED = "excused"
 
     @property
     def is_equivalent(self) -> bool:
-        """True for what cannot be told from the block by anybody, as far as is known."""
-        return self in (Fate.PROVED, Fate.EXCUSED)
+        """True for what nobody can tell from the block."""
+        return self is Fate.PROVED
 
     @property
     def meaning(self) -> str:
@@ -31,7 +30,6 @@ _MEANINGS = {
     Fate.UNCHANGED: "reached, but never with values for which it makes a difference",
     Fate.UNREACHED: "no scenario reaches its statement",
     Fate.PROVED: "equivalent: an SMT solver has proved it",
-    Fate.EXCUSED: "equivalent: somebody has given a reason",
 }
 
 

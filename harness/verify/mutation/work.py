@@ -116,6 +116,19 @@ def find_effect(work: Trial) -> str:
     return ""
 
 
+def prove(work: Trial) -> str:
+    """How a mutant is proved to be the same as the block; "" without a proof."""
+    from harness.verify.mutation.proof.proving import Answer, compare  # noqa: PLC0415 - an extra
+
+    stage = stage_of(work.cases)
+    subject = stage.subject(work.order[0], work.block)
+    assert subject is not None, "the home of a mutant has the block"
+    other = subject.mutants[work.number].body(subject.body)
+    proof = compare(stage.program(work.order[0]), subject.block, subject.body, other)
+    proved = proof.answer is Answer.EQUIVALENT
+    return "no values of its variables tell one call of it from one of the block" if proved else ""
+
+
 def _traced(stage: Stage, case: int, other: OtherBody | None = None) -> Trace | None:
     """What a run leaves; None for a block on its own, which has no plant around it."""
     recorders: list[Recorder] = []

@@ -147,3 +147,23 @@ def test_a_scenario_that_fails_by_itself_is_named(fbgen: Fbgen, tmp_path: Path) 
     assert run.status == 1
     assert "FB8061" in run.err
     assert "fbgen test" in run.err
+
+
+def test_equivalent_mutants_are_proved_and_do_not_count(fbgen: Fbgen, tmp_path: Path) -> None:
+    path = tmp_path / "mutants.json"
+    fbgen(
+        *("mutate", "--scenarios", SCENARIO, "--block", "TOS_Seq_stop", "--operators"),
+        *("relational", "--prove", "--json", str(path)),
+    )
+    found = json.loads(path.read_text(encoding="utf-8"))
+    proved = [one for one in found["mutants"] if one["fate"] == "proved"]
+    assert proved, "a comparison that comes behind another one"
+    assert found["score"]["proved"] == len(proved)
+    counted = found["score"]["mutants"] - len(proved)
+    assert found["score"]["noticed"] == round(100 * found["score"]["killed"] / counted, 2)
+
+
+def test_proofs_need_a_package(fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    run = fbgen(*SMALL, "--prove")
+    assert (run.status, run.err.splitlines()[0][:13]) == (1, "error[FB8067]")

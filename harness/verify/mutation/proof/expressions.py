@@ -1,6 +1,7 @@
 """Expressions and places of a block, read into terms; what they do on the way is noted."""
 
 from collections.abc import Callable
+from typing import TypeAlias
 
 import z3
 
@@ -30,6 +31,10 @@ from harness.verify.mutation.proof.memory import INDEX_BITS, Key, Memory, leaves
 from harness.verify.mutation.proof.terms import Sort, Term, UnknownError, is_single, sort_of
 
 _PLACES = (VariableRef, FieldRef, IndexRef)
+
+
+Part: TypeAlias = tuple[Key, tuple[Term, ...], Term]
+"""One value inside of a place: its key, the indices to it, the value itself."""
 
 
 class Reader:
@@ -131,7 +136,7 @@ class Reader:
             raise UnknownError(f"{key[0].name} is no variable of the block")
         self.put(key, z3.Store(whole, _index(indices), value) if indices else value)
 
-    def parts(self, place: Place) -> list[tuple[Key, tuple[Term, ...], Term]]:
+    def parts(self, place: Place) -> list[Part]:
         """All values at a place: where each is, and the value itself."""
         (variable, names), indices = self.find(place)
         found = []

@@ -1,4 +1,4 @@
-"""The variables of a block as terms: each value of a structure on its own, arrays by their index."""
+"""The variables of a block as terms: each value of a structure apart, arrays by their index."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields

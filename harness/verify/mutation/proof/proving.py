@@ -7,6 +7,7 @@ from enum import Enum
 import z3
 
 from fbgen.lang.checked import (
+    AnyBlock,
     Block,
     FieldRef,
     FunctionCall,
@@ -102,10 +103,12 @@ def check_places(program: Program, block: Block) -> None:
                 raise UnknownError("references")
             if not in_outs:
                 continue
-            if (isinstance(node, FunctionCall) and node.function is block) or (
-                isinstance(node, InstanceCall) and node.block is block
-            ):
+            if isinstance(node, FunctionCall | InstanceCall) and _called(node) is block:
                 _check_call(program, block, node.in_outs)
+
+
+def _called(node: FunctionCall | InstanceCall) -> AnyBlock:
+    return node.function if isinstance(node, FunctionCall) else node.block
 
 
 def _check_call(program: Program, block: Block, in_outs: Sequence[tuple[Variable, Place]]) -> None:

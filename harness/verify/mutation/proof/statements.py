@@ -25,9 +25,10 @@ from fbgen.lang.checked import (
     VariableKind,
     VariableRef,
 )
+from fbgen.lang.types import StringType
 from harness.engine.compiled.walk import every_node, root_of, written_places
 from harness.verify.mutation.proof import terms
-from harness.verify.mutation.proof.expressions import Reader, apply
+from harness.verify.mutation.proof.expressions import Part, Reader, apply
 from harness.verify.mutation.proof.terms import Term, UnknownError, is_single
 
 _MOST_PASSES = 128
@@ -68,6 +69,8 @@ class Execution(Reader):
 
     def _assign(self, statement: Assignment) -> None:
         value = statement.value
+        if isinstance(value.type, StringType) and value.type != statement.target.type:
+            raise UnknownError("a text that may be cut")
         if is_single(value.type):
             self.write(statement.target, self.value(value))
         elif isinstance(value, _PLACES) and isinstance(statement.target, _PLACES):
@@ -160,24 +163,16 @@ class Execution(Reader):
         if isinstance(block, StandardBlock):
             self.happen(name, instance, ())
         else:
-            self._user_block(name, block, instance, in_outs)
+            self._user_block(name, block, [*self.parts(instance), *in_outs])
         for variable, target in statement.outputs:
             place = FieldRef(statement.span, instance, variable.name, variable.type)
             key, indices = self.find(place)
             self.write(target, self._value(key, indices))
 
-    def _user_block(
-        self,
-        name: str,
-        block: Block,
-        instance: VariableRef | FieldRef | IndexRef | object,
-        in_outs: list[tuple[tuple[object, tuple[str, ...]], tuple[Term, ...], Term]],
-    ) -> None:
-        own = self.parts(instance)  # type: ignore[arg-type]
-        places = [*own, *in_outs]
+    def _user_block(self, name: str, block: Block, places: Sequence[Part]) -> None:
         called = self.call(name, block, [value for _, _, value in places])
         for number, (key, indices, value) in enumerate(places):
-            self.write_at(key, indices, apply(f"{name}: part {number}", value.sort(), called))  # type: ignore[arg-type]
+            self.write_at(key, indices, apply(f"{name}: part {number}", value.sort(), called))
 
 
 class _Branches:
