@@ -1,9 +1,10 @@
 """Whether the telegrams of a gateway to different drives lie far enough apart.
 
 The gateway's manual asks for at least the reply time between telegrams to different drives of a
-line, but for S and s, which nobody answers: otherwise two drives may send at once. Source:
-TOSPBDP001 manual v1.1, 9. A broadcast counts as a telegram to drive 00, which answers it; one that
-follows a telegram to a drive is not asked to wait: only the emergency stop is one.
+line, but for S and s, which nobody answers: otherwise two drives may send at once. Nor does anybody
+answer the zeros that go out when the master is in CLEAR. Source: TOSPBDP001 manual v1.1, 9. A
+broadcast counts as a telegram to drive 00, which answers it; one that follows a telegram to a drive
+is not asked to wait: only the emergency stop is one.
 """
 
 from collections.abc import Mapping
@@ -15,7 +16,7 @@ from harness.line.transmission import Transmission
 
 _START = 0x2F
 _SHORTEST = 5
-_UNANSWERED = (Command.S, Command.S_TRIPPED)
+_ANSWERED = (Command.R, Command.G, Command.W, Command.P)
 
 
 class TooClose(NamedTuple):
@@ -45,7 +46,7 @@ class Spacing:
         if transmission.sender is not self._port or len(data) < _SHORTEST or data[0] != _START:
             return
         inv_no, command, start_ns = data[1], data[2], transmission.start_ns
-        if command in _UNANSWERED or not (inv_no == BROADCAST or inv_no in self._reply_ns):
+        if command not in _ANSWERED or not (inv_no == BROADCAST or inv_no in self._reply_ns):
             return
         before, self._before = self._before, 0 if inv_no == BROADCAST else inv_no
         distance_ns, self._start_ns = start_ns - self._start_ns, start_ns

@@ -1,4 +1,7 @@
-"""A drive that has tripped or whose answer is missing is never shown as running or ready."""
+"""A drive that has tripped or whose answer is missing is not shown as running or ready.
+
+For one scan it may be: the poll tells what it has read behind the block of the drive.
+"""
 
 from collections.abc import Iterator
 
@@ -12,9 +15,14 @@ _VARIABLES = ("polled.lost", "polled.tripped", "state.running", "state.ready")
 def _watch(plant: Installation) -> Watch:
     read = drive_reader(plant, _VARIABLES)
 
+    since: dict[str, int] = {}
+
     def broken() -> Iterator[str]:
+        scan = plant.cpu.scans
         for name, (lost, tripped, running, ready) in read():
-            if (lost or tripped) and (running or ready):
+            if not (lost or tripped) or not (running or ready):
+                since.pop(name, None)
+            elif since.setdefault(name, scan) != scan:
                 shown = "running" if running else "ready"
                 yield f"{name} is shown as {shown}, and it is {'lost' if lost else 'tripped'}"
 
