@@ -2,6 +2,8 @@
 
 const RULER_PX = 44;
 const HEADING_PX = 24;
+/** How far left of its instant a flag stands that leaves room for that of a cursor. */
+const ASIDE_PX = 9;
 
 class Diagram {
   constructor(host, trace) {
@@ -297,21 +299,22 @@ class Diagram {
       context.fillRect(Math.round(view.x(at)), RULER_PX - 3, 1, 3);
     }
     this._cursorLines(context, 18, RULER_PX);
-    for (const mark of this.trace.failures()) this._flag(context, mark.end, "failed", colours.red, 1.2);
+    for (const mark of this.trace.failures()) this._flag(context, mark.end, "failed", colours.red, ASIDE_PX);
     for (const name of ["B", "A"]) {
       if (this.cursors[name] !== null) {
-        this._flag(context, this.cursors[name], name, colours[`cursor-${name.toLowerCase()}`], 0.5);
+        this._flag(context, this.cursors[name], name, colours[`cursor-${name.toLowerCase()}`], 0);
       }
     }
   }
 
-  /** A text on the ruler; `share` of it stands left of its instant. */
-  _flag(context, time, text, colour, share) {
+  /** A text on the ruler over its instant, or so far left of it. */
+  _flag(context, time, text, colour, aside) {
     const x = this.view.x(time);
     if (x < 0 || x > this.view.width) return;
     context.font = SMALL;
     const width = text.length * 6 + 8;
-    const left = clamp(x - width * share, 0, this.view.width - width * Math.min(1, share * 1.2));
+    const middle = clamp(x - width / 2, 0, this.view.width - width);
+    const left = aside ? Math.max(0, Math.min(x, this.view.width - aside) - width - aside) : middle;
     context.fillStyle = colour;
     context.beginPath();
     context.roundRect(left, 3, width, 15, 3);

@@ -120,12 +120,12 @@ class Word {
     });
   }
 
-  /** The fields that are not 0, by name. */
+  /** The fields that are not 0, by name; of single bits the name says enough. */
   describe(value) {
     const set = this.decode(value, null).filter((item) => item.value !== 0n);
     const named = set.map(({ field, value: found, meaning }) => {
-      if (meaning) return `${field.name} (${meaning})`;
-      return field.low === field.high ? field.name : `${field.name}=${found}`;
+      if (field.low === field.high) return field.name;
+      return meaning ? `${field.name} (${meaning})` : `${field.name}=${found}`;
     });
     return named.join(", ") || "no bit is set";
   }
