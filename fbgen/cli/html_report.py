@@ -1,6 +1,6 @@
 """`fbgen test --html FILE`: the results with timing diagrams, as one page for a browser."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeAlias
@@ -9,6 +9,7 @@ import typer
 
 if TYPE_CHECKING:
     from fbgen.diagnostics import Diagnostic
+    from harness.report.page import Table
     from harness.results import ScenarioReport
     from harness.scenario import ObserverMaker
 
@@ -41,7 +42,26 @@ class HtmlWriter:
         from fbgen.cli.report_files import write_report
         from harness.report.page import html_report
 
-        return write_report(self.path, html_report(report, self.asked))
+        return write_report(self.path, html_report(report, self.asked, list(_coverage(report))))
+
+
+def _coverage(report: "ScenarioReport") -> "Iterator[Table]":
+    """The tables of `--coverage`, if it was asked for too."""
+    from harness.report.page import Table
+    from harness.verify.coverage import (
+        CATALOGUE_HEADINGS,
+        HEADINGS,
+        Coverage,
+        catalogue_rows,
+        rows,
+    )
+    from harness.verify.coverage.observing import coverage_of
+
+    if any(result.observed(Coverage) is not None for result in report.results):
+        coverage = coverage_of(report)
+        yield Table("Coverage", HEADINGS, rows(coverage))
+        if exercised := catalogue_rows(coverage):
+            yield Table("Coverage of the catalogue", CATALOGUE_HEADINGS, exercised)
 
 
 def asked_for(seed: int | None, select: str, dialect: str | None) -> tuple[str, ...]:

@@ -89,3 +89,17 @@ def test_the_html_report_has_a_diagram_of_each_run_and_says_what_was_asked(
     page = (folder / "out" / "report.html").read_text("utf-8")
     assert page.count('<div class="diagram" data-trace=') == 2
     assert "seed 7 for all" in page
+
+
+def test_the_html_report_has_the_tables_of_coverage_where_it_is_asked_for(
+    fbgen: Fbgen, folder: Path
+) -> None:
+    arguments = ("test", "stands.scenario.yaml", "-k", "not s7-300", "--html", "report.html")
+    assert fbgen(*arguments).status == 0
+    assert "all blocks" not in (folder / "report.html").read_text("utf-8")
+    run = fbgen(*arguments, "--coverage", "table")
+    assert run.status == 0
+    page = (folder / "report.html").read_text("utf-8")
+    assert "<summary>Coverage</summary>" in page
+    assert "<td>TOS_Line</td>" in page
+    assert "Coverage of the catalogue" in page
