@@ -6,6 +6,7 @@ import typer
 
 from fbgen import __version__
 from fbgen.cli import (
+    campaign,
     catalog,
     check,
     convert,
@@ -72,6 +73,7 @@ for _module in (
     test,
     coverage,
     mutate,
+    campaign,
     decode,
     encode,
     explain,

@@ -125,12 +125,11 @@ def _asked(random: Random, base: str, drive: PlantDrive) -> Entry:
 
 def _recovery(plan: Plant) -> list[Entry]:
     """Nothing is asked for, drives are reset, twice: a reset may be lost. Then all must be well."""
-    bases = [
-        f"TOS_Plant.{gateway.name}.{drive.name}"
+    controls = [
+        f"plc.TOS_Plant.{gateway.name}.{drive.name}.control"
         for gateway in plan.gateways
         for drive in gateway.drives
     ]
-    controls = [f"plc.{base}.control" for base in bases]
     steps: list[Entry] = [
         {"set": {f"{control}.run": False for control in controls}},
         {"set": {f"{control}.enable": True for control in controls}},
@@ -144,12 +143,13 @@ def _recovery(plan: Plant) -> list[Entry]:
             {"wait": "4 s"},
         ]
     well: Entry = {}
-    for base in bases:
-        well[f"plc.{base}.polled.valid"] = True
-        well[f"plc.{base}.polled.lost"] = False
-        well[f"plc.{base}.state.tripped"] = False
-        well[f"plc.{base}.state.running"] = False
-        well[f"drive.{base.rpartition('.')[2]}.running"] = False
+    for gateway in plan.gateways:
+        for drive in gateway.drives:
+            base = f"plc.TOS_Plant.{gateway.name}.{drive.name}"
+            if gateway.status_poll:
+                well |= {f"{base}.polled.valid": True, f"{base}.polled.lost": False}
+            well |= {f"{base}.state.tripped": False, f"{base}.state.running": False}
+            well[f"drive.{drive.name}.running"] = False
     for gateway in plan.gateways:
         well[f"plc.TOS_Plant.{gateway.name}.line.online"] = True
     return [*steps, {"expect": well, "within": "10 s"}]
