@@ -17,7 +17,7 @@ from harness.verify.campaign.log import Log, read_log
 from harness.verify.campaign.trials import CampaignSettings, Chunk, Failure, try_seeds
 
 LARGEST_CHUNK = 20
-"""A seed takes some tenths of a second, so a chunk takes some seconds: enough to pay for its way."""
+"""A seed takes some tenths of a second, so a chunk some seconds: that pays for its way."""
 _CHUNKS_PER_WORKER = 8
 _WAITING_PER_WORKER = 2
 
