@@ -106,11 +106,18 @@ def test_every_situation_of_the_reference_has_its_scenario() -> None:
     assert named - {path.name.partition(".")[0] for path in FILES} == set()
 
 
+FIRST = {tag: path for path in reversed(FILES) for tag in tagged(path)}
 SHOWN = [
-    pytest.param(path, tag, id=f"{path.name.partition('.')[0]}-{tag}")
+    pytest.param(
+        path,
+        tag,
+        id=f"{path.name.partition('.')[0]}-{tag}",
+        marks=() if FIRST[tag] == path else pytest.mark.slow,
+    )
     for path in FILES
     for tag in tagged(path)
 ]
+"""Each block with its first scenario; the others are slow."""
 
 
 @pytest.mark.parametrize(("path", "tag"), SHOWN)
