@@ -40,9 +40,14 @@ Part: TypeAlias = tuple[Key, tuple[Term, ...], Term]
 class Reader:
     """Reads and writes places, and evaluates expressions, in one memory after the other."""
 
-    def __init__(self, program: Program, memory: Memory) -> None:
+    def __init__(self, program: Program, memory: Memory, *, exact: bool) -> None:
+        """Without `exact` a calculation with REAL is only known to give the same for the same.
+
+        That is enough for most proofs, and the solver is much faster with it.
+        """
         self.program = program
         self.memory = memory
+        self._exact = exact
 
     # --- effects ----------------------------------------------------------------------------
 
@@ -221,12 +226,7 @@ class Reader:
             case Binary():
                 return self._binary(node)
             case Convert():
-                operand = self.value(node.operand)
-                value, fits_not = terms.convert(
-                    operand, node.operand.type, node.type, node.rounding
-                )
-                self.stop(fits_not)
-                return value
+                return self._convert(node)
             case StandardCall():
                 return self._standard(node)
             case FunctionCall():
@@ -255,7 +255,20 @@ class Reader:
             return terms.divide(operator, left, right, kind)
         if not z3.is_bv(left) and not terms.is_real(kind):
             raise UnknownError(f"{operator} on {kind}")
+        if terms.is_real(kind) and not self._exact:
+            return apply(f"REAL {operator}", left.sort(), left, right)
         return terms.calculate(operator, left, right, kind)
+
+    def _convert(self, node: Convert) -> Term:
+        source, target = node.operand.type, node.type
+        operand = self.value(node.operand)
+        value, fits_not = terms.convert(operand, source, target, node.rounding)
+        if not self._exact and (terms.is_real(source) or terms.is_real(target)):
+            name = f"{source} to {target}, {node.rounding}"
+            value = apply(name, value.sort(), operand)
+            fits_not = apply(f"{name}: does not fit", z3.BoolSort(), operand)
+        self.stop(fits_not)
+        return value
 
     def _short(self, node: Binary) -> Term:
         """The right side is evaluated only where the left one does not decide."""
