@@ -16,9 +16,8 @@ from fbgen.catalog import Catalog, load_catalog
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Block, Program
 from fbgen.plant import Plant, changed, load_plant
-from harness.installation import building
 from harness.installation.programs import generated_program
-from harness.scenario import ScenarioCase, find_scenarios, run_case, scenario_cases
+from harness.scenario import ScenarioCase, find_scenarios, run_case, scenario_cases, staging
 
 ROOT = Path(__file__).parents[1]
 FILES = find_scenarios([ROOT / "tests" / "scenarios", ROOT / "examples"])
@@ -134,7 +133,7 @@ def test_a_scenario_fails_without_what_its_block_does(
         emptied.append(block.name)
         return replace(program, bodies={**program.bodies, block: ()})
 
-    monkeypatch.setattr(building, "generated_program", without)
+    monkeypatch.setattr(staging, "generated_program", without)
     results = (run_case(case, CATALOG) for case in scenario_cases(path))
     failure = next((result for result in results if not result.passed), None)
     assert emptied, f"no plant of this scenario has a block {tag}"
