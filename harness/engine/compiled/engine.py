@@ -56,11 +56,12 @@ _GIVEN = (VariableKind.INPUT, *IN_OUTS)
 
 
 class CompiledEngine:
-    """One program on one controller. `probe` looks on while it runs; `writers`: who wrote what."""
+    """One program on one controller. `probe` looks on while it runs; `writers`: who wrote what;
+    `programs`: its PROGRAMs by the names of their instances, with what each keeps."""
 
     __slots__ = (
         *("_bytes", "_cpu", "_environment", "_facts", "_globals", "_initial", "_listings", "_own"),
-        *("_located", "_makers", "_memory", "_model", "_namespace", "_program", "_programs"),
+        *("_located", "_makers", "_memory", "_model", "_namespace", "_program", "programs"),
         *("_records", "_routines", "_runs", "_stopper", "writers"),
     )
 
@@ -112,8 +113,8 @@ class CompiledEngine:
         }
         self._load(probe)
         self._globals = self._make_globals()
-        self._programs = dict(programs(self._model, self._namespace))
-        self._own = [key for key in self._programs if program.program_variable(key) is None]
+        self.programs = dict(programs(self._model, self._namespace))
+        self._own = [key for key in self.programs if program.program_variable(key) is None]
         self._runs: dict[str, Callable[[], Any]] = {}
         self._makers: dict[str, Callable[..., Any]] = {}
         self._records = {
@@ -398,7 +399,7 @@ class CompiledEngine:
         cpu.passes, cpu.depth = before
 
     def _make_run(self, name: str) -> Callable[[], Any]:
-        program = self._programs.get(name.casefold())
+        program = self.programs.get(name.casefold())
         if program is not None:
             run: Callable[[], Any] = program[1]._run
         elif (block := self._block(name)).kind is BlockKind.FUNCTION_BLOCK:
@@ -423,7 +424,7 @@ class CompiledEngine:
 
     def global_value(self, path: str) -> Value:
         """Read `DB.member[3]`, a global variable, or a variable of a PROGRAM as `Main.counter`."""
-        located = located_at(path, self._program, self._located, self._programs)
+        located = located_at(path, self._program, self._located, self.programs)
         if located is not None:
             assert located.address is not None
             return read_located(self._environment, located.address, located.type)
@@ -432,7 +433,7 @@ class CompiledEngine:
 
     def set_global(self, path: str, value: Value) -> None:
         """Write what `global_value` reads."""
-        located = located_at(path, self._program, self._located, self._programs)
+        located = located_at(path, self._program, self._located, self.programs)
         if located is not None:
             assert located.address is not None
             accepted = accept_scalar(path, located.type, value)
@@ -442,7 +443,7 @@ class CompiledEngine:
 
     def reference(self, path: str) -> Reference:
         """What `global_value` reads, to be handed over itself."""
-        located = located_at(path, self._program, self._located, self._programs)
+        located = located_at(path, self._program, self._located, self.programs)
         return reference_to(self, path, self._find(path) if located is None else located.type)
 
     def new_variable(self, kind: Type, value: Value | None) -> Reference:
@@ -450,7 +451,7 @@ class CompiledEngine:
         return new_variable(self._memory, self._bytes, kind, value)
 
     def _find(self, path: str) -> Location:
-        return found_at(path, self._memory, self._model, self._globals, self._programs)
+        return found_at(path, self._memory, self._model, self._globals, self.programs)
 
     def reader(self, paths: Sequence[str]) -> Reader:
         """What reads these single values."""
@@ -458,14 +459,14 @@ class CompiledEngine:
 
     def location(self, path: str) -> Location | Callable[[], Value]:
         """Where the data at a path is; what reads it if it has an absolute address."""
-        located = located_at(path, self._program, self._located, self._programs)
+        located = located_at(path, self._program, self._located, self.programs)
         return self._find(path) if located is None else partial(self.global_value, path)
 
     def snapshot(self) -> State:
         """All that lives in the program itself: global variables and the variables of PROGRAMs."""
         return (
             self._memory.snapshot(self._model.global_record, self._globals),
-            *(self._memory.snapshot(*self._programs[key]) for key in self._own),
+            *(self._memory.snapshot(*self.programs[key]) for key in self._own),
             self._routines.counters.snapshot(),
         )
 
@@ -483,7 +484,7 @@ class CompiledEngine:
     def _start_instances(self, *, retains: bool) -> None:
         """FB_init of all instances that the program itself has."""
         self._start_inside(IN_GLOBALS, None, retains=retains)
-        for record, data in self._programs.values():
+        for record, data in self.programs.values():
             assert record.block is not None
             self._start_inside(record.block.name, data, retains=retains)
 
@@ -493,7 +494,7 @@ class CompiledEngine:
         self._routines.counters.restore(counters)
         records = [
             (self._model.global_record, self._globals),
-            *(self._programs[key] for key in self._own),
+            *(self.programs[key] for key in self._own),
         ]
         for (record, data), content in zip(records, contents, strict=True):
             self._memory.restore(record, data, content, remanent_too=remanent_too)

@@ -60,6 +60,8 @@ def instance_name(engine: CompiledEngine, writers: Writers, instance: Any) -> st
     if instance is None:
         return ""
     if not writers.instances:
+        for name, (_, data) in engine.programs.items():
+            writers.instances[id(data)] = name
         for path in _instances(engine.program):
             where = engine.location(path)
             if isinstance(where, Location):
@@ -68,12 +70,10 @@ def instance_name(engine: CompiledEngine, writers: Writers, instance: Any) -> st
 
 
 def _instances(program: Program) -> Iterator[str]:
-    """The paths of all instances of the program's own blocks."""
+    """The paths of all instances of the program's own function blocks."""
     for variable in program.globals.values():
         yield from _below(program, variable.name, variable.type)
     for key, block in program.program_instances().items():
-        if program.program_variable(key) is None:
-            yield key
         yield from _inside(program, key, block)
 
 

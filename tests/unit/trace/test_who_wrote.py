@@ -7,13 +7,15 @@ from pathlib import Path
 
 import pytest
 
+from fbgen.plant import changed, load_plant
 from fbgen.source import Source, Span
 from harness.engine.compiled import writers_probe
-from harness.installation import Installation
+from harness.installation import Installation, PlantSetup, build_plant
 from harness.kernel import NS_PER_MS, NS_PER_S
 from harness.plc import Restart
 from harness.trace import Place, Recorder, Trace, trace_text
-from tests.unit.trace.recorded import START, one_drive, started, traced
+from tests.unit.scenario.scenario_files import PLANT
+from tests.unit.trace.recorded import CATALOG, START, one_drive, started, traced
 
 ROOT = Path(__file__).parents[3]
 
@@ -164,3 +166,21 @@ def test_the_trace_is_the_same_with_another_hash_seed() -> None:
         for seed in ("1", "2")
     ]
     assert texts[0] == texts[1] == trace_text([TRACE])
+
+
+@pytest.mark.parametrize(
+    ("dialect", "plc"), [("iec", "iec"), ("twincat", "twincat"), ("step7", "s7-400")]
+)
+def test_the_instance_is_named_in_every_dialect(dialect: str, plc: str) -> None:
+    plan = load_plant(PLANT, CATALOG)
+    gateway = plan.gateways[0].model_copy(update={"access": "process_image"})
+    plan = changed(plan, CATALOG, dialect=dialect, plc=plc, gateways=(gateway,))
+    plant = build_plant(plan, CATALOG, PlantSetup(probes=[writers_probe]))
+    recorder = plant.record()
+    started(plant, recorder)
+    _, *places = writers(recorder.finish(), f"plc.{START}.busy")
+    assert places
+    for place in places:
+        assert place is not None
+        assert place.block in {"TOS_Sequences", "TOS_Gateway_gw1"}
+        assert "gw1" in place.instance.casefold()
