@@ -5,8 +5,9 @@ from typing import Any
 import pytest
 
 from harness import LoadedProgram
+from harness.engine.loading import ENGINES
 from harness.engine.variables import plain
-from tests.unit.blocks.programs import block
+from tests.unit.blocks.programs import ALL_SEQUENCES, block, loaded
 
 RUN = {"enable": True, "run": True}
 OTHER_WAY = {"enable": True, "manual": True, "run": True}
@@ -32,7 +33,6 @@ DRIVE = [
 
 LINE = [
     (0x0001, {"online": False}),
-    (0x0002, {"ioError": True}),
     (0x0004, {"gatewayFault": True}),
     (0x0008, {"emergencyStop": True, "stopped": True}),
     (0x0008, {"emergencyStop": True, "stopping": True}),
@@ -73,6 +73,15 @@ def test_each_cause_of_a_line_raises_its_bit(
     word: int, cause: dict[str, Any], program: LoadedProgram
 ) -> None:
     assert words(program, line=cause) == (word, 0)
+
+
+def test_a_failed_access_is_an_alarm_where_the_access_tells_it() -> None:
+    """The others have no RET_VAL."""
+    with_result = "dpxx_dat\n    hardware_identifier: 270"
+    whole = ALL_SEQUENCES.replace("gsd10", "whole10").replace("per_identifier", with_result)
+    for engine in ENGINES:
+        assert words(loaded(whole, engine), line={"ioError": True}) == (0x0002, 0)
+        assert words(loaded(ALL_SEQUENCES, engine), line={"ioError": True}) == (0, 0)
 
 
 def test_an_alarm_is_gone_with_its_cause(program: LoadedProgram) -> None:

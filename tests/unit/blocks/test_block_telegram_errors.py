@@ -100,6 +100,17 @@ def test_without_a_gateway_the_job_ends_at_once_with_8404(
     bench.call(**loss)
     assert (bench.block.error, bench.block.status) == (True, 0x8404)
     assert (bench.block.online, bench.frame()[9:]) == (False, "0B 47 FC 90 00 00")
+
+
+@pytest.mark.parametrize("loss", [{"ioError": True}, {}])
+def test_while_there_is_no_gateway_nothing_is_sent(
+    program: LoadedProgram, loss: dict[str, bool]
+) -> None:
+    bench = TelegramBench(program)
+    bench.send(11, WRITE, 0xFA00, 0xC400, retries=2)
+    if not loss:
+        bench.status = 0x0000
+    bench.call(**loss)
     bench.send(11, WRITE, 0xFA00, 0xC400)
     assert (bench.block.error, bench.block.status) == (True, 0x8404)
     assert len(bench.sent) == 1

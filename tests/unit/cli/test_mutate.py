@@ -102,6 +102,7 @@ def test_a_log_of_other_mutants_begins_anew(fbgen: Fbgen, tmp_path: Path) -> Non
 
 
 @pytest.mark.skipif(os.name != "posix", reason="Ctrl+C is sent to the process")
+@pytest.mark.usefixtures("usual_ctrl_c")
 def test_ctrl_c_leaves_a_report_of_what_ran(tmp_path: Path) -> None:
     log, report = tmp_path / "mutants.jsonl", tmp_path / "mutants.json"
     command = [sys.executable, "-m", "fbgen.cli", "mutate", "--scenarios", SCENARIO]

@@ -18,6 +18,9 @@ COMMANDS = [
     *[
         ("decode",),
         ("encode",),
+        ("coverage",),
+        ("mutate",),
+        ("campaign",),
         ("diff",),
         ("explain",),
         ("schemas",),

@@ -80,7 +80,7 @@ def test_the_schemas_in_the_repository_are_what_the_command_writes(
 
 def test_every_shipped_yaml_file_names_a_schema_that_exists() -> None:
     for folder in ("catalog", "examples"):
-        for path in (ROOT / folder).rglob("*.yaml"):
+        for path in set((ROOT / folder).rglob("*.yaml")) - set((ROOT / "examples/ci").iterdir()):
             first = path.read_text(encoding="utf-8").splitlines()[0]
             assert first.startswith("# yaml-language-server: $schema="), path
             schema = path.parent / first.partition("=")[2]
