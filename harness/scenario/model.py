@@ -21,7 +21,6 @@ from pydantic.json_schema import WithJsonSchema
 from fbgen.catalog import Located
 from fbgen.catalog.scalars import Count, Real, SnakeName, Text
 from fbgen.diagnostics import Diagnostic
-from fbgen.nearest import near_names
 from fbgen.plant import PlantDialect, PlcFamily
 from harness.drives import Load, LoadShape
 from harness.durations import DurationNs, PositiveDurationNs
@@ -31,6 +30,7 @@ from harness.rules import RULES
 from harness.scenario.expectations import Conditions
 from harness.scenario.fault_model import FaultName, ScenarioFault
 from harness.scenario.fault_schema import with_places_and_settings
+from harness.scenario.kind_tags import tag_by_key
 from harness.scenario.property_model import Property
 from harness.scenario.scalars import ScalarValue
 from harness.scenario.schema_places import with_places
@@ -143,18 +143,6 @@ _KINDS: dict[str, type[Located]] = {
     "of_sequence": SequenceStep,
 }
 
-
-def _kind_of_step(step: Any) -> str | None:
-    """The tag of a step; tags have blanks, so that none is a key. A misspelt key counts as meant,
-    so that the finding names it."""
-    if isinstance(step, dict):
-        keys = [key for key in _KINDS if key in step]
-        keys = keys or [near for key in step for near in near_names(str(key), _KINDS)][:1]
-    else:
-        keys = [key for key, kind in _KINDS.items() if isinstance(step, kind)]
-    return f"{keys[0]} step" if len(keys) == 1 else None
-
-
 Step = Annotated[
     Annotated[SetStep, Tag("set step")]
     | Annotated[WaitStep, Tag("wait step")]
@@ -166,7 +154,7 @@ Step = Annotated[
     | Annotated[TelegramsStep, Tag("telegrams step")]
     | Annotated[SequenceStep, Tag("of_sequence step")],
     Discriminator(
-        _kind_of_step,
+        tag_by_key(_KINDS, "step"),
         custom_error_type="step",
         custom_error_message="a step has exactly one of the keys " + ", ".join(_KINDS),
     ),

@@ -7,15 +7,15 @@ properties:
     then: {drive.pump.running: false}
 """
 
-from typing import Annotated, Any
+from typing import Annotated
 
 from pydantic import Discriminator, Field, Tag
 
 from fbgen.catalog import Located
 from fbgen.catalog.scalars import Text
-from fbgen.nearest import near_names
 from harness.durations import PositiveDurationNs
 from harness.scenario.expectations import Conditions
+from harness.scenario.kind_tags import tag_by_key
 
 
 class AnyProperty(Located):
@@ -80,17 +80,6 @@ _KINDS: dict[str, type[AnyProperty]] = {
     "eventually": EventuallyProperty,
 }
 
-
-def _kind_of_property(value: Any) -> str | None:
-    """The tag of a property, as that of a step; see `harness.scenario.model`."""
-    if isinstance(value, dict):
-        keys = [key for key in _KINDS if key in value]
-        keys = keys or [near for key in value for near in near_names(str(key), _KINDS)][:1]
-    else:
-        keys = [key for key, kind in _KINDS.items() if isinstance(value, kind)]
-    return f"{keys[0]} property" if len(keys) == 1 else None
-
-
 Property = Annotated[
     Annotated[NeverProperty, Tag("never property")]
     | Annotated[AlwaysProperty, Tag("always property")]
@@ -99,7 +88,7 @@ Property = Annotated[
     | Annotated[MutuallyExclusiveProperty, Tag("mutually_exclusive property")]
     | Annotated[EventuallyProperty, Tag("eventually property")],
     Discriminator(
-        _kind_of_property,
+        tag_by_key(_KINDS, "property"),
         custom_error_type="property",
         custom_error_message="a property has exactly one of the keys " + ", ".join(_KINDS),
     ),

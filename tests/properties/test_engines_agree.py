@@ -3,6 +3,8 @@
 The engines share no arithmetic and no standard library, so a difference is an error in one of them.
 """
 
+from collections.abc import Sequence
+
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
@@ -11,6 +13,7 @@ from plc_programs import program_texts
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Program
 from fbgen.source import Source
+from harness.engine.compiled import ProbeMaker
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.interface import Limits, Value
 from harness.engine.loading import engine_named, read_program
@@ -41,10 +44,12 @@ def scans() -> st.SearchStrategy[list[Scan]]:
     return st.lists(st.tuples(wait_ms, given_inputs), min_size=1, max_size=4)
 
 
-def history(engine_name: str, program: Program, steps: list[Scan]) -> list[str]:
+def history(
+    engine_name: str, program: Program, steps: list[Scan], probes: Sequence[ProbeMaker] = ()
+) -> list[str]:
     """What can be seen after each call; a fault ends it."""
     kernel = Kernel()
-    engine = engine_named(engine_name)(program, StandaloneEnvironment(kernel), LIMITS)
+    engine = engine_named(engine_name, probes)(program, StandaloneEnvironment(kernel), LIMITS)
     block = BlockInstance(engine.instance("Outer"), program)
     seen = []
     for wait_ms, inputs in steps:

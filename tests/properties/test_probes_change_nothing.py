@@ -6,18 +6,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from plc_programs import program_texts
-from test_engines_agree import LIMITS, QUICK, SWEEP, Scan, scans
+from test_engines_agree import QUICK, SWEEP, Scan, history, scans
 
-from fbgen.diagnostics import DiagnosticError
-from fbgen.lang.checked import Expression, Program
+from fbgen.lang.checked import Expression
 from fbgen.source import Source
 from harness.engine.compiled import Moment, Probe, writers_probe
 from harness.engine.compiled.decisions import Results, decision, result
 from harness.engine.compiled.probes import Probed
-from harness.engine.environment import StandaloneEnvironment
-from harness.engine.loading import engine_named, read_program
-from harness.engine.variables import BlockInstance, plain
-from harness.kernel import Kernel
+from harness.engine.loading import read_program
 from harness.verify.coverage import Coverage
 from harness.verify.coverage.counts import BlockCounts
 
@@ -43,31 +39,13 @@ def looking_on(name: str) -> Probe:
     return Probe(line, {f"{name}_counts": counts, f"{name}_results": results}, decisions)
 
 
-def history(program: Program, steps: list[Scan], probes: Sequence[Probe]) -> list[str]:
-    """What can be seen after each call; a fault ends it."""
-    kernel = Kernel()
-    factory = engine_named("compiled", [lambda _, probe=probe: probe for probe in probes])
-    engine = factory(program, StandaloneEnvironment(kernel), LIMITS)
-    block = BlockInstance(engine.instance("Outer"), program)
-    seen = []
-    for wait_ms, inputs in steps:
-        kernel.run_for(wait_ms * 1_000_000)
-        try:
-            block(**inputs)
-        except DiagnosticError as fault:
-            return [*seen, str(fault)]
-        seen.append(repr(plain(block)))
-    return seen
-
-
 def compare(dialect: str, data: st.DataObject, steps: list[Scan]) -> None:
     program = read_program([Source("random.scl", data.draw(program_texts(dialect)))], dialect)
-    alone = history(program, steps, ())
-    assert history(program, steps, [writers_probe(program)]) == alone
-    assert history(program, steps, [looking_on("one")]) == alone
-    assert history(program, steps, [looking_on("one"), looking_on("two")]) == alone
+    one, two = (lambda _: looking_on("one")), (lambda _: looking_on("two"))
     coverage = Coverage()
-    assert history(program, steps, [coverage(program), looking_on("two")]) == alone
+    alone = history("compiled", program, steps)
+    for probes in ([writers_probe], [one], [one, two], [coverage, two]):
+        assert history("compiled", program, steps, probes) == alone
     for block in coverage.blocks():
         agree_with_each_other(block)
 
