@@ -45,14 +45,15 @@ class AnnotationWriter:
         import json
 
         from fbgen.cli.annotations import github_lines, gitlab_report
+        from fbgen.cli.files import write_file
         from fbgen.cli.output import result
-        from fbgen.cli.report_files import write_report
         from harness.report.findings import findings_of
 
         findings = list(findings_of(report))
         if self.host is CodeHost.GITLAB:
             text = json.dumps(gitlab_report(findings), indent=2) + "\n"
-            return write_report(Path(GITLAB_FILE), text)
+            write_file(Path(GITLAB_FILE), text, overwrite=True)
+            return ()
         for line in github_lines(findings):
             result(line)
         return ()

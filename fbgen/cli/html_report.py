@@ -38,11 +38,13 @@ class HtmlWriter:
         return (TraceObserver,)
 
     def write(self, report: "ScenarioReport") -> "Sequence[Diagnostic]":
-        """Write it over the last one. FB9002 if that cannot be done."""
-        from fbgen.cli.report_files import write_report
+        """Write it over the last one. Raises DiagnosticError FB9002 if that cannot be done."""
+        from fbgen.cli.files import write_file
         from harness.report.page import html_report
 
-        return write_report(self.path, html_report(report, self.asked, list(_coverage(report))))
+        page = html_report(report, self.asked, list(_coverage(report)))
+        write_file(self.path, page, overwrite=True)
+        return ()
 
 
 def _coverage(report: "ScenarioReport") -> "Iterator[Table]":

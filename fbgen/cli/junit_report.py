@@ -26,8 +26,9 @@ class JunitWriter:
     observers: "tuple[ObserverMaker, ...]" = ()
 
     def write(self, report: "ScenarioReport") -> "Sequence[Diagnostic]":
-        """Write it over the last one. FB9002 if that cannot be done."""
-        from fbgen.cli.report_files import write_report
+        """Write it over the last one. Raises DiagnosticError FB9002 if that cannot be done."""
+        from fbgen.cli.files import write_file
         from harness.report.junit import junit_xml
 
-        return write_report(self.path, junit_xml(report))
+        write_file(self.path, junit_xml(report), overwrite=True)
+        return ()

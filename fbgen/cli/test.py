@@ -22,7 +22,9 @@ from fbgen.cli.progress import Progress
 from fbgen.cli.trace_reports import TraceOption, VcdOption, trace_writers
 
 if TYPE_CHECKING:
-    from fbgen.diagnostics import DiagnosticError
+    from collections.abc import Sequence
+
+    from fbgen.diagnostics import Diagnostic, DiagnosticError
     from harness.scenario import ReportWriter, ScenarioReport, ScenarioResult
 
 NS_PER_S = 1_000_000_000
@@ -108,7 +110,7 @@ def run_scenarios(
     )
     if not done.results and not done.interrupted:
         raise _nothing_selected(select)
-    findings = [found for writer in writers for found in writer.write(done)]
+    findings = [found for writer in writers for found in _written(writer, done)]
     if as_json:
         result_json({"scenarios": [scenario.as_json() for scenario in done.results]})
     report(findings)
@@ -117,6 +119,16 @@ def run_scenarios(
         raise typer.Exit(INTERRUPTED)
     if findings or not done.passed:
         raise typer.Exit(FINDINGS)
+
+
+def _written(writer: "ReportWriter", done: "ScenarioReport") -> "Sequence[Diagnostic]":
+    """Write a report. One that cannot be written keeps no other from being written."""
+    from fbgen.diagnostics import DiagnosticError
+
+    try:
+        return writer.write(done)
+    except DiagnosticError as wrong:
+        return wrong.diagnostics
 
 
 def _nothing_selected(select: str) -> "DiagnosticError":

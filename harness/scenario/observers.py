@@ -53,6 +53,7 @@ class ReportWriter(Protocol):
     def write(self, report: ScenarioReport) -> Sequence[Diagnostic]:
         """Write it. What is found wrong on the way, such as too little coverage, fails the command.
 
-        After Ctrl-C the report has what ran until then.
+        After Ctrl-C the report has what ran until then. Raises DiagnosticError where it cannot be
+        written; the others still are.
         """
         ...

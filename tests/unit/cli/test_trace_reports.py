@@ -81,3 +81,15 @@ def test_file_names_are_plain_and_differ() -> None:
     titles = ["start ", "start [iec, a=b]", "Start", "a b", "a_b"]
     names = ["start.vcd", "start_iec_a=b.vcd", "Start-2.vcd", "a_b.vcd", "a_b-2.vcd"]
     assert file_names(titles) == names
+
+
+def test_a_report_that_cannot_be_written_keeps_no_other_from_it(
+    fbgen: Fbgen, twice: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "taken").write_text("no folder", encoding="utf-8")
+    lost, waves = str(tmp_path / "taken" / "runs.jsonl"), tmp_path / "waves"
+    run = fbgen("test", str(twice), "--trace", lost, "--vcd", str(waves))
+    assert run.status == 1
+    assert "error[FB9002]" in run.err
+    assert "2 passed" in run.err
+    assert len(list(waves.iterdir())) == 2
