@@ -87,6 +87,7 @@ def run_campaign(
         if not as_json:
             result(
                 f"{kind}: {len(failures)} seeds, first {failures[0].seed}: {failures[0].message}\n"
+                f"  {failures[0].configuration}\n"
                 f"  run it again: fbgen test {files[kind].as_posix()}"
             )
     if as_json:
@@ -103,11 +104,13 @@ def _plain(done: "CampaignReport", files: dict[str, Path]) -> dict[str, object]:
     return {
         "seeds": done.seeds,
         "virtual_ns": done.virtual_ns,
+        "configurations": list(done.configurations),
         "failures": [
             {
                 "kind": kind,
                 "seeds": [failure.seed for failure in failures],
                 "message": failures[0].message,
+                "configuration": failures[0].configuration,
                 "file": files[kind].as_posix(),
             }
             for kind, failures in done.kinds().items()
@@ -134,8 +137,8 @@ class _Display:
         rate = (how.done - self._first) / (now - self._begin) if now > self._begin else 0.0
         left = f", {(how.seeds - how.done) / rate:.0f} s left" if rate else ""
         sys.stderr.write(
-            f"\r\x1b[K{how.done} of {how.seeds} seeds, {rate:.1f} a second{left}, "
-            f"{how.failures} failed"
+            f"\r\x1b[K{how.done} of {how.seeds} seeds in {how.configurations} configurations, "
+            f"{rate:.1f} a second{left}, {how.failures} failed"
         )
         sys.stderr.flush()
 
@@ -147,6 +150,7 @@ class _Display:
     def summary(self, done: "CampaignReport") -> str:
         kinds = len(done.kinds())
         return (
-            f"{done.seeds} seeds, {done.virtual_ns / NS_PER_S:.0f} s of plants' time, "
+            f"{done.seeds} seeds in {len(done.configurations)} configurations, "
+            f"{done.virtual_ns / NS_PER_S:.0f} s of plants' time, "
             f"{len(done.failures)} failed in {kinds} {'way' if kinds == 1 else 'ways'}"
         )

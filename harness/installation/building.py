@@ -4,12 +4,12 @@ The inverters are set as the TOSPBDP001 manual v1.1, section 6, says: 19200 bit/
 parity (F801 = 1), INV-NO (F802), communication timeout 1 s (F803 = 1); FH is the plant file's.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
 from fbgen.catalog import Catalog, Drive, OptionValue, load_catalog, with_own_sequences
-from fbgen.diagnostics import DiagnosticError, error
+from fbgen.diagnostics import error
 from fbgen.nearest import nearest
 from fbgen.plant import Plant, PlantDrive, PlantGateway, load_plant, with_prefix
 from harness.drives import Inverter, InverterSettings, ReplyTime
@@ -41,13 +41,12 @@ def plant(path: str | Path, setup: PlantSetup | None = None) -> Installation:
 def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installation:
     """The installation of a plant, switched off, with its program loaded.
 
-    Raises DiagnosticError FB7501 for conditions of drives that the plant does not have, FB7502 for
+    Raises DiagnosticError FB7501 for conditions of devices that the plant does not have, FB7502 for
     a gateway that cannot be simulated, and whatever is wrong in the PLC text.
     """
     _one_master(plan)
-    unknown = [name for name in setup.drives if name not in {item.name for item in plan.drives}]
-    if unknown:
-        raise _unknown_drive(unknown[0], plan)
+    _all_known("drive", setup.drives, [item.name for item in plan.drives], plan)
+    _all_known("gateway", setup.memories, [item.name for item in plan.gateways], plan)
     kernel = Kernel(setup.seed)
     master = DpMaster(kernel, setup.bus)
     cpu = Cpu(kernel, _cpu_settings(plan, setup.cpu), master)
@@ -78,7 +77,9 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     load = setup.factory or engine_named(setup.engine, setup.probes)
     cpu.load(program, load)
     return Installation(
-        plan, catalog, kernel, cpu, master, gateways, stations, lines, drives, spacing
+        *(plan, catalog, kernel, cpu, master, gateways, stations, lines, drives, spacing),
+        memories=setup.memories,
+        start_after_ns=setup.start_after_ns,
     )
 
 
@@ -182,10 +183,12 @@ def _with_options(
     )
 
 
-def _unknown_drive(name: str, plan: Plant) -> DiagnosticError:
-    return error(
-        "FB7501",
-        f"there is no drive '{name}' in the plant '{plan.name}' to set conditions for",
-        None,
-        nearest(name, [item.name for item in plan.drives]),
-    )
+def _all_known(kind: str, names: Iterable[str], known: Collection[str], plan: Plant) -> None:
+    for name in names:
+        if name not in known:
+            raise error(
+                "FB7501",
+                f"there is no {kind} '{name}' in the plant '{plan.name}' to set conditions for",
+                None,
+                nearest(name, known),
+            )

@@ -7,7 +7,7 @@ from fbgen.catalog import Catalog
 from fbgen.plant import Plant
 from harness.drives import Inverter
 from harness.fieldbus import DpMaster, Station
-from harness.gateways.tospbdp001 import Tospbdp001
+from harness.gateways.tospbdp001 import Memory, Tospbdp001
 from harness.installation.holds import Holds
 from harness.kernel import Kernel
 from harness.line import Line, Spacing
@@ -22,7 +22,8 @@ class Installation:
 
     Gateways, stations (the gateways as the master sees them) and lines go by the gateway's name,
     drives by their own. `plan` is the plant file. `spacing` notes telegrams to different drives
-    that follow each other too closely; `holds` knows what faults hold.
+    that follow each other too closely; `memories` has what is in gateways at the start, and the PLC
+    starts `start_after_ns` later than they; `holds` knows what faults hold.
     """
 
     plan: Plant
@@ -35,12 +36,15 @@ class Installation:
     lines: Mapping[str, Line]
     drives: Mapping[str, Inverter]
     spacing: Mapping[str, Spacing]
+    memories: Mapping[str, Memory] = field(default_factory=dict)
+    start_after_ns: int = 0
     holds: Holds = field(default_factory=Holds)
 
     def start(self) -> None:
         """Switch the gateways on and start the CPU; drives have their supply already."""
-        for gateway in self.gateways.values():
-            gateway.power_on()
+        for name, gateway in self.gateways.items():
+            gateway.power_on(self.memories.get(name))
+        self.kernel.run_for(self.start_after_ns)
         self.cpu.start()
 
     def run_for(self, duration_ns: int) -> None:

@@ -10,6 +10,7 @@ from fbgen.source import Source
 from harness.drives import Load
 from harness.engine.interface import EngineFactory
 from harness.fieldbus import CycleTimes
+from harness.gateways.tospbdp001 import Memory
 from harness.kernel import NS_PER_MS
 from harness.plc import CpuSettings
 
@@ -34,21 +35,25 @@ class DriveConditions:
 class PlantSetup:
     """How a plant is simulated.
 
-    `engine` is "compiled" or "reference". `drives` has conditions by the drive's name. `sources`
-    are the PLC text, as files or texts; None takes what fbgen generates for the plant. `cpu` gives
-    the times of the CPU; its family, cycle and memory come from the plant file. `watchdog_ns` is
-    the DP watchdog of every gateway, None for none. `probes` look on while the program runs; only
-    the compiled engine takes them. `program` is what `sources` have been read to already, and
-    `factory` loads it instead of the engine that is named.
+    `engine` is "compiled" or "reference". `drives` has conditions by the drive's name; `memories`
+    what is in a gateway at the start, by its name, for those that had their supply before.
+    `sources` are the PLC text, as files or texts; None takes what is generated for the plant. `cpu`
+    gives the times of the CPU; its family, cycle and memory come from the plant file. `watchdog_ns`
+    is the DP watchdog of every gateway, None for none. The PLC starts `start_after_ns` later than
+    the gateways and the bus. `probes` look on while the program runs; only the compiled engine
+    takes them. `program` is what `sources` have been read to already, and `factory` loads it
+    instead of the engine that is named.
     """
 
     seed: int = 0
     engine: str = "compiled"
     drives: Mapping[str, DriveConditions] = field(default_factory=dict)
+    memories: Mapping[str, Memory] = field(default_factory=dict)
     sources: Sequence[Path | Source] | None = None
     cpu: CpuSettings = field(default_factory=CpuSettings)
     bus: CycleTimes = field(default_factory=CycleTimes)
     watchdog_ns: int | None = 100 * NS_PER_MS
+    start_after_ns: int = 0
     probes: "Sequence[ProbeMaker]" = ()
     program: Program | None = None
     factory: EngineFactory | None = None

@@ -45,6 +45,8 @@ class ScenarioCase:
             variation.prefix,
         ]
         parts += [f"{name}={value}" for name, value in variation.options.items()]
+        cycle_ms = variation.cycle_time_ms
+        parts += [f"cycle {cycle_ms:g} ms"] if cycle_ms is not None else []
         parts += [f"error_obs={variation.error_obs}"] if variation.error_obs else []
         shown = ", ".join(part for part in parts if part)
         return f"[{shown}]" if shown else ""

@@ -35,6 +35,7 @@ from harness.scenario.property_model import Property
 from harness.scenario.scalars import ScalarValue
 from harness.scenario.schema_places import with_places
 from harness.scenario.seeds import Seeds
+from harness.scenario.start_model import GatewaySetup, PlantTimes
 
 RuleName = Annotated[Text, WithJsonSchema({"enum": ["all", *sorted(RULES)]})]
 """A rule of the plant; which ones there are is checked with the plant at hand."""
@@ -217,6 +218,9 @@ class Variation(Located):
     access: Literal["per_identifier", "dpxx_dat", "process_image"] | None = Field(
         default=None, description="How the program reaches the cyclic data of all gateways"
     )
+    cycle_time_ms: Annotated[Real, Field(gt=0, le=6000)] | None = Field(
+        default=None, description="Cycle of the PLC in milliseconds"
+    )
     options: dict[SnakeName, ScalarValue] = Field(
         default_factory=dict, description="Options of all gateways, by the catalogue's names"
     )
@@ -262,6 +266,12 @@ class Scenario(Located):
     variations: tuple[Variation, ...] = Field(default=(), description="Run once for each of these")
     drives: dict[str, DriveSetup] = Field(
         default_factory=dict, description="Drives of the plant as they are set before the start"
+    )
+    gateways: dict[str, GatewaySetup] = Field(
+        default_factory=dict, description="What is in gateways at the start, by their names"
+    )
+    times: PlantTimes = Field(
+        default_factory=PlantTimes, description="Times of PROFIBUS and PLC that no plant file says"
     )
     tags: tuple[SnakeName, ...] = Field(default=(), description="Names for `fbgen test -k`")
     facts: tuple[Text, ...] = Field(default=(), description="Ids of behaviour rows that this shows")
@@ -319,9 +329,10 @@ class Scenario(Located):
             yield Diagnostic("FB8018", message, self.span_of("dialect"), advice)
         wrong: dict[str, object]
         if self.is_of_block:
-            wrong, advice = {"drives": self.drives}, "a block on its own has no devices around it"
+            wrong = {"drives": self.drives, "gateways": self.gateways, "times": self._says("times")}
+            advice = "a block on its own has no devices around it"
         else:
-            wrong = {"stubs": self.stubs, "cycle": "cycle" in self.model_fields_set}
+            wrong = {"stubs": self.stubs, "cycle": self._says("cycle")}
             advice = "it is for a block on its own: name it with block:"
         if self.plant is None:
             wrong["variations"] = self.variations
@@ -332,6 +343,9 @@ class Scenario(Located):
         if isinstance(self.seeds, tuple) and self.seeds and "seed" in self.model_fields_set:
             message = "a list of seeds leaves nothing for 'seed' to say"
             yield Diagnostic("FB8018", message, self.span_of("seed"), "leave it out")
+
+    def _says(self, key: str) -> bool:
+        return key in self.model_fields_set
 
     @property
     def is_of_block(self) -> bool:

@@ -35,6 +35,7 @@ def varied_plant(plant: Plant, variation: Variation, catalog: Catalog) -> Plant:
             ("plc", variation.plc),
             ("prefix", variation.prefix),
             ("error_obs", variation.error_obs),
+            ("cycle_time_ms", variation.cycle_time_ms),
         )
         if value is not None
     }
@@ -50,8 +51,14 @@ def _of_variation(found: Diagnostic, variation: Variation) -> Diagnostic:
     return replace(found, span=variation.span, notes=notes)
 
 
-def drive_problems(scenario: Scenario, plan: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
-    """FB8003 for drives that the plant does not have, and what their series do not take."""
+def device_problems(scenario: Scenario, plan: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
+    """FB8003 for devices that the plant does not have, and what series of drives do not take."""
+    gateways = [item.name for item in plan.gateways]
+    for name in scenario.gateways:
+        if name not in gateways:
+            message = f"there is no gateway '{name}' in the plant '{plan.name}'"
+            place = key_span(scenario, "gateways", name)
+            yield Diagnostic("FB8003", message, place, nearest(name, gateways))
     known = {item.name: item for item in plan.drives}
     for name, setup in scenario.drives.items():
         if name in known:

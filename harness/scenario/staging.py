@@ -18,10 +18,11 @@ from harness.engine.loading import Clock, LoadedProgram, engine_named, read_prog
 from harness.engine.stubs import Stub
 from harness.installation import PlantSetup, build_plant, generated_program
 from harness.kernel import Kernel
+from harness.plc import CpuSettings
 from harness.scenario.block_stage import BlockStage
 from harness.scenario.model import Scenario, Variation
 from harness.scenario.places import at
-from harness.scenario.plant_changes import drive_problems, varied_plant
+from harness.scenario.plant_changes import device_problems, varied_plant
 from harness.scenario.plant_stage import PlantStage
 from harness.scenario.scalars import Scalar
 from harness.scenario.stage import Stage
@@ -68,7 +69,7 @@ class Staging:
         plan = varied_plant(load_plant(path, catalog), variation, catalog)
         if dialect is not None:
             plan = in_dialect(plan, dialect, catalog)
-        if scenario.block is None and (found := list(drive_problems(scenario, plan, catalog))):
+        if scenario.block is None and (found := list(device_problems(scenario, plan, catalog))):
             raise DiagnosticError(found)
         sources = self._sources()
         if sources and scenario.block is None:
@@ -89,6 +90,10 @@ class Staging:
             seed,
             scenario.engine,
             {name: setup.conditions() for name, setup in scenario.drives.items()},
+            {name: setup.memory() for name, setup in scenario.gateways.items()},
+            cpu=CpuSettings(execution_ns=scenario.times.execution),
+            bus=scenario.times.bus(),
+            start_after_ns=scenario.times.start,
             program=planned.program,
             factory=factory,
         )

@@ -3,6 +3,7 @@
 from harness.gateways.tospbdp001.from_catalog import tospbdp001_settings
 from harness.gateways.tospbdp001.gateway import Tospbdp001
 from harness.gateways.tospbdp001.leds import Fault, Leds, Light
+from harness.gateways.tospbdp001.memory import Memory
 from harness.gateways.tospbdp001.settings import (
     CyclicLayout,
     ErrorCode,
@@ -23,6 +24,7 @@ __all__ = [
     "Fault",
     "Leds",
     "Light",
+    "Memory",
     "OfflineInputs",
     "OfflineOutputs",
     "StartupLock",

@@ -27,6 +27,7 @@ from harness.gateways.tospbdp001.leds import (
     device_light,
     diagnosis_light,
 )
+from harness.gateways.tospbdp001.memory import Memory
 from harness.gateways.tospbdp001.settings import (
     OfflineInputs,
     OfflineOutputs,
@@ -149,13 +150,20 @@ class Tospbdp001:
             )
         self.switch_b, self.switch_a = divmod(address, 10)
 
-    def power_on(self) -> None:
-        """24 V comes: initialise, read the address switches, wait for the master."""
+    def power_on(self, memory: Memory | None = None) -> None:
+        """24 V comes: initialise, read the address switches, wait for the master.
+
+        With a `memory` it had its supply all the time, and this is what is in it.
+        """
         if self.powered:
             return
         self.powered = True
         self.powered_on_ns = self._kernel.now_ns
         self._forget()
+        if memory is not None:
+            self._trigger = memory.trigger
+            self._reply = memory.reply
+            self.status = StatusWord(self.settings, memory.status)
         self._changed()
         if self.settings.startup_ns:
             self._kernel.after(self.settings.startup_ns, partial(self._start, self._life))

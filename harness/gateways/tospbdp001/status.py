@@ -26,13 +26,14 @@ class StatusWord:
 
     __slots__ = ("_counted", "_news", "_settings", "_taken", "code", "data", "timeouts", "word")
 
-    def __init__(self, settings: TosSettings) -> None:
+    def __init__(self, settings: TosSettings, word: int | None = None) -> None:
+        """With the word after power-on, or with another that it had already."""
         self._settings = settings
-        self.word = settings.power_on_status
+        self.word = settings.power_on_status if word is None else word
         self.code = self.word >> 8 & 0x1F
         self.data = self.word & 0xFF
         self.timeouts = 0
-        self._counted = 0
+        self._counted = self.data
         self._taken = 0
         self._news = False
 

@@ -28,6 +28,7 @@ class Progressed:
 
     done: int
     seeds: int
+    configurations: int
     failures: int
 
 
@@ -37,6 +38,7 @@ class CampaignReport:
 
     seeds: int
     virtual_ns: int
+    configurations: tuple[str, ...]
     failures: tuple[Failure, ...]
     interrupted: bool = False
 
@@ -73,14 +75,18 @@ class Campaign:
                 writing.add(chunk)
                 chunks.append(chunk)
                 failures = sum(len(item.failures) for item in chunks)
-                progressed(Progressed(_count(chunks), self.seeds, failures))
+                tried = len(_configurations(chunks))
+                progressed(Progressed(_count(chunks), self.seeds, tried, failures))
         except KeyboardInterrupt:
             interrupted = True
         finally:
             writing.close()
-        tried = [failure for chunk in chunks for failure in chunk.failures]
+        failed = [failure for chunk in chunks for failure in chunk.failures]
         virtual_ns = sum(chunk.virtual_ns for chunk in chunks)
-        return CampaignReport(_count(chunks), virtual_ns, tuple(tried), interrupted)
+        configurations = _configurations(chunks)
+        return CampaignReport(
+            _count(chunks), virtual_ns, configurations, tuple(failed), interrupted
+        )
 
     def _left(self, done: list[Chunk]) -> list[range]:
         """The seeds that were not tried yet, in chunks."""
@@ -150,6 +156,10 @@ def _on_cluster(address: str) -> Iterator[Executor]:
         ) from None
     with client:
         yield client.get_executor(pure=False)
+
+
+def _configurations(chunks: list[Chunk]) -> tuple[str, ...]:
+    return tuple(sorted({name for chunk in chunks for name in chunk.configurations}))
 
 
 def _count(chunks: list[Chunk]) -> int:

@@ -1,37 +1,30 @@
 """What one seed of a campaign does to a plant: a whole scenario, drawn, as plain data.
 
-Every seed draws its own small subset of the kinds of faults and how many of them (swarm testing),
-where the counter of the trigger stands (its wrap-around on purpose), how the program reaches the
-data and which engine runs it. After the faults the plant gets time to recover, and then everything
-must be well: that is part of the scenario, as steps.
+Each seed draws a configuration, its own few kinds of faults, where the counter of the trigger
+stands and which engine runs it. After the faults the plant gets time to recover, and then
+everything must be well: that is part of the scenario, as steps.
 """
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from random import Random
-from typing import Any, TypeAlias
 
+from fbgen.catalog import Catalog
 from fbgen.plant import Plant, PlantDrive
-from harness.kernel import NS_PER_MS, NS_PER_S, NS_PER_US
-
-Entry: TypeAlias = dict[str, Any]
-"""A mapping of a scenario file."""
-
-_BEGIN_NS = 700 * NS_PER_MS
-_DISTURBED_NS = 5 * NS_PER_S
-_MOST_KINDS = 4
-_MOST_FAULTS = 8
-_LONGEST_NS = 1500 * NS_PER_MS
-_ACTIONS = 12
-_TRIGGERS = (0, 1, 253, 254, 255)
-VARIATIONS: tuple[Entry, ...] = (
-    {},
-    {"access": "per_identifier", "layout": "gsd10"},
-    {"access": "per_identifier", "layout": "doc9"},
-    {"access": "dpxx_dat", "layout": "whole10"},
-    {"access": "process_image", "layout": "gsd10"},
+from harness.kernel import NS_PER_MS, NS_PER_S
+from harness.verify.campaign.configurations import (
+    SEEDS_PER_PROGRAM,
+    TRIGGERS,
+    draw_program,
+    draw_start,
 )
-"""The ways in which a plant is built, as far as it allows them."""
+from harness.verify.campaign.disturbances import BEGIN_NS, LAST_NS, draw_faults
+from harness.verify.campaign.entries import Entry, written_time
+
+_ACTIONS = 12
+_ROUND_NS, _WELL_NS = 4 * NS_PER_S, 10 * NS_PER_S
+_USUAL_CYCLE_MS = 10
+"""In `_ROUND_NS` all drives of a line are asked with such a cycle, and a reset is through."""
 _REFERENCE_SHARE = 0.02
 """The reference engine is slow; both engines give the same."""
 
@@ -39,54 +32,33 @@ _REFERENCE_SHARE = 0.02
 @dataclass(frozen=True, slots=True)
 class Subject:
     """A plant file that a campaign tries: its plan, the variations that it allows, and where each
-    fault can be in it."""
+    fault can be in it. `catalog` has its own sequences, too."""
 
     file: str
     plan: Plant
+    catalog: Catalog
     variations: tuple[Entry, ...]
     places: Mapping[str, Sequence[str]]
 
 
-def draw(seed: int, subject: Subject, kinds: Sequence[str]) -> Entry:
-    """The scenario of a seed, with faults of these `kinds`."""
+def draw(seed: int, turn: int, subject: Subject, kinds: Sequence[str]) -> Entry:
+    """The scenario of a seed, with faults of these `kinds`; it is the `turn`th of its plant."""
+    plan, catalog = subject.plan, subject.catalog
+    of_program = Random(f"campaign program {turn // SEEDS_PER_PROGRAM}")
+    program = draw_program(of_program, plan, subject.variations, catalog)
     random = Random(f"campaign {seed}")
-    plan = subject.plan
     return {
         "version": 1,
         "title": f"Seed {seed} of a campaign",
         "plant": subject.file,
         "seed": seed,
         "engine": "reference" if random.random() < _REFERENCE_SHARE else "compiled",
-        "variations": [dict(random.choice(subject.variations))],
+        "variations": [program],
+        **draw_start(random, plan, program, catalog),
         "rules": ["all"],
-        "faults": _faults(random, subject.places, kinds),
-        "steps": [*_work(random, plan), *_recovery(plan)],
+        "faults": draw_faults(random, subject.places, kinds),
+        "steps": [*_work(random, plan), *_recovery(plan, _patience(program, plan))],
     }
-
-
-def _faults(
-    random: Random, places: Mapping[str, Sequence[str]], kinds: Sequence[str]
-) -> list[Entry]:
-    possible = sorted(name for name in kinds if places.get(name))
-    if not possible:
-        return []
-    chosen = random.sample(possible, min(len(possible), random.randint(1, _MOST_KINDS)))
-    events = []
-    for _ in range(random.randint(1, _MOST_FAULTS)):
-        name = random.choice(chosen)
-        lasts_ns = int(_LONGEST_NS ** random.uniform(0.7, 1.0))
-        at_ns = _BEGIN_NS + random.randrange(_DISTURBED_NS - lasts_ns)
-        event: Entry = {"at": _time(at_ns), "lasts": _time(lasts_ns), "inject": name}
-        if on := random.choice(list(places[name])):
-            event["on"] = on
-        if name == "drive_tripped":
-            event["settings"] = {"display": random.choice(("OC1", "OL2", "Err5", "E"))}
-        events.append((at_ns, event))
-    return [event for _, event in sorted(events, key=lambda item: item[0])]
-
-
-def _time(time_ns: int) -> str:
-    return f"{max(time_ns // NS_PER_US, 1)} us"
 
 
 def _work(random: Random, plan: Plant) -> list[Entry]:
@@ -94,21 +66,22 @@ def _work(random: Random, plan: Plant) -> list[Entry]:
     steps: list[Entry] = []
     for gateway in plan.gateways:
         count = f"plc.TOS_Gateway_{gateway.name}_DB.instLine.instTelegram.instTrigger.statCount"
-        steps.append({"set": {count: random.choice(_TRIGGERS)}})
+        steps.append({"set": {count: random.choice(TRIGGERS)}})
     drives = [(gateway.name, drive) for gateway in plan.gateways for drive in gateway.drives]
-    left_ns = _BEGIN_NS + _DISTURBED_NS + NS_PER_S
+    left_ns = BEGIN_NS + LAST_NS + NS_PER_S
     for _ in range(_ACTIONS):
         pause_ns = random.randrange(left_ns // _ACTIONS * 2) + NS_PER_MS
-        gateway_name, drive = random.choice(drives)
-        base = f"plc.TOS_Plant.{gateway_name}.{drive.name}"
-        steps += [{"wait": _time(min(pause_ns, left_ns))}, {"set": _asked(random, base, drive)}]
+        steps += [
+            {"wait": written_time(min(pause_ns, left_ns))},
+            {"set": _asked(random, *random.choice(drives))},
+        ]
         left_ns = max(left_ns - pause_ns, NS_PER_MS)
-    return [*steps, {"wait": _time(left_ns)}]
+    return [*steps, {"wait": written_time(left_ns)}]
 
 
-def _asked(random: Random, base: str, drive: PlantDrive) -> Entry:
-    control = f"{base}.control"
-    match random.randrange(6):
+def _asked(random: Random, gateway: str, drive: PlantDrive) -> Entry:
+    control = f"plc.TOS_Plant.{gateway}.{drive.name}.control"
+    match random.randrange(7):
         case 0 | 1:
             hz = round(random.uniform(5.0, drive.max_frequency_hz), 1)
             run = {f"{control}.enable": True, f"{control}.run": True}
@@ -119,28 +92,41 @@ def _asked(random: Random, base: str, drive: PlantDrive) -> Entry:
             return {f"{control}.reverse": random.random() < 0.5}
         case 4:
             return {f"{control}.reset": random.random() < 0.5}
+        case 5:
+            return {f"plc.TOS_Plant.{gateway}.line.emergencyStop": random.random() < 0.5}
         case _:
             return {f"{control}.enable": random.random() < 0.5}
 
 
-def _recovery(plan: Plant) -> list[Entry]:
-    """Nothing is asked for, drives are reset, twice: a reset may be lost. Then all must be well."""
+def _patience(program: Entry, plan: Plant) -> float:
+    """How much longer than usual it takes until all drives have been asked: a telegram takes some
+    cycles of the PLC."""
+    cycle_ms: float = program.get("cycle_time_ms", plan.cycle_time_ms)
+    return max(cycle_ms / _USUAL_CYCLE_MS, 1.0)
+
+
+def _recovery(plan: Plant, patience: float) -> list[Entry]:
+    """Nothing is asked for, drives are reset, twice: a reset may be lost. Then all must be well:
+    everything answers and stands, and no alarm is left of the line or of a drive."""
+    round_time = written_time(round(patience * _ROUND_NS))
+    lines = [f"plc.TOS_Plant.{gateway.name}.line" for gateway in plan.gateways]
     controls = [
         f"plc.TOS_Plant.{gateway.name}.{drive.name}.control"
         for gateway in plan.gateways
         for drive in gateway.drives
     ]
     steps: list[Entry] = [
+        {"set": {f"{line}.emergencyStop": False for line in lines}},
         {"set": {f"{control}.run": False for control in controls}},
         {"set": {f"{control}.enable": True for control in controls}},
-        {"wait": "4 s"},
+        {"wait": round_time},
     ]
     for _ in range(2):
         steps += [
             {"set": {f"{control}.reset": False for control in controls}},
             {"wait": "500 ms"},
             {"set": {f"{control}.reset": True for control in controls}},
-            {"wait": "4 s"},
+            {"wait": round_time},
         ]
     well: Entry = {}
     for gateway in plan.gateways:
@@ -149,7 +135,7 @@ def _recovery(plan: Plant) -> list[Entry]:
             if gateway.status_poll:
                 well |= {f"{base}.polled.valid": True, f"{base}.polled.lost": False}
             well |= {f"{base}.state.tripped": False, f"{base}.state.running": False}
-            well[f"drive.{drive.name}.running"] = False
-    for gateway in plan.gateways:
-        well[f"plc.TOS_Plant.{gateway.name}.line.online"] = True
-    return [*steps, {"expect": well, "within": "10 s"}]
+            well |= {f"{base}.alarms": 0, f"drive.{drive.name}.running": False}
+    for line in lines:
+        well |= {f"{line}.online": True, f"{line}.alarms": 0}
+    return [*steps, {"expect": well, "within": written_time(round(patience * _WELL_NS))}]

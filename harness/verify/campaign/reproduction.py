@@ -6,7 +6,7 @@ from pathlib import Path
 import yaml
 
 from fbgen.diagnostics import DiagnosticError
-from harness.verify.campaign.drawing import Entry
+from harness.verify.campaign.entries import Entry
 from harness.verify.campaign.shrinking import shrink
 from harness.verify.campaign.trials import CampaignSettings, Failure, drawn, kind_of, outcome
 
@@ -26,7 +26,11 @@ def reproduce(settings: CampaignSettings, failure: Failure, folder: Path) -> Pat
     entry = shrink(drawn(settings, failure.seed), fails)
     if "plant" in entry:
         entry = entry | {"plant": Path(os.path.relpath(entry["plant"], folder)).as_posix()}
-    head = f"# {failure.kind}: {failure.message}\n# Run it again: fbgen test {path.as_posix()}\n"
+    head = (
+        f"# {failure.kind}: {failure.message}\n"
+        f"# Found by seed {failure.seed} of a campaign: {failure.configuration}\n"
+        f"# Run it again: fbgen test {path.as_posix()}\n"
+    )
     text = yaml.safe_dump(entry, sort_keys=False, allow_unicode=False, width=99)
     path.write_text(head + text, encoding="utf-8", newline="\n")
     return path

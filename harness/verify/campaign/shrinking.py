@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from harness.durations import read_duration
 from harness.kernel import NS_PER_MS
-from harness.verify.campaign.drawing import Entry
+from harness.verify.campaign.entries import Entry
 
 Item = TypeVar("Item")
 Fails = Callable[[Entry], bool]
@@ -23,12 +23,13 @@ def shrink(entry: Entry, fails: Fails) -> Entry:
     """
     for key in ("faults", "steps", "faults"):
         entry = _shorter_list(entry, key, fails)
+    entry = _plainer(entry, fails)
     for number in range(len(entry.get("faults", ()))):
         entry = _simpler_fault(entry, number, fails)
     for number, step in enumerate(entry["steps"]):
         if "wait" in step:
             entry = _rounder(entry, "steps", number, "wait", fails)
-    return entry if entry.get("faults") else {key: entry[key] for key in entry if key != "faults"}
+    return entry if entry.get("faults") else _left_out(entry, "faults")
 
 
 def minimal(items: Sequence[Item], fails: Callable[[list[Item]], bool]) -> list[Item]:
@@ -53,6 +54,29 @@ def _shorter_list(entry: Entry, key: str, fails: Fails) -> Entry:
     kept = items[-1:] if key == "steps" else []
     loose = items[: len(items) - len(kept)]
     return entry | {key: minimal(loose, lambda some: fails(entry | {key: some + kept})) + kept}
+
+
+def _plainer(entry: Entry, fails: Fails) -> Entry:
+    """The plant as its file has it, on the usual engine, as far as that fails, too."""
+    for key in ("gateways", "drives", "times", "engine"):
+        if key in entry and fails(without := _left_out(entry, key)):
+            entry = without
+    for key in ("gateways", "drives", "times"):
+        for name in entry.get(key, {}):
+            tried = entry | {key: _left_out(entry[key], name)}
+            entry = tried if fails(tried) else entry
+    if len(entry.get("variations", ())) != 1:
+        return entry
+    if fails(without := _left_out(entry, "variations")):
+        return without
+    for name in ("options", "cycle_time_ms", "layout"):
+        tried = entry | {"variations": [_left_out(entry["variations"][0], name)]}
+        entry = tried if fails(tried) else entry
+    return entry
+
+
+def _left_out(entry: Entry, key: str) -> Entry:
+    return {name: value for name, value in entry.items() if name != key}
 
 
 def _simpler_fault(entry: Entry, number: int, fails: Fails) -> Entry:

@@ -10,16 +10,18 @@ from pathlib import Path
 import yaml
 
 from fbgen.catalog import Catalog, load_catalog, with_own_sequences
-from fbgen.diagnostics import Diagnostic, DiagnosticError
-from fbgen.plant import Plant, load_plant
+from fbgen.diagnostics import Diagnostic
+from fbgen.plant import load_plant
 from harness.installation import PlantSetup, build_plant
-from harness.kernel import NS_PER_US
 from harness.scenario import SUFFIX, run_case, scenario_cases
 from harness.scenario.cases import ScenarioCase, prepare
 from harness.scenario.fault_plans import possible_places
 from harness.scenario.model import Scenario, Variation
-from harness.scenario.plant_changes import varied_plant
-from harness.verify.campaign.drawing import VARIATIONS, Entry, Subject, draw
+from harness.verify.campaign.configurations import variations
+from harness.verify.campaign.drawing import Subject, draw
+from harness.verify.campaign.entries import Entry, written_time
+
+_AS_IT_IS = "as in the file"
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,35 +36,41 @@ class CampaignSettings:
 @dataclass(frozen=True, slots=True)
 class Failure:
     """A seed that failed. `kind` says what broke, without instants and values: failures of one
-    kind are one. `message` is the first finding."""
+    kind are one. `message` is the first finding, `configuration` how the plant was changed."""
 
     seed: int
     file: str
     kind: str
     message: str
+    configuration: str
 
 
 @dataclass(frozen=True, slots=True)
 class Chunk:
-    """Some seeds that were tried: those from `first` up to and without `behind`."""
+    """Some seeds that were tried: those from `first` up to and without `behind`, in these
+    `configurations`."""
 
     first: int
     behind: int
     virtual_ns: int
+    configurations: tuple[str, ...]
     failures: tuple[Failure, ...]
 
 
 def try_seeds(settings: CampaignSettings, first: int, behind: int) -> Chunk:
     """Run all seeds of a chunk."""
-    failures, virtual_ns = [], 0
+    failures, configurations, virtual_ns = [], set(), 0
     for seed in range(first, behind):
-        result = run_case(case_of(settings, seed), _catalog(), seed)
+        case = case_of(settings, seed)
+        result = run_case(case, _catalog(), seed)
         virtual_ns += result.virtual_ns
+        file = settings.files[seed % len(settings.files)]
+        configuration = case.changes.strip("[]") or _AS_IT_IS
+        configurations.add(f"{Path(file).name}: {configuration}")
         if not result.passed:
             found = result.failures[0]
-            file = settings.files[seed % len(settings.files)]
-            failures.append(Failure(seed, file, kind_of(found), found.message))
-    return Chunk(first, behind, virtual_ns, tuple(failures))
+            failures.append(Failure(seed, file, kind_of(found), found.message, configuration))
+    return Chunk(first, behind, virtual_ns, tuple(sorted(configurations)), tuple(failures))
 
 
 def case_of(settings: CampaignSettings, seed: int) -> ScenarioCase:
@@ -79,7 +87,7 @@ def drawn(settings: CampaignSettings, seed: int) -> Entry:
     file = settings.files[seed % len(settings.files)]
     if file.endswith(SUFFIX):
         return _explicit(Path(file), case_of(settings, seed), seed)
-    return draw(seed, subject_of(file), settings.kinds)
+    return draw(seed, seed // len(settings.files), subject_of(file), settings.kinds)
 
 
 def case_from(entry: Entry, path: Path) -> ScenarioCase:
@@ -107,8 +115,8 @@ def _explicit(path: Path, case: ScenarioCase, seed: int) -> Entry:
     if any("random" in fault for fault in entry.get("faults", ())):
         entry["faults"] = [
             {
-                "at": _us(event.at_ns),
-                **({} if event.lasts_ns is None else {"lasts": _us(event.lasts_ns)}),
+                "at": written_time(event.at_ns),
+                **({} if event.lasts_ns is None else {"lasts": written_time(event.lasts_ns)}),
                 "inject": event.name,
                 **({"on": event.on} if event.on else {}),
                 **({"settings": dict(event.settings)} if event.settings else {}),
@@ -116,10 +124,6 @@ def _explicit(path: Path, case: ScenarioCase, seed: int) -> Entry:
             for event in prepare(case, _catalog(), seed).faults
         ]
     return entry
-
-
-def _us(time_ns: int) -> str:
-    return f"{time_ns / NS_PER_US:.3f} us"
 
 
 def kind_of(found: Diagnostic) -> str:
@@ -145,13 +149,4 @@ def subject_of(file: str) -> Subject:
     catalog = with_own_sequences(_catalog(), Path(file).parent)
     plan = load_plant(Path(file), catalog)
     places = possible_places(build_plant(plan, catalog, PlantSetup()))
-    allowed = tuple(entry for entry in VARIATIONS if _allows(plan, entry, catalog))
-    return Subject(file, plan, allowed, places)
-
-
-def _allows(plan: Plant, entry: Entry, catalog: Catalog) -> bool:
-    try:
-        varied_plant(plan, Variation.model_validate(entry), catalog)
-    except DiagnosticError:
-        return False
-    return True
+    return Subject(file, plan, catalog, variations(plan, catalog), places)

@@ -3,6 +3,7 @@
 import pytest
 
 from fbgen.wire.toshiba import seal
+from harness.gateways.tospbdp001 import Memory
 from harness.kernel import NS_PER_MS
 from harness.line import Parity
 
@@ -16,6 +17,18 @@ def test_header_and_checksum_are_added_towards_the_drive_and_removed_towards_the
     bench.run_ms(60)
     assert bench.inverter.frames == [bytes.fromhex("2F 0B 50 FA 00 C4 00 48")]
     assert bench.reply == bytes.fromhex(START)
+
+
+def test_a_gateway_that_kept_its_supply_knows_the_trigger_and_the_reply(bench):
+    bench.gateway.power_off()
+    bench.send(0xE000, 1, START)
+    bench.gateway.power_on(Memory(trigger=1, status=0x9F00, reply=bytes.fromhex(FREQUENCY)))
+    bench.run_ms(40)
+    assert bench.station.inputs[2:] == bytes.fromhex(FREQUENCY)
+    assert bench.inverter.frames == []
+    bench.send(0xE000, 2, START)
+    bench.run_ms(30)
+    assert bench.inverter.frames == [bytes.fromhex("2F 0B 50 FA 00 C4 00 48")]
 
 
 @pytest.mark.fact("tos.io")

@@ -12,7 +12,7 @@ from fbgen.cli.program import program
 from fbgen.diagnostics import DiagnosticError
 from harness.scenario import run_case, scenario_cases
 from harness.verify.campaign import Campaign, CampaignSettings
-from harness.verify.campaign.drawing import Entry
+from harness.verify.campaign.entries import Entry
 from harness.verify.campaign.files import campaign_settings
 from harness.verify.campaign.reproduction import reproduce
 from harness.verify.campaign.shrinking import minimal, shrink
@@ -56,6 +56,37 @@ def test_what_is_drawn_can_run() -> None:
         case_from(entry, ONE)
 
 
+def test_ten_seeds_share_a_program_and_the_next_ten_have_another() -> None:
+    settings = campaign_settings([ONE], [])
+    programs = [drawn(settings, seed)["variations"] for seed in range(30)]
+    assert programs[:10] == programs[:1] * 10
+    assert len({str(program) for program in programs}) == 3
+
+
+def test_every_configuration_that_the_plant_allows_is_drawn() -> None:
+    settings = campaign_settings([ONE], [])
+    entries = [drawn(settings, seed) for seed in range(0, 4000, 10)]
+    programs = [entry["variations"][0] for entry in entries]
+    expected = {
+        "dialect": {"tia", "step7", "iec", "twincat", None},
+        "plc": {"s7-1200", "s7-1500", "s7-300", "s7-400", "iec", "twincat", None},
+        "access": {"per_identifier", "dpxx_dat", "process_image", None},
+        "layout": {"gsd10", "doc9", "whole10", None},
+        "cycle_time_ms": {5.0, 20.0, 40.0, None},
+    }
+    for key, values in expected.items():
+        assert {program.get(key) for program in programs} == values, key
+    options = {name for program in programs for name in program.get("options", ())}
+    assert {"handshake", "trigger_poll", "error_counter", "startup_lock"} <= options
+    assert {entry["times"]["profibus"] for entry in entries} == {"1 ms", "2 ms", "3 ms", "5 ms"}
+    left = [entry["gateways"]["gw1"] for entry in entries if "gateways" in entry]
+    assert {gateway["trigger"] for gateway in left} == {0, 1, 253, 254, 255}
+    assert {"16#9F00", "16#5F00", "16#C0FF"} <= {gateway["status"] for gateway in left}
+    assert (
+        len({entry["drives"]["pump"]["reply_time"] for entry in entries if "drives" in entry}) > 9
+    )
+
+
 def test_only_the_faults_that_are_named_are_drawn() -> None:
     settings = campaign_settings([ONE], ["line_noise", "drive_slow"])
     kinds = {fault["inject"] for seed in range(20) for fault in drawn(settings, seed)["faults"]}
@@ -66,6 +97,15 @@ def test_seeds_of_the_shipped_blocks_hold_all_rules_and_recover() -> None:
     chunk = try_seeds(campaign_settings([ONE], []), 0, 4)
     assert chunk.failures == ()
     assert chunk.virtual_ns > 0
+    assert chunk.configurations == (
+        "one_drive.yaml: tia, s7-1200, doc9, process_image, cycle 20 ms",
+    )
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("first", range(0, 200, 20))
+def test_many_seeds_of_the_shipped_blocks_hold_all_rules_and_recover(first: int) -> None:
+    assert try_seeds(campaign_settings([ONE], []), first, first + 20).failures == ()
 
 
 def test_two_processes_find_what_one_finds(failing: CampaignSettings, tmp_path: Path) -> None:
@@ -126,6 +166,8 @@ def test_a_failure_becomes_a_short_scenario_that_fails_in_the_same_way(
 ) -> None:
     failure = Campaign(failing, 8).run(tmp_path / "log.jsonl").failures[0]
     path = reproduce(failing, failure, tmp_path / "found")
+    head = path.read_text("utf-8")
+    assert f"# Found by seed {failure.seed} of a campaign: as in the file\n" in head
     (case,) = scenario_cases(path)
     assert len(case.scenario.faults) == 1
     assert len(case.scenario.steps) == 1
@@ -166,6 +208,27 @@ def test_settings_are_dropped_and_times_made_round() -> None:
     assert not fails(entry)
 
 
+def test_the_plant_becomes_plain_again_as_far_as_it_fails() -> None:
+    entry: Entry = {
+        "engine": "reference",
+        "variations": [{"dialect": "iec", "layout": "doc9", "options": {"handshake": False}}],
+        "times": {"profibus": "5 ms", "start": "3 ms"},
+        "drives": {"one": {"reply_time": "1 ms"}, "two": {"reply_time": "2 ms"}},
+        "gateways": {"gw1": {"trigger": 254}},
+        "steps": [{"wait": "1 s"}],
+    }
+
+    def fails(tried: Entry) -> bool:
+        is_iec = tried.get("variations", [{}])[0].get("dialect") == "iec"
+        return is_iec and "two" in tried.get("drives", {})
+
+    assert shrink(entry, fails) == {
+        "variations": [{"dialect": "iec"}],
+        "drives": {"two": {"reply_time": "2 ms"}},
+        "steps": [{"wait": "1000 ms"}],
+    }
+
+
 def test_the_command_tells_what_failed_and_writes_its_file(tmp_path: Path) -> None:
     file = tmp_path / "supply.scenario.yaml"
     file.write_text(FAILING, encoding="utf-8")
@@ -175,6 +238,8 @@ def test_the_command_tells_what_failed_and_writes_its_file(tmp_path: Path) -> No
     assert run.exit_code == 1, run.output
     found = json.loads(run.stdout)
     assert found["seeds"] == 4
+    assert found["configurations"] == ["supply.scenario.yaml: as in the file"]
+    assert found["failures"][0]["configuration"] == "as in the file"
     assert Path(found["failures"][0]["file"]).is_file()
     assert (out / "log.jsonl").is_file()
 
