@@ -7,7 +7,7 @@ PYTHON ?= $(or $(wildcard .venv/bin/python),$(shell \
     $$python -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$python && break; \
   done),python3)
 BIN := .venv/bin
-# The tests run in this many processes at once.
+# The tests and the phase sweep run in this many processes at once.
 JOBS ?= 2
 
 .PHONY: help demo test check bench sweep phases golden schemas format environment
@@ -17,7 +17,8 @@ help:
 	@echo "make test     ruff, mypy --strict and all tests; ends with what was skipped and why"
 	@echo "make check    ruff and mypy alone"
 	@echo "make sweep    the tests marked slow"
-	@echo "make phases   the phase sweep over every combination (about an hour), with its table"
+	@echo "make phases   the phase sweep over every combination, with its table; ended early, it"
+	@echo "              goes on from build/phases.jsonl (JOBS=4: in four processes)"
 	@echo "make bench    speed and size"
 	@echo "make golden   write the golden files anew (look at the difference before you commit)"
 	@echo "make schemas  write the JSON Schemas anew"
@@ -41,7 +42,7 @@ sweep: environment
 	$(BIN)/python -m pytest -n $(JOBS) -m slow
 
 phases: environment
-	$(BIN)/python -m harness.sweep tests/unit/sweep/line.yaml
+	$(BIN)/python -m harness.sweep tests/unit/sweep/line.yaml -j $(JOBS) --journal build/phases.jsonl
 
 bench: environment
 	$(BIN)/python -m bench

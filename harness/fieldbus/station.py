@@ -205,6 +205,8 @@ class Station:
         """Begin again with Slave_Diag, as after the master was stopped."""
         self.failed = self.reporting = False
         self.state = StationState.DIAGNOSIS
+        self.transfers = 0
+        self.inputs[:] = bytes(len(self.inputs))
 
     def fail(self) -> None:
         """Its data cannot be reached any more: nobody asks for them."""

@@ -16,7 +16,6 @@ from harness.kernel import Kernel
 from harness.line import Line
 
 _BAUD_RATE_19200, _PARITY_EVEN = 4, 1
-_FIRST_VALUE = 0x100
 UNKNOWN_COM_NO = 0x7FFF
 """No drive knows this ComNo: it refuses, and its refusal does not pass the gateway."""
 
@@ -40,7 +39,11 @@ class DriveLog:
     """What all drives of a line have carried out, in its order; the source of the values."""
 
     executed: list[Executed] = field(default_factory=list)
-    values: int = _FIRST_VALUE
+    values: int = 0
+
+    def begin(self, first: int) -> None:
+        """A new run, with values behind this one."""
+        self.executed, self.values = [], first & 0xFFFF
 
     def next_value(self) -> int:
         """A value that no drive has given in this run."""

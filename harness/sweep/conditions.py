@@ -45,6 +45,11 @@ class Conditions:
         """Whether the drives answer as fast as the catalogue says."""
         return self.reply_ns <= self.reply_max_ms * NS_PER_MS
 
+    @property
+    def program(self) -> tuple[str, bool, int]:
+        """What the PLC text depends on."""
+        return self.access, self.drive_zero, self.reply_max_ms
+
     def __str__(self) -> str:
         drive = "with drive 0" if self.drive_zero else "without drive 0"
         poll = "on" if self.trigger_poll else "off"

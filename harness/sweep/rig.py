@@ -2,16 +2,19 @@
 
 The requests go where the users of the generated blocks put theirs, into the channels of TOS_Line.
 One installation serves many runs: all supplies go, the clock moves on to an instant at which bus
-grid and trigger poll have their start again, and everything begins anew.
+grid and trigger poll have their start again, and everything begins anew. What a run shows
+depends on its conditions alone, not on what ran before.
 """
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from math import ceil
+from zlib import crc32
 
 from fbgen.blocks.line_times import line_times
 from fbgen.catalog import Catalog
-from fbgen.plant import Plant
+from fbgen.lang.types import Scalar
+from fbgen.plant import Plant, with_prefix
 from fbgen.source import Source
 from fbgen.wire.toshiba import ASCII_START
 from harness.fieldbus import CycleTimes
@@ -38,6 +41,9 @@ Alteration = Callable[[Sequence[Source]], Sequence[Source]]
 
 _GRID_NS = 60 * NS_PER_MS
 """All bus periods of whole milliseconds up to 6 and the trigger poll begin together so often."""
+
+_REPLY = ("done", "error", "status", "data")
+"""What is looked at of a channel's reply."""
 
 _LONGEST_RUN_NS = 60 * NS_PER_S
 _SETTLING_NS = 300 * NS_PER_MS
@@ -95,8 +101,7 @@ class Rig:
         `catalog` says of the drives what `base` says (`with_reply_time`).
         """
         self._base = base
-        plan = _in_conditions(plan, base)
-        self.plan = plan
+        plan = plant_in(plan, base)
         sources = None if alteration is None else alteration(generated_sources(plan, catalog))
         setup = PlantSetup(sources=sources, cpu=CpuSettings(tear_probability=base.torn))
         self._plant = plant = build_plant(plan, catalog, setup)
@@ -121,10 +126,13 @@ class Rig:
         )
         line.taps.append(self._heard)
         plant.cpu.after_scan.append(self._scanned)
-        instance = f"TOS_Gateway_{entry.name}_DB"
+        instance = with_prefix(f"TOS_Gateway_{entry.name}_DB", plan.prefix)
         self._channels = f"{instance}.statChannels"
-        self._trigger_path = f"{instance}.statFrameOut.trigger"
-        self._line = f"TOS_Plant.{entry.name}.line"
+        self._line = f"{with_prefix('TOS_Plant', plan.prefix)}.{entry.name}.line"
+        paths = [f"{instance}.statFrameOut.trigger", f"{self._line}.online"]
+        for channel in range(len(entry.drives) + 1):
+            paths += [f"{self._channels}[{channel}].reply.{name}" for name in _REPLY]
+        self._read = plant.cpu.engine.reader(paths)
         self.times = line_times(plan, entry, catalog)
         self._trigger = 0
         self._seen = Observation(base)
@@ -138,13 +146,7 @@ class Rig:
     def suits(self, conditions: Conditions) -> bool:
         """Whether these conditions differ from the rig's in times only."""
         base = self._base
-        return conditions == replace(
-            conditions,
-            access=base.access,
-            drive_zero=base.drive_zero,
-            reply_max_ms=base.reply_max_ms,
-            torn=base.torn,
-        )
+        return (conditions.program, conditions.torn) == (base.program, base.torn)
 
     def run(self, conditions: Conditions, script: Sequence[Step]) -> Observation:
         """Everything from the supply on; `conditions` differ from the rig's in times only."""
@@ -175,7 +177,9 @@ class Rig:
         kernel.run_until(-(-kernel.now_ns // _GRID_NS) * _GRID_NS)
         poll_ns = self._poll_ns if conditions.trigger_poll else 0
         self._gateway.settings = replace(self._gateway.settings, trigger_poll_ns=poll_ns)
-        self._log.executed = []
+        seed = crc32(repr(conditions).encode())
+        kernel.random.seed(seed)
+        self._log.begin(seed)
         for drive in self._drives.values():
             drive.begin(conditions.reply_ns)
         self._seen = Observation(conditions)
@@ -188,35 +192,33 @@ class Rig:
 
     def _scanned(self) -> None:
         """Between two scans: note the trigger, take replies, ask for the next."""
-        engine, now_ns = self._plant.cpu.engine, self._plant.kernel.now_ns
-        trigger = engine.global_value(self._trigger_path)
+        now_ns = self._plant.kernel.now_ns
+        trigger, online, *replies = self._read()
         assert isinstance(trigger, int)
         if trigger != self._trigger:
             self._trigger = trigger
             self._seen.triggers.append(now_ns)
-        self._open = [outcome for outcome in self._open if not self._ended(outcome)]
-        self._unwaited = [outcome for outcome in self._unwaited if not self._ended(outcome)]
-        if not self._open and now_ns >= self._idle_until_ns:
+        self._open = [outcome for outcome in self._open if not self._ended(outcome, replies)]
+        self._unwaited = [item for item in self._unwaited if not self._ended(item, replies)]
+        if online and not self._open and now_ns >= self._idle_until_ns:
             self._next()
 
-    def _ended(self, outcome: Outcome) -> bool:
-        path = f"{self._channels}[{outcome.request.channel}].reply"
-        engine = self._plant.cpu.engine
-        done = bool(engine.global_value(f"{path}.done"))
-        if not done and not engine.global_value(f"{path}.error"):
+    def _ended(self, outcome: Outcome, replies: Sequence[Scalar]) -> bool:
+        channel = outcome.request.channel
+        first = channel * len(_REPLY)
+        done, failed, status, data = replies[first : first + len(_REPLY)]
+        if not done and not failed:
             return False
-        status, data = (engine.global_value(f"{path}.{name}") for name in ("status", "data"))
         assert isinstance(status, int)
         assert isinstance(data, int)
         outcome.ended_ns = self._plant.kernel.now_ns
-        outcome.done, outcome.status, outcome.data = done, status, data
-        engine.set_global(path, {"done": False, "error": False})
+        outcome.done, outcome.status, outcome.data = bool(done), status, data
+        path = f"{self._channels}[{channel}].reply"
+        self._plant.cpu.engine.set_global(path, {"done": False, "error": False})
         return True
 
     def _next(self) -> None:
         """What is due of the script, up to the next request or pause."""
-        if not self._gateway_online():
-            return
         for step in self._steps:
             if isinstance(step, Ask):
                 for request in step.requests:
@@ -237,9 +239,6 @@ class Rig:
                 self._drives[step.inv_no].revive()
                 self._silent.discard(step.inv_no)
         self._over = True
-
-    def _gateway_online(self) -> bool:
-        return bool(self._plant.cpu.engine.global_value(f"{self._line}.online"))
 
     def _post(self, request: Request) -> None:
         outcome = Outcome(request, self._plant.kernel.now_ns)
@@ -270,7 +269,8 @@ class Rig:
         self._seen.frames.append(frame)
 
 
-def _in_conditions(plan: Plant, base: Conditions) -> Plant:
+def plant_in(plan: Plant, base: Conditions) -> Plant:
+    """The plant with access way, layout and drives of these conditions."""
     (entry,) = plan.gateways
     drives = tuple(item for item in entry.drives if base.drive_zero or item.inv_no)
     changed = {"access": base.access, "layout": ACCESS_LAYOUTS[base.access], "drives": drives}

@@ -134,9 +134,9 @@ def _is_spacer(frame: Frame, expected: Expected) -> bool:
 
 def _asked(frame: Frame, seen: Observation) -> bool:
     return any(
-        frame.telegram == outcome.request.telegram
-        and outcome.posted_ns <= frame.start_ns
+        outcome.posted_ns <= frame.start_ns
         and (outcome.ended_ns is None or frame.start_ns <= outcome.ended_ns)
+        and frame.telegram == outcome.request.telegram
         for outcome in seen.outcomes
     )
 
@@ -156,9 +156,9 @@ def _repetitions(seen: Observation) -> Iterator[Violation]:
 
 
 def _count(outcome: Outcome, frames: list[Frame]) -> int:
-    last_ns = outcome.ended_ns
+    last_ns, telegram = outcome.ended_ns, outcome.request.telegram
     return sum(
-        frame.telegram == outcome.request.telegram
+        frame.telegram == telegram
         and outcome.posted_ns <= frame.start_ns
         and (last_ns is None or frame.start_ns <= last_ns)
         for frame in frames

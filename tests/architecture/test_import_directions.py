@@ -57,7 +57,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.durations": {"harness.kernel"},
     "harness.faults": BASE | TEXT | PLANT | {"harness.durations"},
     "harness.rules": BASE | TEXT | PLANT,
-    "harness.sweep": BASE | TEXT | PLANT,
+    "harness.journal": {"fbgen.source"},
+    "harness.sweep": BASE | TEXT | PLANT | {"harness.journal"},
     "harness.trial": BASE | {"fbgen.lang", "harness.engine", "harness.kernel"},
     "harness.pytest_plugin": BASE
     | TEXT
@@ -72,7 +73,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.verify": BASE
     | TEXT
     | PLANT
-    | {"fbgen.workers", "harness.durations", "harness.faults"}
+    | {"harness.durations", "harness.faults", "harness.journal"}
     | {"harness.results", "harness.scenario", "harness.trace"},
     "harness.demo": BASE | TEXT | PLANT | {"harness.scenario", "harness.trace"},
 }

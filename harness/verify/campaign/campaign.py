@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from fbgen.diagnostics import error
-from harness.verify.campaign.log import Log, read_log
+from harness.verify.campaign.log import add_chunk, open_log
 from harness.verify.campaign.trials import CampaignSettings, Chunk, Failure, try_seeds
 
 LARGEST_CHUNK = 20
@@ -67,12 +67,11 @@ class Campaign:
 
         Raises DiagnosticError FB8072 for a log of another campaign, FB8073 without a cluster.
         """
-        chunks = read_log(log, self.settings)
-        writing = Log(log, self.settings)
+        writing, chunks = open_log(log, self.settings)
         interrupted = False
         try:
             for chunk in self._tried(self._left(chunks)):
-                writing.add(chunk)
+                add_chunk(writing, chunk)
                 chunks.append(chunk)
                 failures = sum(len(item.failures) for item in chunks)
                 tried = len(_configurations(chunks))

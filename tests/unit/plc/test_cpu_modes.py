@@ -42,6 +42,21 @@ def test_the_cpu_runs_once_all_stations_exchange_data(rig):
     assert modes == [(0.0, CpuMode.STARTUP), (10.0, CpuMode.RUN)]
 
 
+def test_a_cpu_that_was_without_supply_waits_for_the_stations_again(rig):
+    rig.start()
+    rig.slave.set_inputs(b"\xff" * len(rig.slave.inputs))
+    rig.run_ms(20)
+    rig.cpu.power_off()
+    rig.run_ms(100)
+    modes: list[tuple[float, CpuMode]] = []
+    rig.cpu.on_mode.append(lambda mode: modes.append((rig.kernel.now_ns / NS_PER_MS, mode)))
+    begin_ms = rig.kernel.now_ns / NS_PER_MS
+    rig.cpu.start()
+    assert not any(rig.station.inputs), "what was there before the master was off"
+    rig.run_ms(50)
+    assert modes == [(begin_ms, CpuMode.STARTUP), (begin_ms + 10, CpuMode.RUN)]
+
+
 def test_the_cpu_does_not_wait_for_a_station_that_fails(rig):
     rig.cpu.start()
     rig.run_ms(10)

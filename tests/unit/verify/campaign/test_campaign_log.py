@@ -9,7 +9,7 @@ import pytest
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from harness.verify.campaign import CampaignSettings
 from harness.verify.campaign.files import campaign_settings
-from harness.verify.campaign.log import Log, read_log
+from harness.verify.campaign.log import open_log
 
 ROOT = Path(__file__).parents[4]
 ONE = ROOT / "tests" / "scenarios" / "one_drive.yaml"
@@ -18,7 +18,7 @@ BAD = ROOT / "tests" / "unit" / "bad" / "FB8072_other_campaign.jsonl"
 
 def refused(path: Path, settings: CampaignSettings) -> Diagnostic:
     with pytest.raises(DiagnosticError) as failure:
-        read_log(path, settings)
+        open_log(path, settings)
     (found,) = failure.value.diagnostics
     assert found.code == "FB8072"
     return found
@@ -30,7 +30,7 @@ def begun(folder: Path) -> tuple[Path, CampaignSettings]:
     shutil.copy(ONE, plant)
     settings = campaign_settings([plant], [])
     log = folder / "log.jsonl"
-    Log(log, settings).close()
+    open_log(log, settings)[0].close()
     return log, settings
 
 
@@ -49,7 +49,9 @@ def test_what_is_no_log_is_refused(tmp_path: Path) -> None:
 
 def test_a_log_is_gone_on_with_while_the_plant_is_the_same(tmp_path: Path) -> None:
     log, settings = begun(tmp_path)
-    assert read_log(log, settings) == []
+    journal, chunks = open_log(log, settings)
+    journal.close()
+    assert chunks == []
 
 
 def test_a_plant_that_has_changed_since_is_told(tmp_path: Path) -> None:
