@@ -40,9 +40,10 @@ def pooled(
 
 
 def _begin(stop: Event) -> None:
-    """In a new process: Ctrl-C and SIGTERM are the business of the one that has started it."""
+    """In a new process: Ctrl-C is the business of the one that has started it, and so is whatever
+    else that one does when it is asked to end."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     Thread(target=_end_with, args=(stop,), daemon=True).start()
 
 

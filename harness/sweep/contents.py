@@ -5,7 +5,6 @@ from hashlib import sha256
 from pathlib import Path
 
 import fbgen
-import harness
 from fbgen.resources import shipped
 from harness.sweep.conditions import Conditions
 from harness.sweep.sweeping import Sweep
@@ -24,7 +23,7 @@ def contents(sweep: Sweep, plan: str, conditions: Sequence[Conditions]) -> str:
         for source in sweep.sources(Conditions(*program)):
             digest.update(source.text.encode())
     folders = {
-        "*.py": [Path(package.__file__ or "").parent for package in (fbgen, harness)],
+        "*.py": [Path(fbgen.__file__).parent, Path(__file__).parents[1]],
         "*.yaml": [shipped("catalog")],
     }
     for pattern, places in folders.items():
