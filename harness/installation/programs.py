@@ -41,10 +41,13 @@ def generated_program(plan: Plant, catalog: Catalog) -> Program:
 
 
 def _origins(file: "GeneratedFile") -> tuple[tuple[int, Origin | None], ...]:
+    """A line of a template stands in front of the value that the line is said to be from."""
     places: list[tuple[int, Origin | None]] = []
     offset = 0
     for line, origins in zip(file.text.splitlines(keepends=True), file.origins, strict=False):
         values = [origin for origin in origins if not origin.is_template]
-        places.append((offset, next(iter((*values, *origins)), None)))
+        places += [(offset, origin) for origin in origins if origin.is_template]
+        if values or not origins:
+            places.append((offset, next(iter(values), None)))
         offset += len(line)
     return tuple(places)

@@ -3,7 +3,7 @@
     coverage = Coverage()
     program = load_program(["conveyor.scl"], probes=[coverage])
     ...                                           # run it
-    print(together(coverage.blocks()).statement.percent)
+    print(together(united(coverage)).statement.percent)
     write(coverage, "coverage.html")
 
 `docs/reference/coverage.md` says what is counted and how.
@@ -15,7 +15,8 @@ from harness.verify.coverage.limits import parse_limits, too_little
 from harness.verify.coverage.reports import Target, contents, parse_target, write
 from harness.verify.coverage.storing import load, summary
 from harness.verify.coverage.table import CATALOGUE_HEADINGS, HEADINGS, catalogue_rows, rows
-from harness.verify.coverage.totals import Count, Totals, together, totals_of
+from harness.verify.coverage.totals import Count, Totals
+from harness.verify.coverage.uniting import together, totals_of, united
 from harness.verify.coverage.watching import watch
 
 __all__ = [
@@ -37,5 +38,6 @@ __all__ = [
     "together",
     "too_little",
     "totals_of",
+    "united",
     "write",
 ]

@@ -10,8 +10,7 @@ from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from fbgen import __version__
 from harness.verify.coverage.collecting import Coverage
-from harness.verify.coverage.lines import LineCounts, lines_of
-from harness.verify.coverage.model import FileKey
+from harness.verify.coverage.lines import BlockLines, LineCounts, lines_by_file
 from harness.verify.coverage.naming import report_names
 
 _HEAD = (
@@ -23,9 +22,9 @@ _HEAD = (
 def cobertura(coverage: Coverage, source: str = ".") -> str:
     """The whole file; `source` is the folder that the names of the files are seen from."""
     names = report_names(coverage)
-    keys = sorted(coverage.files, key=lambda key: (key.dialect, names[key]))
-    lines = {key: _lines(coverage, key) for key in keys}
-    everything = [line for key in keys for line in lines[key]]
+    blocks = lines_by_file(coverage)
+    keys = sorted(blocks, key=lambda key: (key.dialect, names[key]))
+    everything = [line for key in keys for line in _lines(blocks[key])]
     root = Element("coverage", _rates(everything, whole=True))
     root.set("version", f"fbgen {__version__}")
     root.set("timestamp", "0")
@@ -33,32 +32,28 @@ def cobertura(coverage: Coverage, source: str = ".") -> str:
     packages = SubElement(root, "packages")
     for dialect, group in groupby(keys, key=lambda key: key.dialect):
         files = list(group)
-        inside = [line for key in files for line in lines[key]]
+        inside = [line for key in files for line in _lines(blocks[key])]
         package = SubElement(packages, "package", {"name": dialect, **_rates(inside)})
         classes = SubElement(package, "classes")
         for key in files:
-            _class(classes, coverage, key, names[key], lines[key])
+            _class(classes, names[key], blocks[key])
     indent(root)
     return _HEAD + tostring(root, encoding="unicode") + "\n"
 
 
-def _lines(coverage: Coverage, key: FileKey) -> list[LineCounts]:
-    return [line for block in coverage.files[key].of_blocks() for line in lines_of(block)]
+def _lines(blocks: Iterable[BlockLines]) -> list[LineCounts]:
+    return [line for block in blocks for line in block.lines]
 
 
-def _class(
-    classes: Element, coverage: Coverage, key: FileKey, name: str, lines: Sequence[LineCounts]
-) -> None:
+def _class(classes: Element, name: str, blocks: Sequence[BlockLines]) -> None:
+    lines = _lines(blocks)
     title = name.rpartition("/")[2].rpartition(".")[0] or name
     attributes = {"name": title, "filename": name, **_rates(lines)}
     element = SubElement(classes, "class", attributes)
     methods = SubElement(element, "methods")
-    for block in coverage.files[key].of_blocks():
-        inside = lines_of(block)
-        method = SubElement(
-            methods, "method", {"name": block.places.name, "signature": "", **_rates(inside)}
-        )
-        _write_lines(method, inside)
+    for block in blocks:
+        attributes = {"name": block.name, "signature": "", **_rates(block.lines)}
+        _write_lines(SubElement(methods, "method", attributes), block.lines)
     _write_lines(element, lines)
 
 

@@ -6,8 +6,7 @@ A block is a function there. MC/DC is left to our own formats: only LCOV 2.2 and
 from collections.abc import Iterator, Sequence
 
 from harness.verify.coverage.collecting import Coverage
-from harness.verify.coverage.counts import BlockCounts
-from harness.verify.coverage.lines import LineCounts, lines_of
+from harness.verify.coverage.lines import BlockLines, LineCounts, lines_by_file
 from harness.verify.coverage.naming import report_names
 
 
@@ -15,9 +14,10 @@ def lcov(coverage: Coverage) -> str:
     """The whole tracefile."""
     names = report_names(coverage)
     parts: list[str] = []
-    for key in sorted(coverage.files, key=names.__getitem__):
-        blocks = list(coverage.files[key].of_blocks())
-        lines = [line for block in blocks for line in lines_of(block)]
+    found = lines_by_file(coverage)
+    for key in sorted(found, key=names.__getitem__):
+        blocks = found[key]
+        lines = [line for block in blocks for line in block.lines]
         parts += [
             "TN:",
             f"SF:{names[key]}",
@@ -31,18 +31,13 @@ def lcov(coverage: Coverage) -> str:
     return "\n".join(parts) + "\n"
 
 
-def _functions(blocks: Sequence[BlockCounts]) -> Iterator[str]:
+def _functions(blocks: Sequence[BlockLines]) -> Iterator[str]:
     for block in blocks:
-        yield f"FN:{block.places.place.line},{block.places.name}"
+        yield f"FN:{block.first_line},{block.name}"
     for block in blocks:
-        yield f"FNDA:{_calls(block)},{block.places.name}"
+        yield f"FNDA:{block.calls},{block.name}"
     yield f"FNF:{len(blocks)}"
-    yield f"FNH:{sum(_calls(block) > 0 for block in blocks)}"
-
-
-def _calls(block: BlockCounts) -> int:
-    """How often the block was called: its first statement runs each time."""
-    return block.statement_hits[0] if block.statement_hits else 0
+    yield f"FNH:{sum(block.calls > 0 for block in blocks)}"
 
 
 def _branches(lines: Sequence[LineCounts]) -> Iterator[str]:

@@ -6,7 +6,9 @@ from fbgen.diagnostics import Diagnostic, error
 from fbgen.nearest import nearest
 from harness.verify.coverage.collecting import Coverage
 from harness.verify.coverage.derived import catalogue_of
-from harness.verify.coverage.totals import KINDS, Count, together
+from harness.verify.coverage.items import KINDS
+from harness.verify.coverage.totals import Count
+from harness.verify.coverage.uniting import together, united
 
 CATALOGUE = "catalogue"
 DEMANDED = (*KINDS, CATALOGUE)
@@ -39,7 +41,7 @@ def parse_limits(text: str) -> Mapping[str, float]:
 
 def too_little(coverage: Coverage, limits: Mapping[str, float]) -> Iterator[Diagnostic]:
     """FB8052 for each kind of which there is less than demanded."""
-    counts: dict[str, Count] = together(coverage.blocks())._asdict()
+    counts: dict[str, Count] = together(united(coverage))._asdict()
     if CATALOGUE in limits:
         counts[CATALOGUE] = catalogue_of(coverage).total()
     for kind, least in limits.items():

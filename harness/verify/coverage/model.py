@@ -51,6 +51,20 @@ class DecisionPlace(NamedTuple):
     conditions: tuple[ConditionPlace, ...]
 
 
+class TemplateKeys(NamedTuple):
+    """What a generated block is made from, and what its parts are called in any of its texts.
+
+    `keys` are those of the statements, the outcomes and the conditions, in this order. Texts that
+    were generated from one template have the same key for the same thing (`kinship`). A text that a
+    person wrote has no `template` and no keys.
+    """
+
+    template: str = ""
+    statements: tuple[str, ...] = ()
+    outcomes: tuple[str, ...] = ()
+    conditions: tuple[str, ...] = ()
+
+
 class BlockPlaces(NamedTuple):
     """What there is in a block, in the order of the text."""
 
@@ -60,6 +74,7 @@ class BlockPlaces(NamedTuple):
     statements: tuple[Place, ...]
     branchings: tuple[Branching, ...]
     decisions: tuple[DecisionPlace, ...]
+    made_from: TemplateKeys = TemplateKeys()
 
 
 class FileKey(NamedTuple):

@@ -4,17 +4,18 @@ It holds the coverage as JSON; the script draws what is looked at, so thousands 
 """
 
 import json
+from collections.abc import Sequence
 
 from harness.engine.compiled.decisions import Results
 from harness.verify.coverage.collecting import Coverage
 from harness.verify.coverage.counts import BlockCounts
 from harness.verify.coverage.derived import catalogue_of
+from harness.verify.coverage.items import STATEMENT, items_of, wanted
 from harness.verify.coverage.masking import shown_by
-from harness.verify.coverage.missing import missing_in, wanted
 from harness.verify.coverage.model import DecisionPlace
 from harness.verify.coverage.page_script import SCRIPT
 from harness.verify.coverage.page_style import STYLE
-from harness.verify.coverage.totals import together, totals_of
+from harness.verify.coverage.uniting import ItemKey, UnitedBlock, together, united
 
 _PAGE = """<!DOCTYPE html>
 <html lang="en">
@@ -37,10 +38,11 @@ _PAGE = """<!DOCTYPE html>
 
 def page(coverage: Coverage) -> str:
     """The whole page."""
-    blocks = list(coverage.blocks())
+    blocks = united(coverage)
     data: dict[str, object] = {
         "totals": together(blocks)._asdict(),
-        "blocks": [_block(block) for block in blocks],
+        "blocks": _blocks(blocks),
+        "texts": [_text(block, text) for block in blocks for text in block.texts],
         "catalogue": None,
     }
     catalogue = catalogue_of(coverage)
@@ -52,19 +54,45 @@ def page(coverage: Coverage) -> str:
     return _PAGE.format(style=STYLE, data=text, script=SCRIPT)
 
 
-def _block(block: BlockCounts) -> dict[str, object]:
+def _blocks(blocks: Sequence[UnitedBlock]) -> list[dict[str, object]]:
+    """The rows of the table; `texts` are the numbers of a block's texts in `data.texts`."""
+    found: list[dict[str, object]] = []
+    first = 0
+    for block in blocks:
+        plants = sorted({plant for text in block.texts for plant in text.plants})
+        found.append(
+            {
+                "name": block.name,
+                "dialects": ", ".join(block.dialects),
+                "plants": plants,
+                **block.totals._asdict(),
+                "texts": list(range(first, first + len(block.texts))),
+            }
+        )
+        first += len(block.texts)
+    return found
+
+
+def _text(block: UnitedBlock, text: BlockCounts) -> dict[str, object]:
+    reached = [
+        ItemKey(STATEMENT, item.key) in block.reached
+        for item in items_of(text)
+        if item.kind == STATEMENT
+    ]
     return {
-        "name": block.places.name,
-        "kind": block.places.kind,
-        "dialect": block.file.dialect,
-        "file": block.file.name,
-        "plants": sorted(block.plants),
-        **totals_of(block)._asdict(),
-        "first": block.places.place.line,
-        "text": block.lines,
-        "statements": [(place.line, place.end_line, hits) for place, hits in block.statements()],
-        "missing": [(one.place.line, one.kind, one.what) for one in missing_in(block)],
-        "decisions": [_decision(place, vectors) for place, vectors in block.decisions()],
+        "name": text.places.name,
+        "kind": text.places.kind,
+        "dialect": text.file.dialect,
+        "file": text.file.name,
+        "plants": sorted(text.plants),
+        "first": text.places.place.line,
+        "text": text.lines,
+        "statements": [
+            (place.line, place.end_line, hits, is_reached)
+            for (place, hits), is_reached in zip(text.statements(), reached, strict=True)
+        ],
+        "missing": [(one.place.line, one.kind, one.missing) for one in block.missing_in(text)],
+        "decisions": [_decision(place, vectors) for place, vectors in text.decisions()],
     }
 
 

@@ -61,7 +61,7 @@ function overview() {
 
 function rows(table, words, only) {
   const head = make("tr"), body = make("tbody"), top = make("thead");
-  const columns = [["name", "block"], ["dialect", "dialect"], ...kinds, ["plants", "plants"]];
+  const columns = [["name", "block"], ["dialects", "dialects"], ...kinds, ["plants", "plants"]];
   for (const [key, name] of columns) {
     const cell = make("th"), press = make("button", "", name);
     if (order.key === key) {
@@ -77,21 +77,22 @@ function rows(table, words, only) {
   const sorted = data.blocks.map((block, index) => ({ block, index }));
   sorted.sort((a, b) => (value(a.block) < value(b.block) ? -1 : value(a.block) > value(b.block) ? 1
     : a.index - b.index) * (order.up ? 1 : -1));
-  for (const { block, index } of sorted) {
-    const text = [block.name, block.dialect, ...block.plants].join(" ").toLowerCase();
+  for (const { block } of sorted) {
+    const text = [block.name, block.dialects, ...block.plants].join(" ").toLowerCase();
     if (!text.includes(words)) continue;
     if (only && kinds.every(([key]) => percent(block[key]) === 100)) continue;
     const row = make("tr"), name = make("td"), link = make("a", "", block.name);
-    link.href = "#" + index;
+    link.href = "#" + block.texts[0];
     name.append(link);
-    row.append(name, make("td", "", block.dialect));
+    if (block.texts.length > 1) name.append(make("span", "soft", ` ${block.texts.length} texts`));
+    row.append(name, make("td", "", block.dialects));
     for (const [key] of kinds) {
       const cell = make("td", "n", `${shown(block[key])}`);
       cell.title = `${block[key][0]} of ${block[key][1]}`;
       if (block[key][1]) cell.append(bar(block[key]));
       row.append(cell);
     }
-    row.append(make("td", "soft", block.plants.join(", ") || block.file));
+    row.append(make("td", "soft", block.plants.join(", ") || data.texts[block.texts[0]].file));
     body.append(row);
   }
   top.append(head);
@@ -115,12 +116,13 @@ function states(block) {
   const lines = new Map();
   const at = number => lines.get(number) ||
     lines.set(number, { hits: null, state: "", notes: [], decisions: [] }).get(number);
-  for (const [first, last, hits] of block.statements) {
+  for (const [first, last, hits, reached] of block.statements) {
     for (let number = first; number <= last; number++) {
       const line = at(number);
       if (number === first) line.hits = Math.max(line.hits ?? 0, hits);
-      const state = hits ? "yes" : "no";
-      line.state = line.state && line.state !== state ? "part" : state;
+      const state = hits ? "yes" : reached ? "other" : "no";
+      const both = [line.state || state, state];
+      line.state = both[0] === both[1] ? state : both.includes("no") ? "part" : "yes";
     }
   }
   for (const [number, kind, what] of block.missing) {
@@ -135,7 +137,8 @@ function states(block) {
 }
 
 function one(index, target) {
-  const block = data.blocks[index];
+  const block = data.texts[index];
+  const whole = data.blocks.find(one => one.texts.includes(index));
   const back = make("p"), home = make("a", "", "\\u2190 all blocks");
   home.href = "#"; back.append(home);
   const title = make("h2", "", `${block.name} `);
@@ -144,7 +147,9 @@ function one(index, target) {
   const help = make("p", "soft");
   help.append(make("kbd", "", "n"), " and ", make("kbd", "", "p"),
     " go to the next and previous place that is missing, ", make("kbd", "", "u"), " goes up.");
-  main.replaceChildren(back, title, cards(block), help);
+  main.replaceChildren(back, title, cards(whole));
+  if (whole.texts.length > 1) main.append(texts(whole, index));
+  main.append(help);
   const lines = states(block), source = make("div", "source");
   block.text.forEach((text, offset) => {
     const number = block.first + offset, known = lines.get(number);
@@ -152,6 +157,7 @@ function one(index, target) {
     row.id = `line-${number}`;
     row.append(make("span", "number", number));
     row.append(make("span", "hits", known && known.hits !== null ? times(known.hits) : ""));
+    if (known && known.state === "other") row.title = "has run in another text of the block";
     row.append(make("span", "code", text || " "));
     source.append(row);
     if (!known) return;
@@ -162,6 +168,20 @@ function one(index, target) {
   const wanted = target && document.getElementById(`line-${target}`);
   if (wanted) { wanted.classList.add("here"); wanted.scrollIntoView({ block: "center" }); }
   else window.scrollTo(0, 0);
+}
+
+function texts(whole, index) {
+  const box = make("p", "texts soft");
+  box.append(`All ${whole.texts.length} texts of the block count together; what has run in ` +
+    "another one is marked so. ");
+  for (const number of whole.texts) {
+    const { dialect, plants, file } = data.texts[number];
+    const name = `${plants.join(", ") || file} ${dialect}`;
+    const link = make(number === index ? "b" : "a", "", name);
+    if (number !== index) link.href = "#" + number;
+    box.append(link, " ");
+  }
+  return box;
 }
 
 const times = hits => hits < 1e6 ? String(hits) : (hits / 1e6).toFixed(1) + " M";
@@ -214,7 +234,7 @@ function vectors(decision) {
 
 function show() {
   const [index, line] = location.hash.slice(1).split(":");
-  if (index !== "" && data.blocks[index]) one(Number(index), line); else overview();
+  if (index !== "" && data.texts[index]) one(Number(index), line); else overview();
 }
 
 let place = -1;

@@ -61,6 +61,8 @@ a { color: var(--link); text-decoration: none; } a:hover { text-decoration: unde
 .source .hits { border-right: 3px solid transparent; }
 .yes > .hits { border-right-color: var(--yes); }
 .no > .hits { border-right-color: var(--no); color: var(--no); }
+.other > .hits { border-right: 3px dotted var(--yes); }
+.texts a, .texts b { margin-right: .5rem; white-space: nowrap; }
 .no > .code { background: var(--no-back); }
 .part > .hits { border-right-color: var(--part); color: var(--part); }
 .part > .code { background: var(--part-back); }

@@ -32,6 +32,7 @@ from harness.engine.compiled.decisions import Decision, decision
 from harness.engine.compiled.probes import Probed
 from harness.engine.compiled.walk import Node, every_node
 from harness.verify.coverage.excluded import never_deciding
+from harness.verify.coverage.kinship import Kinship, TemplateLines, template_lines
 from harness.verify.coverage.model import (
     BlockPlaces,
     Branching,
@@ -39,6 +40,7 @@ from harness.verify.coverage.model import (
     DecisionPlace,
     Outcome,
     Place,
+    TemplateKeys,
 )
 
 _CONSTANT = "the condition is a constant"
@@ -68,23 +70,28 @@ def blocks_by_file(program: Program) -> dict[Source, list[BlockNodes]]:
     Text inside of XML has its places there, so the XML is the file.
     """
     found: dict[Source, list[BlockNodes]] = {}
+    templates: dict[Source, TemplateLines] = {}
     for block, body in program.bodies.items():
         if body:
             file = block.span.source
             while isinstance(file, EmbeddedSource):
                 file = file.container
-            found.setdefault(file, []).append(_block(block, body))
+            if file not in found:
+                templates[file] = template_lines(file)
+            kin = Kinship(templates[file], block.syntax.span.line, body)
+            found.setdefault(file, []).append(_block(block, body, kin))
     for blocks in found.values():
         blocks.sort(key=lambda one: one.places.place)
     return found
 
 
-def _block(block: Block, body: Sequence[Statement]) -> BlockNodes:
+def _block(block: Block, body: Sequence[Statement], kin: Kinship) -> BlockNodes:
     source = block.span.source
     nodes = [node for node in every_node(body) if node.span.source is source]
     statements: dict[Place, list[Statement]] = {}
     branchings: list[tuple[Branching, tuple[Probed, ...]]] = []
     decisions: dict[Place, tuple[DecisionPlace, Expression]] = {}
+    keys: dict[Place, list[str]] = {}
     for node in sorted(nodes, key=lambda one: (one.span.start, -one.span.end)):
         if isinstance(node, Statement) and not isinstance(node, Label | Guarded):
             statements.setdefault(_place(_head(node)), []).append(node)
@@ -94,7 +101,11 @@ def _block(block: Block, body: Sequence[Statement]) -> BlockNodes:
             found = decision(expression)
             if found is not None:
                 where = _place(expression.span)
-                decisions.setdefault(where, (_decision(expression, found), expression))
+                if where not in decisions:
+                    decisions[where] = _decision(expression, found), expression
+                    if kin.template:
+                        owner = kin.below(kin.of(node), expression)
+                        keys[where] = [kin.below(owner, one) for one in found.conditions]
     ordered = sorted(decisions.values(), key=lambda item: item[0].place)
     places = BlockPlaces(
         block.name,
@@ -103,6 +114,14 @@ def _block(block: Block, body: Sequence[Statement]) -> BlockNodes:
         tuple(statements),
         tuple(branching for branching, _ in branchings),
         tuple(where for where, _ in ordered),
+        TemplateKeys()
+        if not kin.template
+        else TemplateKeys(
+            kin.template,
+            tuple(kin.of(group[0]) for group in statements.values()),
+            tuple(key for branching, owners in branchings for key in _ways(kin, branching, owners)),
+            tuple(key for where, _ in ordered for key in keys[where.place]),
+        ),
     )
     return BlockNodes(
         places,
@@ -110,6 +129,15 @@ def _block(block: Block, body: Sequence[Statement]) -> BlockNodes:
         tuple(owners for _, owners in branchings),
         tuple(expression for _, expression in ordered),
     )
+
+
+def _ways(kin: Kinship, branching: Branching, owners: Sequence[Probed]) -> Iterator[str]:
+    """The keys of the outcomes of a branching, whose last owner is the statement itself."""
+    statement = owners[-1]
+    assert isinstance(statement, Statement), "the way on that is left belongs to the statement"
+    for number, outcome in enumerate(branching.outcomes):
+        way = number if isinstance(statement, If) and owners[number] is not statement else ""
+        yield f"{kin.of(statement)}>{way}{outcome.name}"
 
 
 def _place(span: Span) -> Place:

@@ -22,11 +22,13 @@ from harness.verify.coverage.model import (
     FileKey,
     Outcome,
     Place,
+    TemplateKeys,
 )
-from harness.verify.coverage.totals import Count, Totals, together, totals_of
+from harness.verify.coverage.totals import Count, Totals
+from harness.verify.coverage.uniting import together, totals_of, united
 
 FORMAT = "fbgen-coverage"
-VERSION = 1
+VERSION = 2
 
 
 def as_json(coverage: Coverage) -> dict[str, object]:
@@ -42,17 +44,23 @@ def as_json(coverage: Coverage) -> dict[str, object]:
 
 def summary(coverage: Coverage) -> dict[str, object]:
     """How much was reached, in all and of each block, as plain data."""
-    blocks = list(coverage.blocks())
+    blocks = united(coverage)
     return {
         "totals": _totals(together(blocks)),
         "blocks": [
             {
-                "name": block.places.name,
-                "dialect": block.file.dialect,
-                "file": block.file.name,
-                "line": block.places.place.line,
-                "plants": sorted(block.plants),
-                **_totals(totals_of(block)),
+                "name": block.name,
+                **_totals(block.totals),
+                "texts": [
+                    {
+                        "dialect": text.file.dialect,
+                        "file": text.file.name,
+                        "line": text.places.place.line,
+                        "plants": sorted(text.plants),
+                        **_totals(totals_of(text)),
+                    }
+                    for text in block.texts
+                ],
             }
             for block in blocks
         ],
@@ -86,6 +94,7 @@ def _file(counts: FileCounts) -> dict[str, object]:
                 "name": block.places.name,
                 "kind": block.places.kind,
                 "place": block.places.place,
+                "made_from": block.places.made_from._asdict(),
                 "statements": [[*place, hits] for place, hits in block.statements()],
                 "branchings": [
                     {
@@ -210,7 +219,13 @@ def _block(block: Mapping[str, Any]) -> BlockPlaces:
             )
             for one in block["decisions"]
         ),
+        _made_from(block["made_from"]),
     )
+
+
+def _made_from(data: Mapping[str, Any]) -> TemplateKeys:
+    lists = (tuple(map(str, data[name])) for name in TemplateKeys._fields[1:])
+    return TemplateKeys(str(data["template"]), *lists)
 
 
 def _place(numbers: Sequence[int]) -> Place:

@@ -7,7 +7,7 @@ from harness import load_program
 from harness.engine.interface import Value
 from harness.verify.coverage import Coverage
 from harness.verify.coverage.counts import BlockCounts
-from harness.verify.coverage.missing import missing_in
+from harness.verify.coverage.items import items_of
 
 BELT = """\
 FUNCTION_BLOCK "Belt"
@@ -73,4 +73,6 @@ def decided(
 
 def missing(block: BlockCounts) -> list[tuple[str, int, str]]:
     """Kind, line and words of what is missing."""
-    return [(one.kind, one.place.line, one.what) for one in missing_in(block)]
+    found = [item for item in items_of(block) if item.missing and not item.excluded]
+    found.sort(key=lambda item: item.place)
+    return [(item.kind, item.place.line, item.missing) for item in found]

@@ -100,7 +100,7 @@ def test_the_page_holds_everything_and_asks_for_nothing() -> None:
     assert "://" not in text
     assert "src=" not in text
     data = text.partition('type="application/json">')[2].partition("</script>")[0]
-    (block,) = json.loads(data)["blocks"]
+    (block,) = json.loads(data)["texts"]
     assert block["text"] == BELT.rstrip("\n").split("\n")
     assert block["missing"][0] == [6, "branch", "never: ELSE"]
 
@@ -137,7 +137,7 @@ def test_a_report_without_a_known_form_is_refused() -> None:
     assert parse_target("html=report.txt") == ("html", Path("report.txt"))
 
 
-@pytest.mark.parametrize("text", ["", "{}", "[]", '{"format": "fbgen-coverage", "version": 2}'])
+@pytest.mark.parametrize("text", ["", "{}", "[]", '{"format": "fbgen-coverage", "version": 1}'])
 def test_a_file_without_coverage_is_refused(tmp_path: Path, text: str) -> None:
     path = tmp_path / "coverage.json"
     path.write_text(text, encoding="utf-8")
