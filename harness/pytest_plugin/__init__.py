@@ -19,12 +19,14 @@ if TYPE_CHECKING:
     from harness.pytest_plugin.faults import InjectedFaults
 
 SEED = "--fbgen-seed"
+COVERAGE = "--fbgen-coverage"
+FAIL_UNDER = "--fbgen-coverage-fail-under"
 PLANT = "fbgen_plant"
 _SUFFIX = ".scenario.yaml"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """The option and the setting."""
+    """The options and the setting."""
     group = parser.getgroup("fbgen", "simulated plants")
     group.addoption(
         SEED,
@@ -32,16 +34,33 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         metavar="N",
         help="this seed for scenarios and plants, instead of their own",
     )
+    group.addoption(
+        COVERAGE,
+        action="append",
+        metavar="REPORT",
+        help="what the tests reach of the PLC text: a file .html, .xml (Cobertura), .info (LCOV) "
+        "or .json, a folder/ for all of them, or table; may be given several times",
+    )
+    group.addoption(
+        FAIL_UNDER,
+        default="",
+        metavar="LIMITS",
+        help="fail with less coverage, such as statement=90,branch=80,mcdc=70,catalogue=60",
+    )
     parser.addini(PLANT, "plant file of the fixture plant, as seen from the root folder")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """The marker."""
+    """The marker; and who collects coverage, if it is asked for."""
     config.addinivalue_line(
         "markers",
         "fbgen(plant=None, seed=0, engine='compiled', drives={}, sources=None): the plant of the "
         "fixtures; the file is named as seen from the folder of the test",
     )
+    if config.getoption(COVERAGE) or config.getoption(FAIL_UNDER):
+        from harness.pytest_plugin.coverage import CoverageSession  # noqa: PLC0415 - where asked for
+
+        config.pluginmanager.register(CoverageSession(config), "fbgen coverage")
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:

@@ -7,10 +7,13 @@ from typing import Any, TypeVar
 import pytest
 
 from fbgen.source import Source
-from harness.engine.loading import LoadedProgram, load_program
+from harness.engine.loading import PROBED, LoadedProgram, load_program
 from harness.installation import DriveConditions, Installation, PlantSetup
 from harness.installation import plant as installation
 from harness.pytest_plugin import PLANT, SEED
+from harness.pytest_plugin.coverage import coverage_of
+from harness.pytest_plugin.naming import near
+from harness.verify.coverage import Coverage, watch
 
 Thing = TypeVar("Thing")
 _SETTINGS = ("plant", "seed", "engine", "drives", "sources")
@@ -20,8 +23,12 @@ def loader(request: pytest.FixtureRequest) -> Callable[..., LoadedProgram]:
     """`load_program` for files beside the test."""
     folder = request.path.parent
 
+    coverage = coverage_of(request.config)
+
     def load(*sources: str | Path | Source, **settings: Any) -> LoadedProgram:
-        found = [item if isinstance(item, Source) else folder / item for item in sources]
+        found = [item if isinstance(item, Source) else near(folder / item) for item in sources]
+        if coverage is not None and settings.get("engine", PROBED) == PROBED:
+            settings["probes"] = [*settings.get("probes", ()), coverage]
         return load_program(found, **settings)
 
     return load
@@ -36,16 +43,32 @@ def started_plant(request: pytest.FixtureRequest) -> Installation:
     drives: Mapping[str, DriveConditions] = settings.get("drives", {})
     asked = request.config.getoption(SEED)
     seed: int = settings.get("seed", 0) if asked is None else asked
+    engine: str = settings.get("engine", PROBED)
+    coverage = _coverage_of_test(request) if engine == PROBED else None
     setup = PlantSetup(
         seed,
-        settings.get("engine", "compiled"),
+        engine,
         drives,
         sources=None if sources is None else [folder / item for item in sources],
+        probes=() if coverage is None else (coverage,),
     )
     built = installation(path, setup)
+    if coverage is not None:
+        coverage.name_plant(built.plan.name)
+        watch(built, coverage.catalogue)
     request.node.user_properties.append(("fbgen_seed", seed))
     built.start()
     return built
+
+
+def _coverage_of_test(request: pytest.FixtureRequest) -> Coverage | None:
+    """Collects for one plant; what it has counts for the session when the test is over."""
+    session = coverage_of(request.config)
+    if session is None:
+        return None
+    coverage = Coverage()
+    request.addfinalizer(lambda: session.merge([coverage]))
+    return coverage
 
 
 def _settings(request: pytest.FixtureRequest) -> dict[str, Any]:

@@ -1,9 +1,8 @@
 """Scenario files as tests: one for each row, variation and seed, failing with the same text."""
 
-import os.path
+import os
 from collections.abc import Iterable
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -11,9 +10,12 @@ import pytest
 from fbgen.catalog import Catalog, load_catalog
 from fbgen.diagnostics import DiagnosticError, render
 from harness.pytest_plugin import SEED
+from harness.pytest_plugin.coverage import coverage_of
+from harness.pytest_plugin.naming import near
 from harness.results import ScenarioResult
 from harness.scenario import RunOptions, ScenarioCase, run_case, scenario_cases
 from harness.scenario.explaining import explained
+from harness.verify.coverage.observing import CoverageObserver, collected_by
 
 
 class ScenarioWarning(pytest.PytestWarning):
@@ -35,7 +37,7 @@ class ScenarioFile(pytest.File):
         """Its cases; a mistake in the file fails the collection with its places."""
         options = RunOptions(seed=self.config.getoption(SEED))
         try:
-            cases = scenario_cases(_near(self.path), options)
+            cases = scenario_cases(near(self.path), options)
         except DiagnosticError as wrong:
             text = "\n".join(render(found) for found in wrong.diagnostics)
             raise self.CollectError(text) from None
@@ -57,7 +59,12 @@ class ScenarioItem(pytest.Item):
     def runtest(self) -> None:
         """Run it; a failure that is expected is reported as such."""
         catalog = _shipped_catalog()
-        result = explained(self.case, run_case(self.case, catalog), catalog)
+        coverage = coverage_of(self.config)
+        observers = () if coverage is None else (CoverageObserver,)
+        result = run_case(self.case, catalog, observers=observers)
+        if coverage is not None:
+            coverage.merge(collected_by([result]))
+        result = explained(self.case, result, catalog)
         for warning in result.warnings:
             self.warn(ScenarioWarning(render(warning)))
         if not result.passed:
@@ -77,12 +84,6 @@ class ScenarioItem(pytest.Item):
         """Where it stands: its steps."""
         span = self.case.scenario.span_of("steps")
         return self.path, span.line - 1 if span is not None else None, self.case.name
-
-
-def _near(path: Path) -> Path:
-    """The path as a person would write it in a command."""
-    relative = Path(os.path.relpath(path))
-    return path if relative.parts[:1] == ("..",) else relative
 
 
 def _name(case: ScenarioCase) -> str:

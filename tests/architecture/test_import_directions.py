@@ -31,6 +31,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "fbgen.worker_pool": {"fbgen.diagnostics"},
     "fbgen.diagnostics": {"fbgen.excerpt", "fbgen.source"},
     "fbgen.excerpt": {"fbgen.source"},
+    "fbgen.columns": set(),
     "fbgen.pages": {"fbgen.diagnostics", "fbgen.resources"},
     "fbgen.wire": BASE,
     "fbgen.lang": BASE,
@@ -40,7 +41,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "fbgen.emit": BASE | TEXT,
     "fbgen.artefacts": BASE | TEXT,
     "fbgen.docs": BASE | TEXT,
-    "fbgen.cli": BASE | TEXT | {"fbgen.artefacts", "fbgen.docs"},
+    "fbgen.cli": BASE | TEXT | {"fbgen.artefacts", "fbgen.columns", "fbgen.docs"},
     "harness": BASE | TEXT | PLANT | {"harness.trace"},
     "harness.kernel": set(),
     "harness.line": BASE | {"fbgen.wire", "harness.kernel"},
@@ -63,7 +64,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.pytest_plugin": BASE
     | TEXT
     | PLANT
-    | {"harness.faults", "harness.results", "harness.scenario"},
+    | {"fbgen.columns", "harness.faults", "harness.results", "harness.scenario", "harness.verify"},
     "harness.results": BASE,
     "harness.scenario": BASE
     | TEXT

@@ -13,7 +13,7 @@ from harness.verify.coverage.collecting import Coverage
 from harness.verify.coverage.derived import catalogue_of
 from harness.verify.coverage.limits import parse_limits, too_little
 from harness.verify.coverage.reports import Target, contents, parse_target, write
-from harness.verify.coverage.storing import load, summary
+from harness.verify.coverage.storing import as_text, from_text, load, summary
 from harness.verify.coverage.table import CATALOGUE_HEADINGS, HEADINGS, catalogue_rows, rows
 from harness.verify.coverage.totals import Count, Totals
 from harness.verify.coverage.uniting import together, totals_of, united
@@ -30,6 +30,8 @@ __all__ = [
     "summary",
     "Count",
     "Coverage",
+    "as_text",
+    "from_text",
     "Totals",
     "contents",
     "load",

@@ -1,6 +1,6 @@
 """Coverage of scenarios: who collects it while they run."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import PurePath
 
 from harness.engine.compiled import ProbeMaker
@@ -40,6 +40,11 @@ class CoverageObserver:
 def coverage_of(report: ScenarioReport) -> Coverage:
     """What all runs of a session have reached together."""
     coverage = Coverage()
-    found = (result.observed(Coverage) for result in report.results)
-    coverage.merge(one for one in found if one is not None)
+    coverage.merge(collected_by(report.results))
     return coverage
+
+
+def collected_by(results: Iterable[ScenarioResult]) -> Iterator[Coverage]:
+    """What each run has collected."""
+    found = (result.observed(Coverage) for result in results)
+    return (one for one in found if one is not None)

@@ -60,12 +60,15 @@ def contents(coverage: Coverage, target: Target) -> Mapping[Path, bytes]:
     return files
 
 
-def write(coverage: Coverage, target: str | Path) -> None:
+def write(coverage: Coverage, target: str | Path | Target) -> None:
     """Write a report over the last one; `target` as `fbgen test --coverage` takes it.
 
     Raises DiagnosticError FB8053, and OSError for a place that cannot be written.
     """
-    wanted = parse_target(target if isinstance(target, str) else target.as_posix())
+    if isinstance(target, Target):
+        wanted = target
+    else:
+        wanted = parse_target(target if isinstance(target, str) else target.as_posix())
     for path, data in contents(coverage, wanted).items():
         path.parent.mkdir(parents=True, exist_ok=True)
         replace_file(path, data)

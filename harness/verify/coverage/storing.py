@@ -146,22 +146,27 @@ def as_text(coverage: Coverage) -> str:
     return json.dumps(as_json(coverage), separators=(",", ":")) + "\n"
 
 
+def from_text(text: str) -> Coverage:
+    """What `as_text` gave. Raises ValueError and the like for anything else."""
+    data = json.loads(text)
+    if data["format"] != FORMAT or data["version"] != VERSION:
+        raise ValueError("it is of another format or version")
+    coverage = Coverage()
+    for file in data["files"]:
+        counts = _counts(file)
+        coverage.files[counts.key] = counts
+    coverage.catalogue.merge([data["catalogue"]])
+    return coverage
+
+
 def load(path: Path) -> Coverage:
     """Read a file. Raises DiagnosticError FB8050 if it holds no coverage."""
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
-        if data["format"] != FORMAT or data["version"] != VERSION:
-            raise _no_coverage(path, "it is of another format or version")
-        coverage = Coverage()
-        for file in data["files"]:
-            counts = _counts(file)
-            coverage.files[counts.key] = counts
-        coverage.catalogue.merge([data["catalogue"]])
+        return from_text(path.read_text(encoding="utf-8"))
     except OSError as wrong:
         raise _no_coverage(path, wrong.strerror or "it cannot be read") from None
     except (ValueError, KeyError, TypeError, IndexError, AttributeError) as wrong:
         raise _no_coverage(path, f"{type(wrong).__name__}: {wrong}") from None
-    return coverage
 
 
 def _no_coverage(path: Path, reason: str) -> DiagnosticError:
