@@ -14,6 +14,7 @@ from fbgen.cli.output import on_error_terminal, report, result, say
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
+    from harness.scenario.model import Variation
     from harness.verify.mutation.mutant import Operator
     from harness.verify.mutation.session import MutationRun
     from harness.verify.mutation.stage import Stage
@@ -156,17 +157,18 @@ def _operators(text: str) -> "Collection[Operator]":
 
 
 def _cases(paths: "Sequence[Path]", *, every: bool) -> "Cases":
-    """The cases of these scenarios; of each file the first variation, or every one."""
+    """The cases of these scenarios; of each row the first variation, or every one."""
     from harness.scenario import find_scenarios, scenario_cases
     from harness.verify.mutation.work import CaseName
 
-    return tuple(
-        CaseName(path, number)
-        for path in find_scenarios(paths)
-        for number, case in enumerate(scenario_cases(path))
-        if (every or case.variation == scenario_cases(path)[0].variation)
-        and case.scenario.expect_failure is None
-    )
+    found: list[CaseName] = []
+    for path in find_scenarios(paths):
+        first: dict[str, Variation] = {}
+        for number, case in enumerate(scenario_cases(path)):
+            variation = first.setdefault(case.row, case.variation)
+            if (every or case.variation == variation) and case.scenario.expect_failure is None:
+                found.append(CaseName(path, number))
+    return tuple(found)
 
 
 def _homes(stage: "Stage", plants: "Sequence[Path]") -> list[int]:

@@ -209,6 +209,8 @@ class CompiledEngine:
         self._start_inside(block.name, data, retains=True)
         for method, values in own_starts(self._program, block.name, arguments):
             self._call_on(data, method, values)
+        if isinstance(block, Block):
+            self._connect(data)
         return self._instance(record, data)
 
     def _start_inside(self, name: str, data: Any, *, retains: bool) -> None:

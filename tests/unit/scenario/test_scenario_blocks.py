@@ -53,6 +53,52 @@ def test_both_engines_run_blocks(tmp_path: Path, engine: str) -> None:
     assert tank(tmp_path, text).passed
 
 
+TAKER = """\
+TYPE "Order"
+STRUCT
+  parts : INT;
+  taken : BOOL;
+END_STRUCT;
+END_TYPE
+
+FUNCTION_BLOCK "Taker"
+VAR_IN_OUT
+  order : "Order";
+  stock : INT;
+END_VAR
+BEGIN
+  IF NOT #order.taken AND #order.parts <= #stock THEN
+    #stock := #stock - #order.parts;
+    #order.taken := TRUE;
+  END_IF;
+END_FUNCTION_BLOCK
+"""
+
+
+@pytest.mark.parametrize("engine", ["compiled", "reference"])
+def test_in_outs_are_variables_of_the_scenario(tmp_path: Path, engine: str) -> None:
+    text = f"""\
+version: 1
+title: Orders
+sources: [taker.scl]
+block: Taker
+engine: {engine}
+steps:
+  - expect: {{block.order.taken: false, block.stock: 0}}
+  - set: {{block.order.parts: 3, block.stock: 2}}
+  - call: 1
+  - expect: {{block.order.taken: false, block.stock: 2}}
+  - set: {{block.stock: 5}}
+  - call: 2
+  - expect: {{block.order.taken: true, block.order.parts: 3, block.stock: 2}}
+"""
+    (tmp_path / "taker.scl").write_text(TAKER, "utf-8")
+    path = tmp_path / "taker.scenario.yaml"
+    path.write_text(text, "utf-8")
+    result = run_case(scenario_cases(path)[0], load_catalog())
+    assert result.passed, result.render()
+
+
 def test_a_stub_gives_what_the_scenario_says(tmp_path: Path) -> None:
     text = """\
 stubs:
