@@ -1,4 +1,4 @@
-"""What editors learn of `${column}`: in steps and properties it may stand for any value.
+"""What editors learn of `${column}`: it may stand for any value but the version and the table.
 
 What comes out when the table is filled in is checked when the scenario is read.
 """
@@ -8,13 +8,18 @@ from typing import Any
 _PLACE = r"\$\{"
 _FILLED: dict[str, Any] = {"type": "string", "pattern": _PLACE}
 _ABOUT = ("default", "description", "title")
+_AS_THEY_ARE = ("version", "cases")
 _NO_TEXTS = ("boolean", "integer", "number")
 
 
 def with_places(schema: dict[str, Any]) -> dict[str, Any]:
     """The schema of a scenario file with texts that have `${` where a value belongs."""
     parts = {name: _allowed(part) for name, part in schema.get("$defs", {}).items()}
-    return {**schema, "$defs": parts}
+    keys = {
+        name: part if name in _AS_THEY_ARE else _allowed(part)
+        for name, part in schema.get("properties", {}).items()
+    }
+    return {**schema, "$defs": parts, "properties": keys}
 
 
 def _allowed(node: Any) -> Any:

@@ -209,8 +209,7 @@ class CompiledEngine:
         self._start_inside(block.name, data, retains=True)
         for method, values in own_starts(self._program, block.name, arguments):
             self._call_on(data, method, values)
-        if isinstance(block, Block):
-            self._connect(data)
+        self._connect(data)
         return self._instance(record, data)
 
     def _start_inside(self, name: str, data: Any, *, retains: bool) -> None:
@@ -283,8 +282,7 @@ class CompiledEngine:
     def _connect(self, data: Any) -> None:
         """Places of their own for the in-outs that nothing is connected to yet."""
         for part in self._records[type(data)].parts:
-            if part.kind is VariableKind.IN_OUT and not hasattr(data, part.slot):
-                assert part.variable is not None
+            if part.variable and part.kind is VariableKind.IN_OUT and not hasattr(data, part.slot):
                 setattr(data, part.slot, self._own_place(part.variable, part.name, None))
 
     def _own_place(self, variable: Variable, name: str, value: Value | None) -> Any:

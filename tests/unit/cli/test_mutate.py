@@ -153,7 +153,7 @@ def test_a_scenario_that_fails_by_itself_is_named(fbgen: Fbgen, tmp_path: Path) 
 def test_equivalent_mutants_are_proved_and_do_not_count(fbgen: Fbgen, tmp_path: Path) -> None:
     path = tmp_path / "mutants.json"
     fbgen(
-        *("mutate", "--scenarios", SCENARIO, "--block", "TOS_Seq_stop", "--operators"),
+        *("mutate", "--scenarios", SCENARIO, "--block", "TOS_HzToWord", "--operators"),
         *("relational", "--prove", "--json", str(path)),
     )
     found = json.loads(path.read_text(encoding="utf-8"))
