@@ -18,25 +18,34 @@ _LOOKS_UP_EVERY_S = 0.2
 """How often a process looks whether it is still wanted."""
 
 
-def pooled(
-    work: Callable[[_Item], _Result], items: Sequence[_Item], processes: int
-) -> Generator[_Result, None, None]:
-    """See `fbgen.workers.in_order`."""
-    stop = multiprocessing.Event()
-    pool = ProcessPoolExecutor(processes, initializer=_begin, initargs=(stop,))
-    try:
-        yield from pool.map(work, items)
-    except BrokenProcessPool:
-        raise error(
-            "FB9020",
-            "the system has ended a process that worked for this command",
-            help="most often the memory was used up: take fewer processes with -j",
-        ) from None
-    except BaseException:
-        stop.set()
-        raise
-    finally:
-        pool.shutdown(cancel_futures=True)
+class Pool:
+    """Processes that are kept until `end`."""
+
+    def __init__(self, processes: int) -> None:
+        self._stop = multiprocessing.Event()
+        self._pool = ProcessPoolExecutor(processes, initializer=_begin, initargs=(self._stop,))
+
+    def in_order(
+        self, work: Callable[[_Item], _Result], items: Sequence[_Item]
+    ) -> Generator[_Result, None, None]:
+        """See `fbgen.workers.Workers`."""
+        try:
+            yield from self._pool.map(work, items)
+        except BrokenProcessPool:
+            raise error(
+                "FB9020",
+                "the system has ended a process that worked for this command",
+                help="most often the memory was used up: take fewer processes with -j",
+            ) from None
+        except BaseException:
+            self._stop.set()
+            raise
+
+    def end(self, *, at_once: bool) -> None:
+        """Let them go; with `at_once` in the middle of their work."""
+        if at_once:
+            self._stop.set()
+        self._pool.shutdown(cancel_futures=True)
 
 
 def _begin(stop: Event) -> None:

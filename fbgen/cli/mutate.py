@@ -72,8 +72,11 @@ def mutate(
         typer.Option("--variations", help="All variations of a scenario, not only the first."),
     ] = False,
     jobs: Annotated[
-        int, typer.Option("-j", "--jobs", metavar="N", min=1, help="Processes that work.")
-    ] = 1,
+        int | None,
+        typer.Option(
+            "-j", "--jobs", metavar="N", min=1, help="Processes that work; else all processors."
+        ),
+    ] = None,
     prove: Annotated[
         bool,
         typer.Option("--prove", help="Look for proofs that survivors are equivalent; takes z3."),
@@ -110,7 +113,7 @@ def mutate(
     stage = stage_of(cases)
     homes = _homes(stage, plants) if plants else None
     targets = targets_of(stage, block or _blocks_in(mutant or ()), homes)
-    wanted = Wanted(kinds, most, seed, tuple(mutant or ()), jobs, prove, log)
+    wanted = Wanted(kinds, most, seed, tuple(mutant or ()), jobs or _processors(), prove, log)
     shown = _Shown()
     run = run_mutants(cases, targets, wanted, began=shown.began, finished=shown.finished)
     shown.end()
@@ -126,6 +129,12 @@ def mutate(
     if findings := found.too_low(run, fail_under):
         report(findings)
         raise typer.Exit(FINDINGS)
+
+
+def _processors() -> int:
+    import os
+
+    return os.cpu_count() or 1
 
 
 def _need_solver() -> None:
@@ -200,7 +209,7 @@ def _show_checks(stage: "Stage", run: "MutationRun") -> None:
     for one in run.tried:
         for case, known in enumerate(stage.cases):
             if known.name == one.verdict.scenario:
-                other = stage.mutant(case, one.target.subject.block.name, one.number)
+                other = stage.mutant(one.target.subject.block.name, one.number)
                 report(stage.run(case, other).failures)
                 break
 

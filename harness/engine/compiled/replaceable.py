@@ -12,7 +12,7 @@ from types import CodeType
 from typing import Any
 
 from fbgen.lang.checked import Block, Program, Statement
-from fbgen.lang.types import Scalar
+from fbgen.lang.types import Elementary, Scalar
 from fbgen.source import Span
 from harness.engine.compiled.blocks import write_block
 from harness.engine.compiled.code import Listing
@@ -106,6 +106,13 @@ class ReplaceableEngine(CompiledEngine):
         self._controller.present = environment
         self.restore(self._first_state)
 
+    def text_of(self, name: str) -> str:
+        """What a block of the program itself is written as.
+
+        Two engines that write a block alike can run each other's other bodies of it.
+        """
+        return self._listings[f"<{name}>"].text
+
     def compiled_body(
         self, block: Block, body: Sequence[Statement], probe: Probe | None = None
     ) -> "CompiledBody":
@@ -119,12 +126,14 @@ class ReplaceableEngine(CompiledEngine):
             )
         names = {**written.tables, **(probe.names if probe is not None else {})}
         code = compile(written.listing.text, f"<{block.name}>", "exec")
-        return CompiledBody(block, written.listing, names, code)
+        of_any = all(isinstance(one, Elementary) for one in written.tables.values())
+        return CompiledBody(block.name, written.listing, names, code, of_any)
 
     @contextmanager
     def using(self, body: "CompiledBody") -> Iterator[None]:
         """Run a block with other statements than its own, as long as the context is open."""
-        block, file_name = body.block, f"<{body.block.name}>"
+        block = self._program.blocks[body.block.casefold()]
+        file_name = f"<{block.name}>"
         names = self._namespace
         before = dict(names)
         listing = self._listings[file_name]
@@ -151,12 +160,16 @@ class ReplaceableEngine(CompiledEngine):
 
 @dataclass(frozen=True, slots=True)
 class CompiledBody:
-    """Statements that one engine can run in the place of those of a block."""
+    """Statements that an engine can run in the place of those of a block.
 
-    block: Block
+    `of_any` if they refer to nothing of the engine that they were written for.
+    """
+
+    block: str
     listing: Listing
     names: Mapping[str, object]
     code: CodeType
+    of_any: bool
 
 
 _METHODS = ("_run", "_uncounted")

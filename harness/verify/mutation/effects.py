@@ -7,9 +7,8 @@ from harness.trace import Change, Trace
 def first_difference(before: Trace, after: Trace) -> str:
     """The first channel that has another value, in words; "" if the plant does the same."""
     found = None
-    for number, channel in enumerate(before.channels):
-        one = [change for change in before.changes if change.channel == number]
-        other = [change for change in after.changes if change.channel == number]
+    ones, others = _by_channel(before), _by_channel(after)
+    for channel, one, other in zip(before.channels, ones, others, strict=True):
         place = _first(one, other)
         if place is None:
             continue
@@ -21,6 +20,13 @@ def first_difference(before: Trace, after: Trace) -> str:
     time_ns, path, value, changed = found
     values = f"{_shown(changed)} instead of {_shown(value)}"
     return f"{path} is {values} from {time_ns / NS_PER_MS:g} ms on"
+
+
+def _by_channel(trace: Trace) -> list[list[Change]]:
+    changes: list[list[Change]] = [[] for _ in trace.channels]
+    for change in trace.changes:
+        changes[change.channel].append(change)
+    return changes
 
 
 def _first(one: list[Change], other: list[Change]) -> int | None:

@@ -1,31 +1,27 @@
 """A mutation run: look at the cases, try the mutants, say of the survivors what is known."""
 
 import random
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from fbgen.diagnostics import Diagnostic, DiagnosticError, error
+from fbgen.diagnostics import error
 from fbgen.nearest import nearest
-from fbgen.workers import in_order
+from fbgen.workers import Workers
 from harness.verify.mutation.finding import ALL
 from harness.verify.mutation.log import Log
 from harness.verify.mutation.mutant import Mutant, Operator
+from harness.verify.mutation.rounds import Rounds
 from harness.verify.mutation.stage import Stage
-from harness.verify.mutation.subjects import Target, contents_of
+from harness.verify.mutation.subjects import Target, program_key
 from harness.verify.mutation.verdict import Fate, Verdict
-from harness.verify.mutation.watching import CHANGED, REACHED
 from harness.verify.mutation.work import (
+    MOST_RECORDED,
     Cases,
-    Look,
-    Looked,
-    Trial,
+    Survivor,
     find_effect,
-    in_order_of_time,
-    look,
     prove,
     stage_of,
-    try_mutant,
 )
 
 
@@ -69,6 +65,15 @@ class _Chosen:
     number: int
 
 
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    """Something to be found out of a mutant, by running it in cases; `of` is what it depends on."""
+
+    number: int
+    ran: tuple[int, ...]
+    of: str
+
+
 @dataclass(slots=True)
 class MutationRun:
     """What has come of a run, filled while it goes on.
@@ -98,16 +103,17 @@ def run_mutants(
     """
     stage = stage_of(cases)
     chosen = _chosen(targets, wanted)
-    log = Log(wanted.log, contents_of(stage, targets))
     run = MutationRun(len(chosen))
-    verdicts = {one.id: log.known[one.id] for one in chosen if one.id in log.known}
-    session = _Session(cases, stage, wanted.jobs, log, verdicts, began, finished)
-    try:
-        session.work_on(chosen)
-        if wanted.prove:
-            session.prove(chosen)
-    except KeyboardInterrupt:
-        run.interrupted = True
+    with Workers(wanted.jobs) as workers:
+        session = _Session(cases, stage, workers, Log(wanted.log), began, finished)
+        try:
+            for target in targets:
+                numbers = [one.number for one in chosen if one.target is target]
+                if numbers:
+                    session.work_on(target, numbers, prove=wanted.prove)
+        except KeyboardInterrupt:
+            run.interrupted = True
+    verdicts = session.verdicts
     run.tried += [
         Tried(one.id, one.target, one.number, verdicts[one.id])
         for one in chosen
@@ -141,89 +147,65 @@ def _chosen(targets: Sequence[Target], wanted: Wanted) -> list[_Chosen]:
 class _Session:
     cases: Cases
     stage: Stage
-    jobs: int
+    workers: Workers
     log: Log
-    verdicts: dict[str, Verdict]
     began: Callable[[str, int], None]
     finished: Callable[[str], None]
+    verdicts: dict[str, Verdict] = field(default_factory=dict)
 
-    def work_on(self, chosen: Sequence[_Chosen]) -> None:
-        left = [one for one in chosen if one.id not in self.verdicts]
-        looked = self._look({one.target.name: one.target for one in left})
-        trials: list[tuple[_Chosen, Trial]] = []
-        for one in left:
-            cases = looked[one.target.name]
-            trial = self._trial(one, in_order_of_time(cases, one.number, CHANGED))
-            if trial.order:
-                trials.append((one, trial))
-            else:
-                reached = bool(in_order_of_time(cases, one.number, REACHED))
-                fate = Fate.UNCHANGED if reached else Fate.UNREACHED
-                self._settle(Verdict(one.id, fate))
-        self._try(trials)
-
-    def _trial(self, one: _Chosen, order: tuple[int, ...]) -> Trial:
-        return Trial(self.cases, one.target.subject.block.name, one.number, one.id, order)
-
-    def _look(self, targets: dict[str, Target]) -> dict[str, list[Looked]]:
-        """What each case could notice of each block; fails if one does not pass as it is."""
-        work = [
-            (name, Look(self.cases, case, target.subject.block.name))
-            for name, target in targets.items()
-            for case in target.cases
-        ]
-        found: dict[str, list[Looked]] = {name: [] for name in targets}
-        failed: dict[int, Diagnostic] = {}
-        self.began("scenarios", len(work))
-        for (name, _), looked in zip(
-            work, in_order(look, [one for _, one in work], self.jobs), strict=False
-        ):
-            found[name].append(looked)
-            self.finished(self.stage.cases[looked.case].name)
-            if looked.failures:
-                failed[looked.case] = self._fails_as_it_is(looked)
-        if failed:
-            raise DiagnosticError(failed.values())
-        return found
-
-    def _fails_as_it_is(self, looked: Looked) -> Diagnostic:
-        case = self.stage.cases[looked.case]
-        return Diagnostic(
-            "FB8061",
-            f"the scenario '{case.name}' fails without any change: {looked.failures[0]}",
-            help=f"mend it first: fbgen test {case.path.as_posix()}",
+    def work_on(self, target: Target, numbers: Sequence[int], *, prove: bool) -> None:
+        """Run the mutants of a block, and find out what can be said of those that survive."""
+        rounds = Rounds(self.cases, self.stage, self.workers, self.log, target, set(numbers))
+        try:
+            rounds.play(self.began, self.finished)
+        except KeyboardInterrupt:
+            self._settle(rounds.killed.values())
+            raise
+        alive = sorted(rounds.live)
+        self._settle(rounds.verdict(number) for number in numbers)
+        if prove:
+            proofs = self._proofs(target, alive)
+            self._settle(Verdict(target.id_of(one), Fate.PROVED, why=proofs[one]) for one in proofs)
+            alive = [number for number in alive if number not in proofs]
+        effects = self._effects(rounds, [number for number in alive if number in rounds.runs])
+        self._settle(
+            replace(rounds.verdict(number), effect=effect) for number, effect in effects.items()
         )
 
-    def _try(self, trials: Sequence[tuple[_Chosen, Trial]]) -> None:
-        self.began("mutants", len(trials))
-        work = [trial for _, trial in trials]
-        survivors: list[tuple[Trial, Verdict]] = []
-        for trial, verdict in zip(work, in_order(try_mutant, work, self.jobs), strict=False):
-            self.finished(verdict.id)
-            if verdict.fate is Fate.SURVIVED:
-                survivors.append((trial, verdict))
-                self.verdicts[verdict.id] = verdict
-            else:
-                self._settle(verdict)
-        self.began("survivors", len(survivors))
-        work = [trial for trial, _ in survivors]
-        for (_, verdict), effect in zip(
-            survivors, in_order(find_effect, work, self.jobs), strict=False
-        ):
-            self.finished(verdict.id)
-            self._settle(replace(verdict, effect=effect))
+    def _settle(self, verdicts: Iterable[Verdict]) -> None:
+        self.verdicts |= {verdict.id: verdict for verdict in verdicts}
 
-    def prove(self, chosen: Sequence[_Chosen]) -> None:
-        """Look for proofs that mutants make no difference to anybody."""
-        open_fates = (Fate.SURVIVED, Fate.UNCHANGED, Fate.UNREACHED)
-        alive = [one for one in chosen if self.verdicts[one.id].fate in open_fates]
-        work = [self._trial(one, (one.target.home,)) for one in alive]
-        self.began("proofs", len(work))
-        for one, why in zip(alive, in_order(prove, work, self.jobs), strict=False):
-            self.finished(one.id)
-            if why:
-                self._settle(Verdict(one.id, Fate.PROVED, why=why))
+    def _proofs(self, target: Target, alive: Sequence[int]) -> dict[int, str]:
+        """Proofs that mutants make no difference to anybody."""
+        program = program_key(self.stage, target.home)
+        work = [_Asked(number, (target.home,), f"proof {program}") for number in alive]
+        said = self._said(target, "proofs", prove, work)
+        return {number: why for number, why in said.items() if why}
 
-    def _settle(self, verdict: Verdict) -> None:
-        self.verdicts[verdict.id] = verdict
-        self.log.note(verdict)
+    def _effects(self, rounds: Rounds, survivors: Sequence[int]) -> dict[int, str]:
+        """What survivors change that can be seen from outside, though no check notices."""
+        work = []
+        for number in survivors:
+            cases = tuple(rounds.runs[number][:MOST_RECORDED])
+            keys = " ".join(map(rounds.key, cases))
+            work.append(_Asked(number, cases, f"effect {keys}"))
+        return self._said(rounds.target, "survivors", find_effect, work)
+
+    def _said(
+        self,
+        target: Target,
+        what: str,
+        find: Callable[[Survivor], str],
+        wanted: Sequence[_Asked],
+    ) -> dict[int, str]:
+        """What is said of mutants, in the log or else by `find`."""
+        block, key = target.subject.block.name, target.subject.key
+        found = {one.number: self.log.said(key, one.number, one.of) for one in wanted}
+        unknown = [one for one in wanted if found[one.number] is None]
+        work = [Survivor(self.cases, block, one.number, one.ran) for one in unknown]
+        self.began(what, len(work))
+        for one, said in zip(unknown, self.workers.in_order(find, work), strict=True):
+            self.log.note_said(key, one.number, one.of, said)
+            found[one.number] = said
+            self.finished(target.id_of(one.number))
+        return {number: said or "" for number, said in found.items()}

@@ -1,10 +1,8 @@
 """Where mutants are run: the plants of the scenarios, loaded once in each process."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass, replace
-from time import perf_counter
-from typing import TypeAlias
 
 from fbgen.catalog import Catalog
 from fbgen.diagnostics import Diagnostic, DiagnosticError
@@ -31,32 +29,41 @@ class Ending:
 
     failures: tuple[Diagnostic, ...]
     at_ns: int
-    seconds: float
 
 
-@dataclass(frozen=True, slots=True)
 class Subject:
     """A block of one program. Blocks with the same name and key are the same block."""
 
-    block: Block
-    body: tuple[Statement, ...]
-    key: str
-    mutants: tuple[Mutant, ...]
+    __slots__ = ("_mutants", "block", "body", "key")
 
+    def __init__(self, program: Program, block: Block) -> None:
+        self.block = block
+        self.body = program.bodies[block]
+        self.key = fingerprint(block, self.body)
+        self._mutants: tuple[Mutant, ...] | None = None
 
-_Made: TypeAlias = tuple[Block, Sequence[Statement], Probe | None]
+    @property
+    def mutants(self) -> tuple[Mutant, ...]:
+        """All of its mutants, made when they are asked for."""
+        if self._mutants is None:
+            self._mutants = mutants_of(self.block, self.body)
+        return self._mutants
 
 
 @dataclass(frozen=True, slots=True)
 class OtherBody:
-    """Statements in the place of those of a block. `key` is another one for others."""
+    """Statements in the place of those of a block. `key` is another one for others.
 
-    key: str
-    make: Callable[[], _Made]
+    `make` makes them from the block as a program has it.
+    """
+
+    block: str
+    key: Hashable
+    make: Callable[[Subject], tuple[Sequence[Statement], Probe | None]]
 
 
-_MOST_BODIES = 20
-"""How many compiled bodies are kept: a mutant is run in several cases, one after the other."""
+_MOST_BODIES = 1_000
+"""How many compiled bodies are kept: a mutant is run in several cases."""
 
 
 class Stage:
@@ -74,8 +81,8 @@ class Stage:
         ]
         self._engines: dict[tuple[int, int], ReplaceableEngine] = {}
         self._subjects: dict[tuple[int, str], Subject] = {}
-        self._watches: dict[tuple[int, str], Watch] = {}
-        self._bodies: dict[tuple[int, str], CompiledBody] = {}
+        self._bodies: dict[Hashable, CompiledBody] = {}
+        self._seen: dict[Hashable, bytearray] = {}
 
     def program(self, case: int) -> Program:
         """The program of a case."""
@@ -86,6 +93,11 @@ class Stage:
         plan = self._planned[case].plan
         return plan.name if plan is not None else self.cases[case].path.stem.partition(".")[0]
 
+    def plan_of(self, case: int) -> str:
+        """Everything that the plant file says; "" for a block on its own."""
+        plan = self._planned[case].plan
+        return plan.model_dump_json() if plan is not None else ""
+
     def subject(self, case: int, name: str) -> Subject | None:
         """The block with a name in the program of a case; None if it has none."""
         program = self.program(case)
@@ -94,7 +106,7 @@ class Stage:
             return None
         key = id(program), block.name
         if key not in self._subjects:
-            self._subjects[key] = subject_of(program, block)
+            self._subjects[key] = Subject(program, block)
         return self._subjects[key]
 
     # --- running ------------------------------------------------------------------------------
@@ -109,7 +121,6 @@ class Stage:
 
         `attach` gets the plant before it starts.
         """
-        begin = perf_counter()
         engines: list[ReplaceableEngine] = []
 
         def load(program: Program, environment: Environment, limits: Limits) -> ReplaceableEngine:
@@ -122,9 +133,9 @@ class Stage:
         )
         engine = engines[0]
         attach(run)
-        with nullcontext() if other is None else engine.using(self._compiled(engine, other)):
+        with nullcontext() if other is None else engine.using(self._compiled(case, engine, other)):
             failures = _failures(run)
-        return Ending(failures, run.stage.kernel.now_ns, perf_counter() - begin)
+        return Ending(failures, run.stage.kernel.now_ns)
 
     def _engine(
         self, program: Program, environment: Environment, limits: Limits
@@ -138,34 +149,44 @@ class Stage:
             engine.move_to(environment)
         return engine
 
-    def _compiled(self, engine: ReplaceableEngine, other: OtherBody) -> CompiledBody:
-        key = id(engine), other.key
-        if key not in self._bodies:
+    def _compiled(self, case: int, engine: ReplaceableEngine, other: OtherBody) -> CompiledBody:
+        """The other body for an engine; often it has been written for another engine before."""
+        subject = self.subject(case, other.block)
+        assert subject is not None, "only cases with the block are run"
+        shared = (subject.key, engine.text_of(subject.block.name), other.key)
+        own = (id(engine), *shared)
+        found = self._bodies.get(own) or self._bodies.get(shared)
+        if found is None:
             if len(self._bodies) >= _MOST_BODIES:
                 self._bodies.clear()
-            self._bodies[key] = engine.compiled_body(*other.make())
-        return self._bodies[key]
+            found = engine.compiled_body(subject.block, *other.make(subject))
+            self._bodies[shared if found.of_any else own] = found
+        return found
 
-    def mutant(self, case: int, name: str, number: int) -> OtherBody:
+    def mutant(self, name: str, number: int) -> OtherBody:
         """A mutant of a block, to be run in a case."""
-        subject = self.subject(case, name)
-        assert subject is not None, "only cases with the block are run"
-        mutant = subject.mutants[number]
-        return OtherBody(mutant.id, lambda: (subject.block, mutant.body(subject.body), None))
-
-    def watch(self, case: int, name: str) -> tuple[Ending, bytes]:
-        """Run a case unchanged, and see what it could notice of each mutant of a block."""
-        subject = self.subject(case, name)
-        assert subject is not None, "only cases with the block are run"
-        key = id(self.program(case)), subject.block.name
-        if key not in self._watches:
-            self._watches[key] = Watch(subject.block, subject.body, subject.mutants)
-        watch = self._watches[key]
-        watch.seen[:] = bytes(len(watch.seen))
-        ending = self.run(
-            case, OtherBody(f"{name}:watched", lambda: (watch.block, watch.body, watch.probe))
+        return OtherBody(
+            name, number, lambda subject: (subject.mutants[number].body(subject.body), None)
         )
-        return ending, bytes(watch.seen)
+
+    def watch(
+        self, case: int, name: str, asked: tuple[int, ...]
+    ) -> tuple[tuple[Diagnostic, ...], bytes]:
+        """Run a case unchanged, and see what it could notice of some mutants of a block.
+
+        Gives a number for each of them: see `watching`.
+        """
+        subject = self.subject(case, name)
+        assert subject is not None, "only cases with the block are run"
+        seen = self._seen.setdefault((subject.key, asked), bytearray(len(asked)))
+        seen[:] = bytes(len(seen))
+
+        def make(block: Subject) -> tuple[Sequence[Statement], Probe | None]:
+            watch = Watch(block.body, [block.mutants[number] for number in asked], seen)
+            return watch.body, watch.probe
+
+        ending = self.run(case, OtherBody(name, asked, make))
+        return ending.failures, bytes(seen)
 
 
 def _failures(run: ScenarioRun) -> tuple[Diagnostic, ...]:
@@ -174,14 +195,3 @@ def _failures(run: ScenarioRun) -> tuple[Diagnostic, ...]:
     except DiagnosticError as wrong:
         return wrong.diagnostics
     return ()
-
-
-def subject_of(program: Program, block: Block) -> Subject:
-    """A block of a program with its mutants."""
-    body = program.bodies[block]
-    return Subject(block, body, fingerprint(block, body), mutants_of(block, body))
-
-
-def blocks_of(program: Program) -> Mapping[str, Block]:
-    """The blocks of a program that have statements, by name."""
-    return {block.name: block for block in program.bodies}

@@ -1,7 +1,7 @@
 """Which blocks are mutated: those of one plant, or each block that some plant has."""
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from fbgen.diagnostics import DiagnosticError, error
@@ -36,31 +36,37 @@ def targets_of(
     With `homes` only the blocks of these cases' programs. Raises DiagnosticError FB8060 for names
     that no program has.
     """
-    found: dict[tuple[str, str], tuple[int, list[int]]] = {}
+    names = {name.casefold() for name in wanted}
+    found: dict[tuple[str, str], list[int]] = {}
+    subjects: dict[tuple[str, str], Subject] = {}
     for case in range(len(stage.cases)):
         for block in stage.program(case).bodies:
+            if names and block.name.casefold() not in names:
+                continue
             subject = stage.subject(case, block.name)
-            if subject is not None and subject.mutants:
-                found.setdefault((block.name, subject.key), (case, []))[1].append(case)
-    if homes is not None:
-        found = {
-            key: (home, cases)
-            for key, (_, cases) in found.items()
-            if (home := next((case for case in cases if case in homes), None)) is not None
-        }
-    names = [name for name, _ in found]
-    known = {name.casefold() for name in names}
-    chosen = {name.casefold() for name in wanted} or known
-    if not chosen <= known:
-        raise _unknown(next(name for name in wanted if name.casefold() not in known), names)
+            if subject is not None:
+                found.setdefault((block.name, subject.key), []).append(case)
+                if homes is None or case in homes:
+                    subjects.setdefault((block.name, subject.key), subject)
+    subjects = {key: subject for key, subject in subjects.items() if subject.mutants}
+    there = [name for name, _ in subjects]
+    for name in wanted:
+        if name.casefold() not in {one.casefold() for one in there}:
+            raise _unknown(name, _with_statements(stage, homes))
     targets = []
-    for (name, _), (home, cases) in found.items():
-        subject = stage.subject(home, name)
-        if name.casefold() in chosen and subject is not None:
-            several = names.count(name) > 1
-            shown = f"{stage.place(home)}/{name}" if several else name
-            targets.append(Target(shown, subject, home, tuple(cases)))
+    for key, subject in subjects.items():
+        cases = found[key]
+        home = next(case for case in cases if homes is None or case in homes)
+        name = key[0]
+        shown = f"{stage.place(home)}/{name}" if there.count(name) > 1 else name
+        targets.append(Target(shown, subject, home, tuple(cases)))
     return targets
+
+
+def _with_statements(stage: Stage, homes: Sequence[int] | None) -> list[str]:
+    """The names of all blocks that could be named."""
+    cases = range(len(stage.cases)) if homes is None else homes
+    return [block.name for case in cases for block in stage.program(case).bodies]
 
 
 def _unknown(name: str, known: Sequence[str]) -> DiagnosticError:
@@ -71,14 +77,19 @@ def _unknown(name: str, known: Sequence[str]) -> DiagnosticError:
     )
 
 
-def contents_of(stage: Stage, targets: Sequence[Target]) -> str:
-    """One text for everything that the verdicts on the mutants of these blocks depend on."""
-    digest = hashlib.sha256()
-    for target in targets:
-        digest.update(f"{target.name} {target.subject.key}\n".encode())
-    for case, scenario in enumerate(stage.cases):
-        digest.update(f"{scenario.name}\n{scenario.scenario.model_dump_json()}\n".encode())
-        for block in stage.program(case).bodies:
-            subject = stage.subject(case, block.name)
-            digest.update((subject.key if subject else "").encode())
-    return digest.hexdigest()[:16]
+def contents_of(stage: Stage, case: int) -> str:
+    """One text for everything that the verdicts of a case depend on."""
+    one = stage.cases[case]
+    parts = (one.name, one.seed, one.scenario.model_dump_json(), stage.plan_of(case))
+    return _digest((*map(str, parts), program_key(stage, case)))
+
+
+def program_key(stage: Stage, case: int) -> str:
+    """One text for all blocks of the program of a case."""
+    blocks = (block.name for block in stage.program(case).bodies)
+    found = ((name, stage.subject(case, name)) for name in blocks)
+    return _digest(f"{name} {subject.key}" for name, subject in found if subject is not None)
+
+
+def _digest(parts: Iterable[str]) -> str:
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]

@@ -13,7 +13,6 @@ from functools import reduce
 from fbgen.lang.checked import (
     Assignment,
     Binary,
-    Block,
     Branch,
     Case,
     Constant,
@@ -47,14 +46,15 @@ _SEEN = "_seen_of_mutants"
 
 
 class Watch:
-    """A block whose statements note which of its mutants a run would notice.
+    """Statements of a block that note which of some mutants a run would notice.
 
-    `seen` has a number for each mutant: `REACHED`, `CHANGED`, both or 0.
+    They write a number for each mutant into `seen`: `REACHED`, `CHANGED`, both or 0.
     """
 
-    def __init__(self, block: Block, body: Sequence[Statement], mutants: Sequence[Mutant]) -> None:
-        self.block = block
-        self.seen = bytearray(len(mutants))
+    def __init__(
+        self, body: Sequence[Statement], mutants: Sequence[Mutant], seen: bytearray
+    ) -> None:
+        self._seen = seen
         self._lines: dict[tuple[int, Moment], str] = {}
         self._questions: dict[Statement, list[If]] = {}
         for number, mutant in enumerate(mutants):
@@ -107,7 +107,7 @@ class Watch:
     @property
     def probe(self) -> Probe:
         """What the engine needs to run the questions."""
-        return Probe(self._line, {_SEEN: self.seen})
+        return Probe(self._line, {_SEEN: self._seen})
 
 
 # --- questions ------------------------------------------------------------------------------------

@@ -84,21 +84,33 @@ def test_a_log_goes_on_where_it_ended(fbgen: Fbgen, tmp_path: Path) -> None:
     log = tmp_path / "mutants.jsonl"
     whole = fbgen(*SMALL, "--log", str(log))
     lines = log.read_text(encoding="utf-8").splitlines(keepends=True)
-    verdict = json.loads(lines[1])
-    told = {**verdict, "fate": "killed", "message": "as the log says", "scenario": "of the log"}
-    log.write_text("".join((lines[0], json.dumps(told) + "\n", lines[2][:9])), encoding="utf-8")
+    place = next(number for number, line in enumerate(lines) if '"run"' in line)
+    told = {**json.loads(lines[place]), "noticed": "FB8001: as the log says", "at_ns": 1}
+    log.write_text("".join((*lines[:place], json.dumps(told) + "\n", lines[-1][:9])), "utf-8")
     again = fbgen(*SMALL, "--log", str(log))
-    assert log.read_text(encoding="utf-8").count("\n") == len(lines)
     assert again.out.splitlines()[-1].split()[1] == whole.out.splitlines()[-1].split()[1]
-    one = fbgen(*SMALL, "--log", str(log), "--mutant", verdict["id"])
-    assert "as the log says" in one.out, "what is in the log is not run again"
+    ran = [json.loads(line).get("run") for line in log.read_text("utf-8").splitlines()]
+    assert ran.count(told["run"]) == 1, "what is in the log is not run again"
+    assert log.read_text("utf-8").count('"asked"') == 1
 
 
-def test_a_log_of_other_mutants_begins_anew(fbgen: Fbgen, tmp_path: Path) -> None:
+def test_a_log_keeps_what_other_scenarios_have_said(fbgen: Fbgen, tmp_path: Path) -> None:
     log = tmp_path / "mutants.jsonl"
+    fbgen(*SMALL, "--log", str(log))
+    before = log.read_text("utf-8").splitlines()
+    block = "tests/scenarios/mutants_tos_trigger_counter.scenario.yaml"
+    more = fbgen(*SMALL, "--scenarios", block, "--log", str(log))
+    after = log.read_text("utf-8").splitlines()
+    assert after[: len(before)] == before, "the lines of the first scenario still count"
+    alone = fbgen("mutate", "--scenarios", SCENARIO, "--scenarios", block, *SMALL[3:])
+    assert more.out.splitlines()[-1] == alone.out.splitlines()[-1]
+
+
+def test_a_log_of_another_version_begins_anew(fbgen: Fbgen, tmp_path: Path) -> None:
+    log = tmp_path / "mutants.jsonl"
+    log.write_text('{"format": "fbgen mutation log 1"}\n{"id": "OLD"}\n', encoding="utf-8")
     fbgen(*SMALL, "--operators", "edge", "--log", str(log))
-    fbgen("mutate", "--scenarios", SCENARIO, "--block", "TOS_WordToHz", "--log", str(log))
-    assert "TOS_TriggerCounter" not in log.read_text(encoding="utf-8")
+    assert "OLD" not in log.read_text(encoding="utf-8")
 
 
 @pytest.mark.skipif(os.name != "posix", reason="Ctrl+C is sent to the process")

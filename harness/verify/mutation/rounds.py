@@ -1,0 +1,135 @@
+"""The mutants of one block, tried in one case after the other until a check notices.
+
+In each case only those are run that the case could notice, and only if no case before has. While
+they are run, the next case is looked at by another process.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.workers import Workers
+from harness.verify.mutation.log import Known, Log
+from harness.verify.mutation.order import cheapest_first
+from harness.verify.mutation.stage import Stage
+from harness.verify.mutation.subjects import Target, contents_of
+from harness.verify.mutation.verdict import Fate, Verdict
+from harness.verify.mutation.watching import CHANGED, REACHED
+from harness.verify.mutation.work import Cases, Look, Looked, Trial, carry_out
+
+
+@dataclass(slots=True)
+class Rounds:
+    """What has come of the mutants of a target so far, by their numbers.
+
+    `live` are those that no check has noticed yet. `reached` are those whose statements a case has
+    run, `runs` has the cases in which a mutant was run itself. `killed` has the verdicts.
+    """
+
+    cases: Cases
+    stage: Stage
+    workers: Workers
+    log: Log
+    target: Target
+    live: set[int]
+    reached: set[int] = field(default_factory=set)
+    runs: dict[int, list[int]] = field(default_factory=dict)
+    killed: dict[int, Verdict] = field(default_factory=dict)
+    _keys: dict[int, str] = field(default_factory=dict)
+    _asked: tuple[int, ...] = ()
+
+    def play(self, began: Callable[[str, int], None], finished: Callable[[str], None]) -> None:
+        """All cases. Raises DiagnosticError FB8061 for one that fails without any change."""
+        order = cheapest_first(self.stage.cases, self.target.cases)
+        self._take_what_is_known(order)
+        began(f"scenarios for {self.target.name}", len(order))
+        before: int | None = None
+        for case in (*order, None):
+            self._round(before, case)
+            if before is not None:
+                finished(self.stage.cases[before].name)
+            before = case
+
+    def verdict(self, number: int) -> Verdict:
+        """What came of a mutant."""
+        if number in self.killed:
+            return self.killed[number]
+        name = self.target.id_of(number)
+        if runs := self.runs.get(number):
+            return Verdict(name, Fate.SURVIVED, runs=len(runs))
+        return Verdict(name, Fate.UNCHANGED if number in self.reached else Fate.UNREACHED)
+
+    def key(self, case: int) -> str:
+        """What a case is called in the log: it stands for everything that happens in it."""
+        if case not in self._keys:
+            self._keys[case] = contents_of(self.stage, case)
+        return self._keys[case]
+
+    def _known(self, case: int) -> Known:
+        return self.log.known(self.target.subject.key, self.key(case))
+
+    def _take_what_is_known(self, order: Sequence[int]) -> None:
+        for case in order:
+            for number in sorted(self.live & set(self._known(case).noticed)):
+                self._take(case, number)
+
+    def _round(self, case: int | None, following: int | None) -> None:
+        """Run in a case what it could notice, and look at the case that follows."""
+        block = self.target.subject.block.name
+        work: list[Look | Trial] = []
+        if following is not None and (asked := self._questions(following)):
+            work.append(Look(self.cases, following, block, asked))
+        changed: list[int] = []
+        if case is not None:
+            known = self._known(case)
+            changed = sorted(known.changed & self.live)
+            untried = (number for number in changed if number not in known.noticed)
+            work += [Trial(self.cases, case, block, number) for number in untried]
+        for one, result in zip(work, self.workers.in_order(carry_out, work), strict=True):
+            if isinstance(one, Look):
+                self._note(one, result)
+            else:
+                self.log.note_run(self.target.subject.key, self.key(one.case), one.number, result)
+        if case is not None:
+            self.reached |= known.reached & self.live
+            for number in changed:
+                self._take(case, number)
+
+    def _questions(self, case: int) -> tuple[int, ...]:
+        """What is asked of a case. As each question is compiled, the last ones are asked again."""
+        needed = self.live - self._known(case).asked
+        if not needed or not needed <= set(self._asked) or 2 * len(needed) < len(self._asked):
+            self._asked = tuple(sorted(needed))
+        return self._asked
+
+    def _note(self, work: Look, result: Looked) -> None:
+        if result.failures:
+            raise DiagnosticError([self._fails_as_it_is(work.case, result.failures[0])])
+        reached, changed = (result.having(work.asked, bit) for bit in (REACHED, CHANGED))
+        key = self.target.subject.key
+        self.log.note_look(key, self.key(work.case), set(work.asked), reached, changed)
+
+    def _take(self, case: int, number: int) -> None:
+        """Take what a case said of a mutant."""
+        self.runs.setdefault(number, []).append(case)
+        noticed = self._known(case).noticed[number]
+        if noticed is None:
+            return
+        self.live.discard(number)
+        check, at_ns = noticed
+        self.killed[number] = Verdict(
+            self.target.id_of(number),
+            Fate.KILLED,
+            self.stage.cases[case].name,
+            check,
+            at_ns,
+            len(self.runs[number]),
+        )
+
+    def _fails_as_it_is(self, number: int, failure: str) -> Diagnostic:
+        case = self.stage.cases[number]
+        return Diagnostic(
+            "FB8061",
+            f"the scenario '{case.name}' fails without any change: {failure}",
+            help=f"mend it first: fbgen test {case.path.as_posix()}",
+        )
