@@ -1,8 +1,8 @@
 """The types of what paths lead to: `"DB".telegram[3].value` is a WORD."""
 
-from fbgen.lang.checked import Program
+from fbgen.lang.checked import IN_OUTS, Program
 from fbgen.lang.types import ArrayType, BlockType, StructType, Type
-from harness.engine.paths import Step, parse_path
+from harness.engine.paths import FOLLOW, Step, parse_path
 
 
 def type_at(program: Program, path: str) -> Type:
@@ -28,6 +28,26 @@ def global_steps(program: Program, path: str) -> tuple[Step, ...]:
         return steps
     name = program.lists[key].get(str(rest[0]).casefold())
     return steps if name is None else (program.globals[name].name, *rest[1:])
+
+
+def stays(program: Program, path: str) -> bool:
+    """True if a path leads to the same place at any time.
+
+    False if it goes through a reference or an in-out, which refer to one place after the other.
+    """
+    first, *rest = global_steps(program, path)
+    kind = type_at(program, str(first))
+    for step in rest:
+        if step == FOLLOW or (isinstance(kind, BlockType) and _is_connected(program, kind, step)):
+            return False
+        kind = part_type(program, kind, step)
+    return True
+
+
+def _is_connected(program: Program, kind: BlockType, step: Step) -> bool:
+    variables = program.block_of(kind.name).variables
+    key = str(step).casefold()
+    return any(item.name.casefold() == key and item.kind in IN_OUTS for item in variables)
 
 
 def part_type(program: Program, kind: Type, step: Step) -> Type:

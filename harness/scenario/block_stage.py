@@ -17,7 +17,7 @@ from harness.engine.loading import LoadedProgram
 from harness.kernel import Kernel
 from harness.scenario.kinds import Found, ValueKind, no_bytes
 from harness.scenario.paths import Readable, Writable
-from harness.scenario.plc_variables import kind_of_type, variable_kind
+from harness.scenario.plc_variables import kind_of_type, reading, variable_kind
 from harness.trial import Subject
 
 ROOTS = ("block", "plc")
@@ -38,7 +38,7 @@ class BlockPaths:
             return Readable(self._kind(rest, span), lambda: self._subject.value(rest), writer)
         kind = self._kind_of_global(rest, span)
         writer = partial(last_write, self._engine, rest)
-        return Readable(kind, lambda: self._engine.global_value(rest), writer)
+        return Readable(kind, reading(self._engine, rest), writer)
 
     def writable(self, path: str, span: Span | None) -> Writable:
         """What a path can be set to. Raises DiagnosticError FB8003."""

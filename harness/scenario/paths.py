@@ -38,7 +38,7 @@ from harness.scenario.kinds import (
     octets_kind,
     word_kind,
 )
-from harness.scenario.plc_variables import variable_kind
+from harness.scenario.plc_variables import reading, variable_kind
 
 ROOTS = ("plc", "cpu", "bus", "gateway", "drive")
 
@@ -120,7 +120,7 @@ class Paths:
             kind = self._variable(variable, span)
             engine = plant.cpu.engine
             writer = partial(last_write, engine, variable)
-            return Readable(kind, lambda: engine.global_value(variable), writer)
+            return Readable(kind, reading(engine, variable), writer)
         if root == "cpu":
             _one_of(rest, ("mode", "scans"), "property of the CPU", span)
             if rest == "scans":

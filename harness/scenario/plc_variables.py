@@ -5,6 +5,8 @@ Bit strings and integers may also be written as the PLC languages write them (16
 times and dates always are (T#2s, D#2024-02-29), because a bare number would hide its unit.
 """
 
+from collections.abc import Callable
+
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.ast import LiteralKind
 from fbgen.lang.checked import Program
@@ -22,8 +24,8 @@ from fbgen.lang.types import (
     Subrange,
     Type,
 )
-from harness.engine.interface import Value
-from harness.engine.path_types import type_at
+from harness.engine.interface import Engine, Reader, Value
+from harness.engine.path_types import stays, type_at
 from harness.engine.spelling import LITERALS, counted
 from harness.engine.values import accept_scalar
 from harness.scenario.kinds import Found, ValueKind, WrongValueError, show
@@ -35,6 +37,28 @@ _NUMBERS = (Family.BITS, Family.SIGNED, Family.UNSIGNED, Family.REAL)
 def variable_kind(program: Program, path: str) -> ValueKind:
     """What the global variable at a path can be set to and compared with."""
     return kind_of_type(program, path, type_at(program, path))
+
+
+def reading(engine: Engine, path: str) -> Callable[[], Found]:
+    """What reads the global variable at a path.
+
+    Most conditions are asked again and again: from the second time on the place is known.
+    """
+    if not stays(engine.program, path):
+        return lambda: engine.global_value(path)
+    read: Reader | None = None
+    asked = False
+
+    def value() -> Found:
+        nonlocal read, asked
+        if read is not None:
+            return read()[0]
+        if asked:
+            read = engine.reader((path,))
+        asked = True
+        return engine.global_value(path)
+
+    return value
 
 
 def kind_of_type(program: Program, path: str, kind: Type) -> ValueKind:

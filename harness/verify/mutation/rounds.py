@@ -79,21 +79,20 @@ class Rounds:
         work: list[Look | Trial] = []
         if following is not None and (asked := self._questions(following)):
             work.append(Look(self.cases, following, block, asked))
-        changed: list[int] = []
         if case is not None:
             known = self._known(case)
-            changed = sorted(known.changed & self.live)
-            untried = (number for number in changed if number not in known.noticed)
-            work += [Trial(self.cases, case, block, number) for number in untried]
+            self.reached |= known.reached & self.live
+            for number in sorted(known.changed & self.live):
+                if number in known.noticed:
+                    self._take(case, number)
+                else:
+                    work.append(Trial(self.cases, case, block, number))
         for one, result in zip(work, self.workers.in_order(carry_out, work), strict=True):
             if isinstance(one, Look):
                 self._note(one, result)
             else:
                 self.log.note_run(self.target.subject.key, self.key(one.case), one.number, result)
-        if case is not None:
-            self.reached |= known.reached & self.live
-            for number in changed:
-                self._take(case, number)
+                self._take(one.case, one.number)
 
     def _questions(self, case: int) -> tuple[int, ...]:
         """What is asked of a case. As each question is compiled, the last ones are asked again."""
