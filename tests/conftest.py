@@ -2,7 +2,8 @@
 
 `FBGEN_REQUIRE_ALL=1` turns each skip into a failure: the continuous integration sets it, because
 there everything that a check needs is installed. A run ends with a list of what was skipped and
-why. `--update-golden` writes golden files anew instead of comparing with them.
+why. `--update-golden` writes golden files anew instead of comparing with them. The cache folder is
+off: what is tested is made by this code.
 """
 
 import os
@@ -14,6 +15,7 @@ import pytest
 
 from tests.fact_marks import FACTS
 
+os.environ["FBGEN_CACHE"] = "off"
 _REQUIRE_ALL = os.environ.get("FBGEN_REQUIRE_ALL") == "1"
 
 

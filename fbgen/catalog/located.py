@@ -63,7 +63,7 @@ class _Reading:
 class Located(BaseModel):
     """A frozen model that remembers the place it was read from."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid")
+    model_config = ConfigDict(frozen=True, extra="forbid", ser_json_bytes="hex")
     _place: _Place = PrivateAttr(default_factory=_Place)
 
     @model_validator(mode="wrap")

@@ -7,6 +7,7 @@ from fbgen.emit.block_list import GeneratedBlock
 from fbgen.lang import ast
 from fbgen.lang.checked import Program
 from fbgen.lang.printer import LineOrigins
+from fbgen.source import Origin, Source
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +29,22 @@ class GeneratedFile:
     def data(self) -> bytes:
         """The bytes on disk."""
         return self.text.replace("\n", self.line_end).encode("ascii")
+
+    @property
+    def source(self) -> Source:
+        """The text as one that is read, with the origins of its lines.
+
+        A line of a template stands in front of the value that the line is said to be from.
+        """
+        places: list[tuple[int, Origin | None]] = []
+        offset = 0
+        for line, origins in zip(self.text.splitlines(keepends=True), self.origins, strict=False):
+            values = [origin for origin in origins if not origin.is_template]
+            places += [(offset, origin) for origin in origins if origin.is_template]
+            if values or not origins:
+                places.append((offset, next(iter(values), None)))
+            offset += len(line)
+        return Source(self.name, self.text, tuple(places))
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,28 +1,29 @@
-"""The checked program of a plant. Tests run many scenarios on one plant, and generating, reading
-and checking its text takes longer than simulating a minute of it: so programs are kept."""
+"""The text and the checked program of a plant. Tests run many scenarios on one plant, and
+generating, reading and checking its text takes longer than simulating a minute of it: so programs
+are kept while the process lasts, and texts on disk for the next one."""
 
 from collections import OrderedDict
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
+from fbgen import cache
+from fbgen.cache.texts import packed, unpacked
 from fbgen.catalog import Catalog
 from fbgen.lang.checked import Program
 from fbgen.plant import Plant
-from fbgen.source import Origin, Source
+from fbgen.resources import shipped
+from fbgen.source import Source
 from harness.engine.loading import read_program
 
-if TYPE_CHECKING:
-    from fbgen.emit.generated import GeneratedFile
-
 _KEPT = 32
-_programs: OrderedDict[tuple[str, int], tuple[Catalog, Program]] = OrderedDict()
+_programs: OrderedDict[str, Program] = OrderedDict()
 
 
 def generated_sources(plan: Plant, catalog: Catalog) -> list[Source]:
-    """What fbgen generates for a plant, in the plant's dialect; lines know where they are from."""
-    from fbgen.emit.generator import generate  # noqa: PLC0415 - not for a program that is kept
+    """What fbgen generates for a plant, in the plant's dialect; lines know where they are from.
 
-    files = generate(plan, catalog).files
-    return [Source(file.name, file.text, _origins(file)) for file in files if file.is_program]
+    Raises DiagnosticError for what is wrong in the plant; that is never kept.
+    """
+    return _sources(plan, catalog, _key(plan, catalog))
 
 
 def generated_program(plan: Plant, catalog: Catalog) -> Program:
@@ -30,24 +31,49 @@ def generated_program(plan: Plant, catalog: Catalog) -> Program:
 
     Raises DiagnosticError for what is wrong in the plant or the text.
     """
-    key = (plan.model_dump_json(), id(catalog))
+    key = _key(plan, catalog)
     if key not in _programs:
-        program = read_program(generated_sources(plan, catalog), plan.code_dialect)
-        _programs[key] = (catalog, program)
+        _programs[key] = read_program(_sources(plan, catalog, key), plan.code_dialect)
         while len(_programs) > _KEPT:
             _programs.popitem(last=False)
     _programs.move_to_end(key)
-    return _programs[key][1]
+    return _programs[key]
 
 
-def _origins(file: "GeneratedFile") -> tuple[tuple[int, Origin | None], ...]:
-    """A line of a template stands in front of the value that the line is said to be from."""
-    places: list[tuple[int, Origin | None]] = []
-    offset = 0
-    for line, origins in zip(file.text.splitlines(keepends=True), file.origins, strict=False):
-        values = [origin for origin in origins if not origin.is_template]
-        places += [(offset, origin) for origin in origins if origin.is_template]
-        if values or not origins:
-            places.append((offset, next(iter(values), None)))
-        offset += len(line)
-    return tuple(places)
+def _sources(plan: Plant, catalog: Catalog, key: str) -> list[Source]:
+    if (known := cache.kept(key)) is not None:
+        return unpacked(known)
+    # A text that is kept needs neither the generator nor the templates.
+    from fbgen.emit.generator import generate  # noqa: PLC0415
+
+    sources = [file.source for file in generate(plan, catalog).files if file.is_program]
+    cache.keep(key, packed(sources))
+    return sources
+
+
+def _key(plan: Plant, catalog: Catalog) -> str:
+    return cache.key_of(_inputs(plan, catalog))
+
+
+def _inputs(plan: Plant, catalog: Catalog) -> Iterator[str | bytes]:
+    """Everything that the text of a plant and the places of its lines depend on.
+
+    Plant and catalogue count twice: as they are, for they may have been changed after they were
+    read, and as they were written, for the lines in which something stands.
+    """
+    yield "text of a plant"
+    yield plan.model_dump_json()
+    if plan.span is not None:
+        yield plan.span.source.name
+        yield plan.span.source.text
+    for entries in (catalog.drives, catalog.gateways, catalog.protocols, catalog.sequences):
+        for entry in entries.values():
+            yield entry.model_dump_json()
+    for source in catalog.sources:
+        yield source.name
+        yield source.text
+    templates = shipped("templates")
+    for path in sorted(templates.rglob("*")):
+        if path.is_file():
+            yield path.relative_to(templates).as_posix()
+            yield path.read_bytes()
