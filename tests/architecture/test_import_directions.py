@@ -27,7 +27,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "fbgen.resources": set(),
     "fbgen.nearest": set(),
     "fbgen.writing": set(),
-    "fbgen.cache": {"fbgen.source", "fbgen.writing"},
+    "fbgen.cache": {"fbgen", "fbgen.source", "fbgen.writing"},
     "fbgen.workers": {"fbgen.worker_pool"},
     "fbgen.worker_pool": {"fbgen.diagnostics"},
     "fbgen.diagnostics": {"fbgen.excerpt", "fbgen.source"},
