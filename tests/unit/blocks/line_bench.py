@@ -71,7 +71,7 @@ class LineBench:
         self.block(**inputs, channels=self.channels, frameIn=frame)
         self.channels = plain(self.block.channels)
         out = self.block.frameOut
-        if out.trigger != self._trigger:
+        if out.trigger != self._trigger and not self.block.ioError:
             self._trigger = out.trigger
             self._waiting = self.cycles_to_reply
             self.sent.append(f"{out.invNo:02X} {out.cmd:02X} {out.comNo:04X} {out.data:04X}")

@@ -24,7 +24,7 @@ class TelegramBench:
         self.status = 0x9F00
         self.reply = (0, 0, 0, 0)
         self.sent: list[str] = []
-        """Each telegram that left: the nine bytes at every change of the trigger."""
+        """The nine bytes at every change of the trigger that a gateway sees."""
         self._trigger = 0
         self.call(firstInvNo=FIRST, gap=GAP_MS, **inputs)
         self.receive(FIRST, READ, 0xFC90, 0)
@@ -44,7 +44,8 @@ class TelegramBench:
             "data": data,
         }
         self.block(**inputs, frameIn=frame)
-        if self.block.frameOut.trigger != self._trigger:
+        there = self.status != 0 and not self.block.ioError
+        if there and self.block.frameOut.trigger != self._trigger:
             self._trigger = self.block.frameOut.trigger
             self.sent.append(self.frame())
             self.status = self.status & ~COMMAND_BIT | self.block.frameOut.control & COMMAND_BIT

@@ -159,7 +159,7 @@ def test_a_gateway_that_comes_back_gets_it_again_while_it_is_on(program: LoadedP
     bench.call(ioError=True)
     bench.call(ioError=False)
     bench.cycles(100)
-    assert bench.sent[DRIVES + 2 :] == ["05 47 FC90 0000"]
+    assert bench.sent[DRIVES + 2 :] == ["0F 47 FC90 0000"]
 
 
 def test_a_second_edge_begins_again(program: LoadedProgram) -> None:
@@ -187,9 +187,24 @@ def test_no_command_from_before_a_loss_is_sent_after_it(program: LoadedProgram, 
     assert not bench.block.online
     bench.call(**{loss: False})
     bench.cycles(100)
-    assert bench.sent == ["0B 50 FA00 C400", "05 47 FC90 0000"]
+    assert bench.sent == ["0B 50 FA00 C400", "0B 47 FC90 0000"]
     assert [bench.reply(number) for number in range(1, 6)] == [(False, True, 0x8404)] * 5
     assert bench.block.online
+
+
+@pytest.mark.fact("tos.t.gap")
+def test_after_a_loss_another_drive_than_the_read_waits_too(program: LoadedProgram) -> None:
+    bench = LineBench(program, apart=200)
+    bench.cycles_to_reply = 1
+    bench.run(1)
+    bench.until(lambda: bench.reply(1) == DONE)
+    bench.run(2)  # is refused before it has gone out
+    bench.call(ioError=True)
+    bench.call(ioError=False)
+    bench.run(2)
+    bench.until(lambda: bench.reply(2) == DONE)
+    assert bench.sent == ["0B 50 FA00 C400", "0B 47 FC90 0000", "0C 50 FA00 C400"]
+    assert bench.times[2] - bench.times[1] >= 200
 
 
 @pytest.mark.fact("tos.t.gap")
