@@ -12,6 +12,7 @@ from fbgen.diagnostics import error
 from fbgen.lang.types import Scalar, Type
 from fbgen.source import Span
 from harness.engine.services import Services
+from harness.engine.stubbed_instructions import carry_out
 from harness.kernel import Kernel
 
 
@@ -153,10 +154,13 @@ class StandaloneEnvironment:
         return True
 
     def instruction(self, name: str, arguments: Mapping[str, Scalar | Area], span: Span) -> Scalar:
-        """There is no hardware that could carry out an instruction."""
+        """There is no hardware that could carry out an instruction; a stub may do it."""
+        stub = self.services.stubs.find(name)
+        if stub is not None:
+            return carry_out(stub, name, arguments, span)
         raise error(
             "FB6001",
             f"{name} needs a controller with hardware, and this block runs on its own",
             span,
-            "run it in a plant (a scenario with a plant file)",
+            "run it in a plant (a scenario with a plant file), or give it a stub",
         )

@@ -15,16 +15,17 @@ from fbgen.source import Span
 from harness.engine.compiled.last_writes import last_write
 from harness.engine.loading import LoadedProgram
 from harness.kernel import Kernel
+from harness.scenario.addresses import Place
 from harness.scenario.kinds import Found, ValueKind, no_bytes
 from harness.scenario.paths import Readable, Writable
 from harness.scenario.plc_variables import kind_of_type, reading, variable_kind
 from harness.trial import Subject
 
-ROOTS = ("block", "plc")
+ROOTS = ("block", "plc", "address")
 
 
 class BlockPaths:
-    """`block.VARIABLE` is one of the block, `plc.VARIABLE` a global one."""
+    """`block.VARIABLE` is one of the block, `plc.VARIABLE` a global one, `address.IB0` a byte."""
 
     def __init__(self, program: LoadedProgram, subject: Subject) -> None:
         self._engine = program.engine
@@ -36,6 +37,9 @@ class BlockPaths:
         if root == "block":
             writer = partial(self._subject.last_write, rest)
             return Readable(self._kind(rest, span), lambda: self._subject.value(rest), writer)
+        if root == "address":
+            place = Place(self._engine.environment, rest, span)
+            return Readable(kind_of_type(self._engine.program, path, place.type), place.read)
         kind = self._kind_of_global(rest, span)
         writer = partial(last_write, self._engine, rest)
         return Readable(kind, reading(self._engine, rest), writer)
@@ -46,6 +50,9 @@ class BlockPaths:
         if root == "block":
             writer = partial(self._subject.last_write, rest)
             return Writable(self._kind(rest, span), self._setter(rest), writer)
+        if root == "address":
+            place = Place(self._engine.environment, rest, span)
+            return Writable(kind_of_type(self._engine.program, path, place.type), place.write)
         engine = self._engine
         kind = self._kind_of_global(rest, span)
         writer = partial(last_write, engine, rest)

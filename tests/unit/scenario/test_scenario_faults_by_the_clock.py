@@ -1,11 +1,15 @@
 """Faults that come by the clock, and rules of the plant."""
 
+import re
 from pathlib import Path
 
 import pytest
 
+from fbgen.catalog import load_catalog
+from fbgen.plant import load_plant
+from harness.installation.programs import generated_sources
 from harness.kernel import NS_PER_MS
-from tests.unit.scenario.scenario_files import findings, prepared, ran, steps
+from tests.unit.scenario.scenario_files import PLANT, findings, prepared, ran, steps
 
 RANDOM = "faults: [{random: 5, after: 100 ms, before: 2 s, lasts: 300 ms}]\nrules: [all]\n"
 WAIT = steps("- wait: 3 s")
@@ -122,3 +126,17 @@ def test_a_lost_drive_that_is_shown_running_breaks_a_rule(tmp_path: Path) -> Non
     result = ran(tmp_path, "rules: [all]\n" + steps(*lines))
     assert {item.code for item in result.failures} == {"FB8070"}
     assert "running" in result.failures[0].message
+
+
+def test_blocks_of_two_generations_break_a_rule(tmp_path: Path) -> None:
+    catalog = load_catalog()
+    names = []
+    for source in generated_sources(load_plant(PLANT, catalog), catalog):
+        path = tmp_path / Path(source.name).name
+        text = re.sub(r"inputsHash := 16#\w+", "inputsHash := 16#1", source.text)
+        path.write_text(text, "utf-8")
+        names.append(path.name)
+    text = f"sources: [{', '.join(names)}]\nrules: [inputs_shown]\n"
+    result = ran(tmp_path, text + steps("- wait: 50 ms"))
+    assert {item.code for item in result.failures} == {"FB8070"}
+    assert "in the heads stands" in result.failures[0].message
