@@ -23,6 +23,7 @@ class Pool:
 
     def __init__(self, processes: int) -> None:
         self._stop = multiprocessing.Event()
+        self._broken = False
         self._pool = ProcessPoolExecutor(processes, initializer=_begin, initargs=(self._stop,))
 
     def in_order(
@@ -32,18 +33,20 @@ class Pool:
         try:
             yield from self._pool.map(work, items)
         except BrokenProcessPool:
+            self._broken = True
             raise error(
                 "FB9020",
                 "the system has ended a process that worked for this command",
                 help="most often the memory was used up: take fewer processes with -j",
             ) from None
-        except BaseException:
-            self._stop.set()
-            raise
 
     def end(self, *, at_once: bool) -> None:
-        """Let them go; with `at_once` in the middle of their work."""
-        if at_once:
+        """Let them go; with `at_once` in the middle of their work.
+
+        The rest of a broken pool is ended already, and nobody can be told anything: one of its
+        processes may have been ended while it looked whether it was still wanted.
+        """
+        if at_once and not self._broken:
             self._stop.set()
         self._pool.shutdown(cancel_futures=True)
 

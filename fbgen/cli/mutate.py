@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
     from harness.scenario.model import Variation
+    from harness.verify.mutation.equivalents import Equivalents
     from harness.verify.mutation.mutant import Operator
     from harness.verify.mutation.session import MutationRun
     from harness.verify.mutation.stage import Stage
@@ -81,6 +82,15 @@ def mutate(
         bool,
         typer.Option("--prove", help="Look for proofs that survivors are equivalent; takes z3."),
     ] = False,
+    equivalents: Annotated[
+        Path | None,
+        typer.Option(
+            "--equivalents",
+            metavar="FILE",
+            help="Reasons why mutants are equivalent; else mutation-equivalents.yaml beside the "
+            "scenarios.",
+        ),
+    ] = None,
     log: Annotated[
         Path | None,
         typer.Option("--log", metavar="FILE", help="Go on from there after Ctrl-C."),
@@ -102,6 +112,7 @@ def mutate(
     left out. Those that no check notices are listed. Exit status 1 if the score is too low.
     """
     from harness.verify.mutation import report as found
+    from harness.verify.mutation.explained import wrong_reasons
     from harness.verify.mutation.session import Wanted, run_mutants
     from harness.verify.mutation.subjects import targets_of
     from harness.verify.mutation.work import stage_of
@@ -109,11 +120,15 @@ def mutate(
     kinds = _operators(operators)
     if prove:
         _need_solver()
-    cases = _cases(scenarios or [Path()], every=variations)
+    paths = scenarios or [Path()]
+    reasons = _reasons(equivalents, paths)
+    cases = _cases(paths, every=variations)
     stage = stage_of(cases)
     homes = _homes(stage, plants) if plants else None
     targets = targets_of(stage, block or _blocks_in(mutant or ()), homes)
-    wanted = Wanted(kinds, most, seed, tuple(mutant or ()), jobs or _processors(), prove, log)
+    wanted = Wanted(
+        kinds, most, seed, tuple(mutant or ()), jobs or _processors(), prove, log, reasons
+    )
     shown = _Shown()
     run = run_mutants(cases, targets, wanted, began=shown.began, finished=shown.finished)
     shown.end()
@@ -126,7 +141,8 @@ def mutate(
     if run.interrupted:
         say(f"stopped by Ctrl-C: {run.planned - len(run.tried)} mutants not tried")
         raise typer.Exit(INTERRUPTED)
-    if findings := found.too_low(run, fail_under):
+    findings = [*wrong_reasons(run, stage, reasons), *found.too_low(run, fail_under)]
+    if findings:
         report(findings)
         raise typer.Exit(FINDINGS)
 
@@ -178,6 +194,16 @@ def _cases(paths: "Sequence[Path]", *, every: bool) -> "Cases":
             if (every or case.variation == variation) and case.scenario.expect_failure is None:
                 found.append(CaseName(path, number))
     return tuple(found)
+
+
+def _reasons(file: Path | None, paths: "Sequence[Path]") -> "Equivalents":
+    """The file of reasons that is named, or the one that lies beside the scenarios."""
+    from harness.verify.mutation.equivalents import FILE_NAME, NO_REASONS, load_equivalents
+
+    folders = [path if path.is_dir() else path.parent for path in paths]
+    there = [folder / FILE_NAME for folder in folders if (folder / FILE_NAME).is_file()]
+    chosen = file or next(iter(there), None)
+    return NO_REASONS if chosen is None else load_equivalents(chosen)
 
 
 def _homes(stage: "Stage", plants: "Sequence[Path]") -> list[int]:

@@ -2,10 +2,12 @@
 
 Values are written as YAML has them: true and false for BOOL, numbers, texts for STRING and CHAR.
 Bit strings and integers may also be written as the PLC languages write them (16#8401, 2#1010);
-times and dates always are (T#2s, D#2024-02-29), because a bare number would hide its unit.
+times and dates always are (T#2s, D#2024-02-29), because a bare number would hide its unit. A REAL
+may also be .nan, .inf or -.inf.
 """
 
 from collections.abc import Callable
+from math import inf, nan
 
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.ast import LiteralKind
@@ -31,6 +33,8 @@ from harness.engine.values import accept_scalar
 from harness.scenario.kinds import Found, ValueKind, WrongValueError, show
 from harness.scenario.scalars import Scalar
 
+_NOT_FINITE = {".nan": nan, ".inf": inf, "-.inf": -inf}
+"""As YAML writes what a REAL can hold beside numbers."""
 _NUMBERS = (Family.BITS, Family.SIGNED, Family.UNSIGNED, Family.REAL)
 
 
@@ -90,6 +94,8 @@ def _as_python(kind: Elementary | StringType, value: Scalar) -> Scalar:
         if literal is None or literal.kind is not wanted[0] or not isinstance(literal.value, int):
             raise WrongValueError(_spelling(kind))
         return counted(kind, literal.value)
+    if kind.family is Family.REAL and isinstance(value, str) and value in _NOT_FINITE:
+        return _NOT_FINITE[value]
     literal = _literal(value)
     if literal is not None and literal.kind in (LiteralKind.INTEGER, LiteralKind.REAL):
         return literal.value
@@ -116,7 +122,7 @@ def _spelling(kind: Elementary | StringType) -> str:
     if kind.family is Family.CHAR:
         return "write one character in quotes"
     if kind.family is Family.REAL:
-        return "write a number"
+        return "write a number, or .nan, .inf or -.inf"
     if wanted := LITERALS.get(kind.name):
         return f"write it as the PLC does, such as {wanted[1]}"
     based = f", also as 16#{kind.maximum:X}" if kind.family is Family.BITS else ""

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from math import isfinite, isnan
 
 from fbgen.catalog import BitField, Catalog, Word
 from fbgen.diagnostics import Diagnostic, DiagnosticError
@@ -81,6 +82,8 @@ def _equal(expected: Found, found: Found, tolerance: float) -> bool:
     if isinstance(expected, bool) or isinstance(found, bool):
         return expected is found
     if isinstance(expected, int | float) and isinstance(found, int | float):
+        if not isfinite(expected):
+            return expected == found or (isnan(expected) and isnan(found))
         slack = tolerance or (
             abs(expected) * _SINGLE_PRECISION if isinstance(found, float) else 0.0
         )
@@ -115,6 +118,9 @@ def demand(
             found.append(Diagnostic("FB8009", message, place, "write equals instead"))
         elif value is not None:
             values[name] = _read(path, kind, value, place, found)
+            if name in ("min", "max") and values[name] != values[name]:
+                message = f"nothing is less or greater than {value}"
+                found.append(Diagnostic("FB8009", message, place, "write equals instead"))
     low, high = values.get("min"), values.get("max")
     if low is not None and high is not None and not _at_most(low, high):
         message = f"nothing is at least {kind.show(low)} and at most {kind.show(high)}"

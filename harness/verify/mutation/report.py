@@ -47,7 +47,7 @@ def described(one: Tried) -> Iterator[str]:
     """A mutant with its place, what came of it, and the change as a patch."""
     place, verdict = one.mutant.place, one.verdict
     yield f"{place.source.name}:{place.line}: {one.id}: {one.mutant.operator.description}"
-    yield f"  {verdict.fate.meaning}"
+    yield f"  {verdict.fate.meaning} [{one.fingerprint}]"
     if (origin := place.origin) and not origin.is_template:
         yield f"  from {origin.what}, {origin.file}:{origin.line}"
     if verdict.fate is Fate.SURVIVED:
@@ -85,6 +85,7 @@ def _mutant_json(one: Tried) -> dict[str, object]:
     return {
         **one.verdict.as_json(),
         "block": one.target.name,
+        "fingerprint": one.fingerprint,
         "operator": one.mutant.operator.value,
         "file": place.source.name,
         "line": place.line,

@@ -4,7 +4,7 @@ In each case only those are run that the case could notice, and only if no case 
 they are run, the next case is looked at by another process.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError
@@ -23,7 +23,8 @@ class Rounds:
     """What has come of the mutants of a target so far, by their numbers.
 
     `live` are those that no check has noticed yet. `reached` are those whose statements a case has
-    run, `runs` has the cases in which a mutant was run itself. `killed` has the verdicts.
+    run, `runs` has the cases in which a mutant was run itself. `settled` has the verdicts on those
+    that were noticed or proved.
     """
 
     cases: Cases
@@ -34,14 +35,35 @@ class Rounds:
     live: set[int]
     reached: set[int] = field(default_factory=set)
     runs: dict[int, list[int]] = field(default_factory=dict)
-    killed: dict[int, Verdict] = field(default_factory=dict)
+    settled: dict[int, Verdict] = field(default_factory=dict)
     _keys: dict[int, str] = field(default_factory=dict)
     _asked: tuple[int, ...] = ()
 
-    def play(self, began: Callable[[str, int], None], finished: Callable[[str], None]) -> None:
-        """All cases. Raises DiagnosticError FB8061 for one that fails without any change."""
+    def play(
+        self,
+        began: Callable[[str, int], None],
+        finished: Callable[[str], None],
+        proofs: Callable[[Sequence[int]], Mapping[int, str]],
+    ) -> None:
+        """All cases. Raises DiagnosticError FB8061 for one that fails without any change.
+
+        `proofs` are asked for behind the cheaper half: the other one takes longer than a proof.
+        """
         order = cheapest_first(self.stage.cases, self.target.cases)
         self._take_what_is_known(order)
+        half = (len(order) + 1) // 2
+        self._play(order[:half], began, finished)
+        for number, why in proofs(sorted(self.live)).items():
+            self.live.discard(number)
+            self.settled[number] = Verdict(self.target.id_of(number), Fate.PROVED, why=why)
+        self._play(order[half:], began, finished)
+
+    def _play(
+        self,
+        order: Sequence[int],
+        began: Callable[[str, int], None],
+        finished: Callable[[str], None],
+    ) -> None:
         began(f"scenarios for {self.target.name}", len(order))
         before: int | None = None
         for case in (*order, None):
@@ -52,8 +74,8 @@ class Rounds:
 
     def verdict(self, number: int) -> Verdict:
         """What came of a mutant."""
-        if number in self.killed:
-            return self.killed[number]
+        if number in self.settled:
+            return self.settled[number]
         name = self.target.id_of(number)
         if runs := self.runs.get(number):
             return Verdict(name, Fate.SURVIVED, runs=len(runs))
@@ -116,7 +138,7 @@ class Rounds:
             return
         self.live.discard(number)
         check, at_ns = noticed
-        self.killed[number] = Verdict(
+        self.settled[number] = Verdict(
             self.target.id_of(number),
             Fate.KILLED,
             self.stage.cases[case].name,

@@ -8,6 +8,7 @@ from pathlib import Path
 from fbgen.diagnostics import error
 from fbgen.nearest import nearest
 from fbgen.workers import Workers
+from harness.verify.mutation.equivalents import NO_REASONS, Equivalents
 from harness.verify.mutation.finding import ALL
 from harness.verify.mutation.log import Log
 from harness.verify.mutation.mutant import Mutant, Operator
@@ -30,8 +31,8 @@ class Wanted:
     """What a run is asked for.
 
     `most` limits the mutants, drawn by `seed`; `ids` names single ones. With `prove` a solver looks
-    at what no check has noticed. `log` is the file that an
-    ended run goes on from.
+    at what no check has noticed. `reasons` are those of the user why a mutant is equivalent. `log`
+    is the file that an ended run goes on from.
     """
 
     operators: Collection[Operator] = ALL
@@ -41,6 +42,7 @@ class Wanted:
     jobs: int = 1
     prove: bool = False
     log: Path | None = None
+    reasons: Equivalents = NO_REASONS
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +58,11 @@ class Tried:
     def mutant(self) -> Mutant:
         """The mutant itself."""
         return self.target.subject.mutants[self.number]
+
+    @property
+    def fingerprint(self) -> str:
+        """What it is called in the file of reasons."""
+        return self.target.subject.fingerprints[self.number]
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +117,7 @@ def run_mutants(
             for target in targets:
                 numbers = [one.number for one in chosen if one.target is target]
                 if numbers:
-                    session.work_on(target, numbers, prove=wanted.prove)
+                    session.work_on(target, numbers, wanted)
         except KeyboardInterrupt:
             run.interrupted = True
     verdicts = session.verdicts
@@ -143,6 +150,14 @@ def _chosen(targets: Sequence[Target], wanted: Wanted) -> list[_Chosen]:
     return every
 
 
+def _reason(target: Target, number: int, reasons: Equivalents) -> str:
+    """Why a mutant is equivalent, if the user says so."""
+    if not reasons.equivalents:
+        return ""
+    subject = target.subject
+    return reasons.reason(subject.block.name, subject.fingerprints[number])
+
+
 @dataclass(slots=True)
 class _Session:
     cases: Cases
@@ -153,23 +168,29 @@ class _Session:
     finished: Callable[[str], None]
     verdicts: dict[str, Verdict] = field(default_factory=dict)
 
-    def work_on(self, target: Target, numbers: Sequence[int], *, prove: bool) -> None:
+    def work_on(self, target: Target, numbers: Sequence[int], wanted: Wanted) -> None:
         """Run the mutants of a block, and find out what can be said of those that survive."""
         rounds = Rounds(self.cases, self.stage, self.workers, self.log, target, set(numbers))
+
+        def proofs(alive: Sequence[int]) -> dict[int, str]:
+            return self._proofs(target, alive) if wanted.prove else {}
+
         try:
-            rounds.play(self.began, self.finished)
+            rounds.play(self.began, self.finished, proofs)
         except KeyboardInterrupt:
-            self._settle(rounds.killed.values())
+            self._settle(rounds.settled.values())
             raise
         alive = sorted(rounds.live)
         self._settle(rounds.verdict(number) for number in numbers)
-        if prove:
-            proofs = self._proofs(target, alive)
-            self._settle(Verdict(target.id_of(one), Fate.PROVED, why=proofs[one]) for one in proofs)
-            alive = [number for number in alive if number not in proofs]
         effects = self._effects(rounds, [number for number in alive if number in rounds.runs])
         self._settle(
             replace(rounds.verdict(number), effect=effect) for number, effect in effects.items()
+        )
+        quiet = [number for number in alive if not effects.get(number)]
+        self._settle(
+            Verdict(target.id_of(number), Fate.EXPLAINED, why=reason)
+            for number in quiet
+            if (reason := _reason(target, number, wanted.reasons))
         )
 
     def _settle(self, verdicts: Iterable[Verdict]) -> None:

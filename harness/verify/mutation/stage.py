@@ -14,6 +14,7 @@ from harness.engine.interface import Limits
 from harness.scenario import ScenarioCase
 from harness.scenario.runner import ScenarioRun
 from harness.scenario.staging import Staging
+from harness.verify.mutation.equivalents import fingerprints
 from harness.verify.mutation.finding import mutants_of
 from harness.verify.mutation.fingerprint import fingerprint
 from harness.verify.mutation.mutant import Mutant
@@ -34,13 +35,14 @@ class Ending:
 class Subject:
     """A block of one program. Blocks with the same name and key are the same block."""
 
-    __slots__ = ("_mutants", "block", "body", "key")
+    __slots__ = ("_fingerprints", "_mutants", "block", "body", "key")
 
     def __init__(self, program: Program, block: Block) -> None:
         self.block = block
         self.body = program.bodies[block]
         self.key = fingerprint(block, self.body)
         self._mutants: tuple[Mutant, ...] | None = None
+        self._fingerprints: tuple[str, ...] | None = None
 
     @property
     def mutants(self) -> tuple[Mutant, ...]:
@@ -48,6 +50,13 @@ class Subject:
         if self._mutants is None:
             self._mutants = mutants_of(self.block, self.body)
         return self._mutants
+
+    @property
+    def fingerprints(self) -> tuple[str, ...]:
+        """What each of them is called in the file of reasons."""
+        if self._fingerprints is None:
+            self._fingerprints = fingerprints(self.mutants)
+        return self._fingerprints
 
 
 @dataclass(frozen=True, slots=True)

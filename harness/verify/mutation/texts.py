@@ -33,3 +33,14 @@ def difference(mutant: Mutant, context: int = 1) -> str:
         lineterm="",
     )
     return "\n".join(lines)
+
+
+def changed_lines(mutant: Mutant) -> tuple[str, str]:
+    """The lines that a mutant changes, as they are and as it has them; spaces do not count."""
+    text, edits = mutant.place.source.text, mutant.change.edits
+    begin = text.rfind("\n", 0, min(edit.span.start for edit in edits)) + 1
+    end = text.find("\n", max(edit.span.end for edit in edits))
+    changed = with_edits(text, edits)
+    behind = len(text) - end if end >= 0 else 0
+    before, after = text[begin : len(text) - behind], changed[begin : len(changed) - behind]
+    return " ".join(before.split()), " ".join(after.split())

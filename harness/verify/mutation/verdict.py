@@ -12,11 +12,12 @@ class Fate(Enum):
     UNCHANGED = "unchanged"
     UNREACHED = "unreached"
     PROVED = "proved"
+    EXPLAINED = "explained"
 
     @property
     def is_equivalent(self) -> bool:
         """True for what nobody can tell from the block."""
-        return self is Fate.PROVED
+        return self in (Fate.PROVED, Fate.EXPLAINED)
 
     @property
     def meaning(self) -> str:
@@ -30,6 +31,7 @@ _MEANINGS = {
     Fate.UNCHANGED: "reached, but never with values for which it makes a difference",
     Fate.UNREACHED: "no scenario reaches its statement",
     Fate.PROVED: "equivalent: an SMT solver has proved it",
+    Fate.EXPLAINED: "equivalent: somebody has given a reason",
 }
 
 

@@ -180,3 +180,30 @@ def test_proofs_need_a_package(fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     run = fbgen(*SMALL, "--prove")
     assert (run.status, run.err.splitlines()[0][:13]) == (1, "error[FB8067]")
+
+
+def test_reasons_count_until_something_speaks_against_them(
+    fbgen: Fbgen, report: dict[str, object], tmp_path: Path
+) -> None:
+    mutants = report["mutants"]
+    assert isinstance(mutants, list)
+    quiet = [one for one in mutants if one["fate"] != "killed" and not one.get("effect")]
+    killed = next(one for one in mutants if one["fate"] == "killed")
+    names = [*(one["fingerprint"] for one in quiet), killed["fingerprint"], "m0000000000"]
+    reasons = tmp_path / "mutation-equivalents.yaml"
+    entries = (f"  - {{block: TOS_TriggerCounter, mutant: {one}, reason: so}}\n" for one in names)
+    reasons.write_text(f"version: 1\nequivalents:\n{''.join(entries)}", encoding="utf-8")
+    path = tmp_path / "mutants.json"
+    run = fbgen(*SMALL, "--equivalents", str(reasons), "--json", str(path))
+    found = {one["id"]: one for one in json.loads(path.read_text(encoding="utf-8"))["mutants"]}
+    assert {found[one["id"]]["fate"] for one in quiet} == {"explained"}
+    assert found[killed["id"]]["fate"] == "killed"
+    assert run.status == 1
+    first, second, third = [line for line in run.err.splitlines() if line.startswith("error[")]
+    assert first.startswith("error[FB8068]")
+    assert f"{killed['id']} is noticed by" in first
+    assert (
+        second
+        == "error[FB8068]: the entry for m0000000000 of TOS_TriggerCounter belongs to no mutant"
+    )
+    assert third.startswith(f"error[FB8069]: {len(quiet)} of {len(mutants)} mutants")

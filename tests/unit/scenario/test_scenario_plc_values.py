@@ -93,6 +93,9 @@ def failure(steps: str) -> str:
         ("r", "43.28", "43.28"),
         ("r", "2", "2.0"),
         ("lr", "0.1", "0.1"),
+        ("r", ".nan", ".nan"),
+        ("lr", "-.inf", "-.inf"),
+        ("s", ".nan", ".nan"),
         ("t", "T#2s", "TIME#2000ms"),
         ("t", "T#-1s500ms", "T#-1.5s"),
         ("lt", "LT#2us", "LTIME#2000ns"),
@@ -115,6 +118,21 @@ def test_a_value_of_each_type_is_set_and_found(variable: str, value: str, same: 
         f"  - wait: 50 ms\n  - set:\n      {path}: {value}\n"
         f"  - wait: 20 ms\n  - expect:\n      {path}: {same}\n"
     ).run()
+
+
+@pytest.mark.parametrize(
+    ("set_to", "expected"), [("1.5", ".nan"), (".nan", "1.5"), (".inf", "-.inf"), ("0.0", ".inf")]
+)
+def test_what_is_no_number_equals_only_itself(set_to: str, expected: str) -> None:
+    steps = f"  - wait: 50 ms\n  - set: {{plc.Types.r: {set_to}}}\n"
+    assert failure(f"{steps}  - expect: {{plc.Types.r: {expected}}}\n").startswith("FB8001")
+    run(f"{steps}  - expect: {{plc.Types.r: {{differs_from: {expected}}}}}\n").run()
+
+
+def test_what_is_no_number_is_no_limit() -> None:
+    assert failure("  - expect: {plc.Types.r: {min: .nan}}\n") == (
+        "FB8009: nothing is less or greater than .nan"
+    )
 
 
 def test_paths_with_indices_stand_in_quotes_in_flow_style() -> None:
