@@ -12,8 +12,9 @@ Blocks on their own, a whole simulated plant, and what a run of it leaves:
 Nothing is imported before it is asked for: pytest looks at this package in every project.
 """
 
-from importlib import import_module
 from typing import TYPE_CHECKING
+
+from fbgen.faces import member
 
 if TYPE_CHECKING:
     from harness.engine.loading import LoadedProgram, load_program
@@ -35,20 +36,18 @@ __all__ = [
 ]
 
 _HOMES = {
-    "LoadedProgram": "harness.engine.loading",
-    "ObSettings": "harness.engine.organization",
-    "Period": "harness.engine.organization",
-    "PlantSetup": "harness.installation",
-    "Recorder": "harness.trace",
-    "Trace": "harness.trace",
-    "load_program": "harness.engine.loading",
-    "plant": "harness.installation",
-    "read_traces": "harness.trace",
-    "trace_text": "harness.trace",
+    "LoadedProgram": "engine.loading",
+    "ObSettings": "engine.organization",
+    "Period": "engine.organization",
+    "PlantSetup": "installation",
+    "Recorder": "trace",
+    "Trace": "trace",
+    "load_program": "engine.loading",
+    "plant": "installation",
+    "read_traces": "trace",
+    "trace_text": "trace",
 }
 
 
 def __getattr__(name: str) -> object:
-    if name not in _HOMES:
-        raise AttributeError(f"module 'harness' has no attribute '{name}'")
-    return getattr(import_module(_HOMES[name]), name)
+    return member(__name__, _HOMES, name)

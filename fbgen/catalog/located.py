@@ -61,9 +61,13 @@ class _Reading:
 
 
 class Located(BaseModel):
-    """A frozen model that remembers the place it was read from."""
+    """A frozen model that remembers the place it was read from.
 
-    model_config = ConfigDict(frozen=True, extra="forbid", ser_json_bytes="hex")
+    What pydantic needs to validate a model is made when the first one is validated: most models
+    are only parts of others.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid", ser_json_bytes="hex", defer_build=True)
     _place: _Place = PrivateAttr(default_factory=_Place)
 
     @model_validator(mode="wrap")

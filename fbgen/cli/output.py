@@ -5,7 +5,6 @@ Colours appear on a terminal only, and never if NO_COLOR is set.
 
 import json
 import os
-import platform
 import sys
 import traceback
 from collections.abc import Iterable
@@ -58,6 +57,8 @@ def report_inaccessible(problem: OSError) -> None:
 
 def report_defect(defect: Exception) -> None:
     """An error of fbgen itself. FBGEN_TRACEBACK=1 shows where it happened."""
+    import platform
+
     if os.environ.get("FBGEN_TRACEBACK") == "1":
         say("".join(traceback.format_exception(defect)).rstrip())
     what = str(defect).partition("\n")[0]

@@ -6,6 +6,7 @@ cannot run. It is not written back: what a file has there stays as it is.
 
 from collections.abc import Iterator, Sequence
 
+from fbgen.diagnostics import Diagnostic, Severity
 from fbgen.lang.ast import Block, CallStatement, File, Interface, Name, Property, Statement
 from fbgen.source import Span
 
@@ -15,6 +16,17 @@ _PREFIX = "__BODY_IN_"
 def foreign_body(language: str) -> str:
     """The statement that stands for a body in a language."""
     return f"{_PREFIX}{language}();"
+
+
+def other_language(name: str, language: str, place: Span) -> Diagnostic:
+    """A body that is not structured text."""
+    return Diagnostic(
+        "FB3017",
+        f"the body of {name} is written in {language}",
+        place,
+        "only structured text is read; its variables are known all the same",
+        severity=Severity.WARNING,
+    )
 
 
 def language_of(name: str) -> str:

@@ -13,19 +13,22 @@ import csv
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from xml.sax.saxutils import unescape
+from typing import TYPE_CHECKING
 
 from fbgen.diagnostics import error
 from fbgen.lang import ast
-from fbgen.lang.containers.xml_tree import Element, read_xml
 from fbgen.lang.encoding import read_source
 from fbgen.lang.tags import ConstantValue, Tag, TagConstant, as_file, constants_of
 from fbgen.source import Source, Span
 
+if TYPE_CHECKING:
+    from fbgen.lang.containers.xml_tree import Element
+
 _VARIABLE = re.compile(r"%?((P?[EIAQ]|M)[BWDX]?\s*[0-9]+(\.[0-9]+)?|[TCZ]\s*[0-9]+)", re.IGNORECASE)
 _TAGS = ("Tag", "SW.Tags.PlcTag")
 _CONSTANTS = ("Constant", "SW.Tags.PlcUserConstant")
-_QUOTES = {"&quot;": '"', "&apos;": "'"}
+_ENTITIES = {"&lt;": "<", "&gt;": ">", "&quot;": '"', "&apos;": "'", "&amp;": "&"}
+"""The entities of XML, the ampersand last: what it gives is no entity."""
 
 
 def global_file(
@@ -52,11 +55,13 @@ def read_tags(source: Source) -> tuple[list[Tag], list[TagConstant]]:
     Raises DiagnosticError FB3016 for broken XML, FB3060 for what is no tag table.
     """
     if source.text.lstrip("\ufeff \r\n\t").startswith("<"):
+        from fbgen.lang.containers.xml_tree import read_xml  # noqa: PLC0415 - only for XML
+
         return _from_xml(read_xml(source))
     return _from_sdf(source), []
 
 
-def _from_xml(root: Element) -> tuple[list[Tag], list[TagConstant]]:
+def _from_xml(root: "Element") -> tuple[list[Tag], list[TagConstant]]:
     tags, constants = [], []
     found = False
     for element in _every(root):
@@ -77,7 +82,7 @@ def _from_xml(root: Element) -> tuple[list[Tag], list[TagConstant]]:
     return tags, constants
 
 
-def _every(root: Element) -> Iterator[Element]:
+def _every(root: "Element") -> Iterator["Element"]:
     waiting = [root]
     while waiting:
         element = waiting.pop()
@@ -85,13 +90,13 @@ def _every(root: Element) -> Iterator[Element]:
         waiting += reversed(element.children)
 
 
-def _tag(element: Element) -> tuple[str, str, str]:
+def _tag(element: "Element") -> tuple[str, str, str]:
     if element.tag == "Tag":
         return _text(element.raw), element.get("type"), element.get("addr")
     return _part(element, "Name"), _part(element, "DataTypeName"), _part(element, "LogicalAddress")
 
 
-def _user_constant(element: Element) -> TagConstant:
+def _user_constant(element: "Element") -> TagConstant:
     if element.tag == "Constant":
         name, value, kind = _text(element.raw), element.get("value"), element.get("type")
     else:
@@ -100,14 +105,16 @@ def _user_constant(element: Element) -> TagConstant:
     return TagConstant(name, value, kind, element.place)
 
 
-def _part(element: Element, name: str) -> str:
+def _part(element: "Element", name: str) -> str:
     attributes = element.child("AttributeList")
     part = attributes.child(name) if attributes is not None else None
     return "" if part is None else _text(part.raw)
 
 
 def _text(raw: str) -> str:
-    return unescape(raw, _QUOTES).strip()
+    for entity, character in _ENTITIES.items():
+        raw = raw.replace(entity, character)
+    return raw.strip()
 
 
 def _from_sdf(source: Source) -> list[Tag]:

@@ -8,8 +8,9 @@ instructions are the tables `standard_functions`, `standard_blocks` and `system_
 Nothing is imported before it is asked for: whoever wants one of the tables needs no checker.
 """
 
-from importlib import import_module
 from typing import TYPE_CHECKING
+
+from fbgen.faces import member
 
 if TYPE_CHECKING:
     from fbgen.lang.checker.program import check, check_reporting
@@ -17,10 +18,14 @@ if TYPE_CHECKING:
 
 __all__ = ["RULES", "Rules", "check", "check_reporting", "rules_for"]
 
-_HOMES = {"check": "program", "check_reporting": "program"}
+_HOMES = {
+    "RULES": "rules",
+    "Rules": "rules",
+    "check": "program",
+    "check_reporting": "program",
+    "rules_for": "rules",
+}
 
 
 def __getattr__(name: str) -> object:
-    if name not in __all__:
-        raise AttributeError(f"module 'fbgen.lang.checker' has no attribute '{name}'")
-    return getattr(import_module(f"{__name__}.{_HOMES.get(name, 'rules')}"), name)
+    return member(__name__, _HOMES, name)

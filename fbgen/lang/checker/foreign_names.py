@@ -5,7 +5,8 @@ TwinCAT 3 help, "TwinCAT 3 PLC libraries"; CODESYS help, "Libraries"; oscat.de, 
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from functools import cache
 
 from fbgen.nearest import near_names, nearest
 
@@ -79,9 +80,6 @@ _NAMES = {
     "dcf77|sdt|calendar|real2|constants_\\w+|complex|vector_3|timer_event|holiday_data|"
     "sun_(time|midday)|time_to_timestructure",
 }
-_PATTERNS = {
-    library: re.compile(pattern, re.ASCII | re.IGNORECASE) for library, pattern in _NAMES.items()
-}
 _LIBRARY = re.compile(
     r"tc[23]_\w+|standard|standard64|util|visu\w*|cmp\w+|sys[a-z]\w*|caa|sm3_\w+", re.IGNORECASE
 )
@@ -89,7 +87,14 @@ _LIBRARY = re.compile(
 
 def library_of(name: str) -> str | None:
     """The library that declares a name; None for a name that may be of anybody."""
-    return next((key for key, one in _PATTERNS.items() if one.fullmatch(name)), None)
+    return next((key for key, one in _patterns().items() if one.fullmatch(name)), None)
+
+
+@cache
+def _patterns() -> Mapping[str, re.Pattern[str]]:
+    """Only made for a program with names that nobody has declared."""
+    flags = re.ASCII | re.IGNORECASE
+    return {library: re.compile(pattern, flags) for library, pattern in _NAMES.items()}
 
 
 def is_library(name: str) -> bool:

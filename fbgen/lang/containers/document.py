@@ -9,17 +9,16 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.diagnostics import Diagnostic
 from fbgen.lang.ast import File
-from fbgen.lang.containers import plcopen, s7dcl, statement_lists, twincat
+from fbgen.lang.containers import s7dcl, statement_lists
 from fbgen.lang.containers.age import Age, age_of
-from fbgen.lang.containers.places import rewritten
-from fbgen.lang.containers.told_dialect import XML_SUFFIXES, told_dialect
-from fbgen.lang.containers.xml_tree import read_xml
+from fbgen.lang.containers.dialect_of_files import XML_SUFFIXES, told_dialect
+from fbgen.lang.containers.embedded import in_order
 from fbgen.lang.encoding import Encoding, encoding_of, read_bytes
 from fbgen.lang.parser import parse_recovering
 from fbgen.lang.printer import print_file
-from fbgen.source import Source, Span
+from fbgen.source import Source
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -77,7 +76,10 @@ def _document(
     path: Path, source: Source, dialect: str, encoding: Encoding, is_xml: bool
 ) -> Document:
     if is_xml:
-        return _xml_document(path, source, dialect, encoding)
+        from fbgen.lang.containers.xml_document import read_code  # noqa: PLC0415 - only for XML
+
+        file, found, written = read_code(source, dialect)
+        return Document(path, dialect, file, found, source.text, written, encoding)
     if path.suffix.lower() == s7dcl.SUFFIX:
         return _declared_document(path, s7dcl.read_declared(source), source, dialect, encoding)
     if dialect in ("tia", "step7") and (lists := statement_lists.read_lists(source)):
@@ -85,11 +87,11 @@ def _document(
     file, findings = parse_recovering(source, dialect)
     crlf = "\r\n" in source.text
 
-    def written(tree: File) -> str:
+    def printed(tree: File) -> str:
         text = print_file(tree).text
         return text.replace("\n", "\r\n") if crlf else text
 
-    return Document(path, dialect, file, tuple(findings), source.text, written, encoding)
+    return Document(path, dialect, file, tuple(findings), source.text, printed, encoding)
 
 
 def _declared_document(
@@ -97,39 +99,5 @@ def _declared_document(
 ) -> Document:
     """A `.s7dcl`, or a source with instruction lists: it is written back as it is."""
     file, findings = parse_recovering(declared.source, dialect)
-    found = sorted((*findings, *declared.findings), key=_place)
-    return Document(path, dialect, file, tuple(found), source.text, lambda _: source.text, encoding)
-
-
-def _xml_document(path: Path, source: Source, dialect: str, encoding: Encoding) -> Document:
-    root = read_xml(source)
-    code = None
-    if root.tag == twincat.ROOT:
-        code = twincat.read_object(root, dialect)
-    elif root.tag == plcopen.ROOT:
-        code = plcopen.read_project(root, dialect)
-    if code is None:
-        raise DiagnosticError(
-            [
-                Diagnostic(
-                    "FB3018",
-                    f"<{root.tag}> holds no code that can be read",
-                    Span(source, root.start, root.inner_start),
-                    "PLCopen TC6 XML is read, and TwinCAT's .TcPOU, .TcDUT, .TcGVL, .TcIO, .TcTTO",
-                )
-            ]
-        )
-    file, findings = parse_recovering(code.source, dialect)
-    if code.list_names:
-        file = twincat.with_list_names(file, code.list_names)
-    found = sorted((*findings, *code.findings), key=_place)
-    slots = code.slots
-
-    def written(tree: File) -> str:
-        return rewritten(source, slots, tree)
-
-    return Document(path, dialect, file, tuple(found), source.text, written, encoding)
-
-
-def _place(finding: Diagnostic) -> tuple[int, int]:
-    return (finding.span.line, finding.span.column) if finding.span else (0, 0)
+    found = in_order((*findings, *declared.findings))
+    return Document(path, dialect, file, found, source.text, lambda _: source.text, encoding)

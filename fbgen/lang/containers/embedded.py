@@ -8,10 +8,15 @@ source = text.source()
 
 import re
 from bisect import bisect_right
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
-from fbgen.lang.containers.xml_tree import Element
+from fbgen.diagnostics import Diagnostic
 from fbgen.source import Source
+
+if TYPE_CHECKING:
+    from fbgen.lang.containers.xml_tree import Element
 
 _CONTENT = re.compile(
     r"<!\[CDATA\[(.*?)\]\]>|<!--.*?-->|<\?.*?\?>|&(#[0-9]+|#x[0-9A-Fa-f]+|\w+);|([^<&]+)|<[^>]*>",
@@ -72,7 +77,7 @@ class Assembly:
         self._there = there
         self.add(text)
 
-    def add_content(self, element: Element) -> None:
+    def add_content(self, element: "Element") -> None:
         """What stands between the tags of an element without children."""
         for piece in _CONTENT.finditer(element.raw):
             at = element.inner_start + piece.start()
@@ -84,7 +89,7 @@ class Assembly:
             elif piece[3] is not None:
                 self.add(piece[3], at)
 
-    def add_attribute(self, element: Element, name: str) -> None:
+    def add_attribute(self, element: "Element", name: str) -> None:
         """The value of an attribute."""
         self.add(element.get(name), _place_of_attribute(element, name))
 
@@ -94,7 +99,7 @@ class Assembly:
         return EmbeddedSource(name, text, (), self._container, tuple(self._pieces))
 
 
-def content(element: Element) -> str:
+def content(element: "Element") -> str:
     """What stands between the tags of an element without children."""
     assembly = Assembly(element.source)
     assembly.add_content(element)
@@ -108,7 +113,16 @@ def _character(entity: str) -> str:
     return _ENTITIES[entity]
 
 
-def _place_of_attribute(element: Element, name: str) -> int:
+def _place_of_attribute(element: "Element", name: str) -> int:
     tag = element.source.text[element.start : element.inner_start]
     match = re.search(rf"\s(?:[\w.-]+:)?{re.escape(name)}\s*=\s*[\"']", tag)
     return element.start + (match.end() if match else 0)
+
+
+def in_order(findings: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """Findings as they stand in the container, those without a place in front."""
+    return tuple(sorted(findings, key=_line_column))
+
+
+def _line_column(finding: Diagnostic) -> tuple[int, int]:
+    return (finding.span.line, finding.span.column) if finding.span else (0, 0)

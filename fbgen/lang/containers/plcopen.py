@@ -26,9 +26,9 @@ from fbgen.lang.containers.codesys_data import (
 from fbgen.lang.containers.embedded import Assembly
 from fbgen.lang.containers.places import CodeOf, Slot
 from fbgen.lang.containers.plcopen_declarations import DeclarationReader
-from fbgen.lang.containers.twincat import CodeInXml, other_language
+from fbgen.lang.containers.twincat import CodeInXml
 from fbgen.lang.containers.xml_tree import Element
-from fbgen.lang.other_languages import foreign_body
+from fbgen.lang.other_languages import foreign_body, other_language
 
 ROOT = "project"
 _KINDS = {"program": "PROGRAM", "functionBlock": "FUNCTION_BLOCK", "function": "FUNCTION"}

@@ -17,8 +17,7 @@ from dataclasses import dataclass
 
 from fbgen.diagnostics import Diagnostic
 from fbgen.lang.containers.embedded import Assembly, EmbeddedSource
-from fbgen.lang.containers.twincat import other_language
-from fbgen.lang.other_languages import foreign_body
+from fbgen.lang.other_languages import foreign_body, other_language
 from fbgen.source import Source, Span
 
 SUFFIX = ".s7dcl"

@@ -9,8 +9,7 @@ import re
 
 from fbgen.lang.containers.embedded import Assembly
 from fbgen.lang.containers.s7dcl import Declared
-from fbgen.lang.containers.twincat import other_language
-from fbgen.lang.other_languages import foreign_body
+from fbgen.lang.other_languages import foreign_body, other_language
 from fbgen.source import Source, Span
 
 _BODY = re.compile(

@@ -8,7 +8,7 @@ one tree comes of it. Source: files that TwinCAT XAE writes, in published projec
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from fbgen.diagnostics import Diagnostic, Severity
+from fbgen.diagnostics import Diagnostic
 from fbgen.lang.ast import Accessor, Action, Block, File, Globals, Interface, Property
 from fbgen.lang.containers import code_parts
 from fbgen.lang.containers.embedded import Assembly, EmbeddedSource, content
@@ -17,8 +17,8 @@ from fbgen.lang.containers.twincat_tasks import write_task
 from fbgen.lang.containers.xml_tree import Element
 from fbgen.lang.dialects import dialect_named
 from fbgen.lang.lexer import tokenize
-from fbgen.lang.other_languages import foreign_body
-from fbgen.source import Source, Span
+from fbgen.lang.other_languages import foreign_body, other_language
+from fbgen.source import Source
 
 ROOT = "TcPlcObject"
 _OBJECTS = ("POU", "Itf", "DUT", "GVL", "Task")
@@ -160,17 +160,6 @@ class _Reader:
             else:
                 self.assembly.add_at(foreign_body(language.tag), language.start)
                 self.findings.append(other_language(name, language.tag, language.place))
-
-
-def other_language(name: str, language: str, place: Span) -> Diagnostic:
-    """A body that is not structured text."""
-    return Diagnostic(
-        "FB3017",
-        f"the body of {name} is written in {language}",
-        place,
-        "only structured text is read; its variables are known all the same",
-        severity=Severity.WARNING,
-    )
 
 
 def _owner(file: File) -> Block | Interface:
