@@ -260,6 +260,12 @@ def _gateway_context(gateway: Gateway) -> dict[str, object]:
             "handshake_source": source_text(shake, shake.source),
             "trigger_first": SclText(str(trigger.first), place),
             "trigger_last": SclText(str(trigger.last), place),
+            "processing_comment": SclText(
+                f"{gateway.times.processing.ms:g} ms",
+                origin(
+                    "processing", gateway.times.processing, gateway.times.processing.source or ""
+                ),
+            ),
         },
     }
 
