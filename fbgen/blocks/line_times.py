@@ -16,7 +16,7 @@ LONGEST_BUS_CYCLE_MS = 5.0
 SPACERS = 2
 """Reads that it puts in front at most."""
 
-_HEARTBEAT_CHARACTERS = 14
+HEARTBEAT_CHARACTERS = 14
 """The gateway's heartbeat on the line, which a telegram waits for: `(**P08800001)` and CR."""
 
 
@@ -121,7 +121,7 @@ def _emergency_stop_ms(plant: Plant, entry: PlantGateway, gateway: Gateway, gap_
     """
     cycles = 1 + 3 + (2 if entry.access == "process_image" else 0)
     times, bits = gateway.times, gateway.subnetwork.character_bits
-    heartbeat_ms = _HEARTBEAT_CHARACTERS * bits / gateway.subnetwork.baud * 1000
+    heartbeat_ms = HEARTBEAT_CHARACTERS * bits / gateway.subnetwork.baud * 1000
     return (
         cycles * plant.cycle_time_ms
         + gap_ms

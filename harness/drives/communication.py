@@ -77,7 +77,8 @@ class Communication:
 
     What may change at any time: `reply_time`; with the probability of `late_replies` a reply comes
     `late_ns` later than that; `foreign_number` is an INV-NO to which it listens in place of its
-    own, `reply_number` one with which it answers.
+    own, `reply_number` one with which it answers. `heard_ns` is when it had heard what it answers
+    or has answered last.
     """
 
     __slots__ = (
@@ -91,6 +92,7 @@ class Communication:
         "_reply",
         "_settings",
         "_timer",
+        "heard_ns",
         "inv_no",
         "late_ns",
         "late_replies",
@@ -121,7 +123,7 @@ class Communication:
         self._frame = b""
         self._timer: Event | None = None
         self._deadline_ns: int | None = None
-        self._deaf_until_ns = kernel.now_ns
+        self._deaf_until_ns = self.heard_ns = kernel.now_ns
         self.stream = request_stream()
         self.inv_no = 0
         self.port: Port = line.attach(self, Role.SLAVE, self._format())
@@ -249,6 +251,7 @@ class Communication:
             delay_ns += round(self._registers.value("send_waiting_time") * NS_PER_S)
         if self.late_replies.hits(1):
             delay_ns += self.late_ns
+        self.heard_ns = kernel.now_ns
         begin_ns = kernel.now_ns + delay_ns
         self._frame = frame
         self._reply = kernel.at(begin_ns, self._send)

@@ -1,7 +1,8 @@
 """The program that runs shows what it was generated from.
 
 `TOS_Plant.inputsHash` has the eight digits that stand in the heads of all its blocks; where they
-differ, blocks of several generations have been mixed. A program without such heads shows nothing.
+differ, blocks of several generations have been mixed. A program without such heads shows nothing,
+and none does before its first scan.
 """
 
 import re
@@ -23,7 +24,7 @@ def _watch(plant: Installation) -> Watch:
 
     def broken() -> Iterator[str]:
         for shown in read():
-            if heads != {shown}:
+            if plant.cpu.scans and heads != {shown}:
                 stand = ", ".join(f"{one:08X}" for one in sorted(heads))
                 yield f"{path} is 16#{shown:08X}, and in the heads stands {stand}"
 

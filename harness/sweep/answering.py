@@ -5,7 +5,7 @@ value that it gives for a read is a number of its own, counted up over all drive
 value that the PLC shows belongs to one telegram and to no other.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from fbgen.catalog import Drive
 from fbgen.wire.toshiba import ErrorCode
@@ -20,42 +20,27 @@ UNKNOWN_COM_NO = 0x7FFF
 """No drive knows this ComNo: it refuses, and its refusal does not pass the gateway."""
 
 
-@dataclass(frozen=True, slots=True)
-class Executed:
-    """A telegram that a drive has carried out, at the instant at which it had heard it.
-
-    `value` is what it gave for a read, or the DATA of a write.
-    """
-
-    time_ns: int
-    inv_no: int
-    com_no: int
-    value: int
-    writes: bool
-
-
 @dataclass(slots=True)
-class DriveLog:
-    """What all drives of a line have carried out, in its order; the source of the values."""
+class AnswerValues:
+    """The source of the values of all drives of a line."""
 
-    executed: list[Executed] = field(default_factory=list)
-    values: int = 0
+    last: int = 0
 
     def begin(self, first: int) -> None:
         """A new run, with values behind this one."""
-        self.executed, self.values = [], first & 0xFFFF
+        self.last = first & 0xFFFF
 
-    def next_value(self) -> int:
+    def next(self) -> int:
         """A value that no drive has given in this run."""
-        self.values = self.values + 1 & 0xFFFF
-        return self.values
+        self.last = self.last + 1 & 0xFFFF
+        return self.last
 
 
 class AnsweringDrive:
     """One such drive on a line."""
 
     def __init__(
-        self, kernel: Kernel, line: Line, series: Drive, inv_no: int, log: DriveLog
+        self, kernel: Kernel, line: Line, series: Drive, inv_no: int, values: AnswerValues
     ) -> None:
         link = series.link
         words = {
@@ -69,9 +54,7 @@ class AnsweringDrive:
             for name, word in words.items()
         }
         self.tripped = False
-        self._kernel = kernel
-        self._inv_no = inv_no
-        self._log = log
+        self._values = values
         registers = Registers(series, delivered)
         self._communication = Communication(kernel, line, registers, self, InverterSettings())
 
@@ -95,13 +78,10 @@ class AnsweringDrive:
         """A value of its own for each read."""
         if number == UNKNOWN_COM_NO:
             return None
-        value = self._log.next_value()
-        self._note(number, value, writes=False)
-        return value
+        return self._values.next()
 
     def write_ram(self, number: int, word: int) -> ErrorCode | None:
         """Take any value."""
-        self._note(number, word, writes=True)
         return None
 
     def write_eeprom(self, number: int, word: int) -> ErrorCode | None:
@@ -110,11 +90,6 @@ class AnsweringDrive:
 
     def set_scaled(self, number: int, word: int) -> None:
         """Take any set-point."""
-        self._note(number, word, writes=True)
 
     def time_out(self) -> None:
         """Its time-out is off."""
-
-    def _note(self, number: int, value: int, *, writes: bool) -> None:
-        done = Executed(self._kernel.now_ns, self._inv_no, number, value, writes)
-        self._log.executed.append(done)

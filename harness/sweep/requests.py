@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from harness.rules.repeats_allowed import is_repeatable
+
 READ, WRITE_RAM, WRITE_EEPROM, SETPOINT = 0x47, 0x50, 0x57, 0x53
 BROADCAST = 0xFF
 COMMAND_WORD, FAULT_RESET = 0xFA00, 0x2000
@@ -25,10 +27,7 @@ class Request:
 
         A reset restarts the drive each time; a cell of the EEPROM wears out with each write.
         """
-        if self.cmd == READ:
-            return True
-        reset = self.com_no == COMMAND_WORD and self.data & FAULT_RESET
-        return self.cmd == WRITE_RAM and not reset
+        return is_repeatable(self.telegram)
 
     @property
     def telegram(self) -> bytes:

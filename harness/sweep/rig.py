@@ -22,7 +22,9 @@ from harness.installation import PlantSetup, build_plant, generated_sources
 from harness.kernel import NS_PER_MS, NS_PER_S
 from harness.line import Transmission
 from harness.plc import CpuMode, CpuSettings, Restart
-from harness.sweep.answering import AnsweringDrive, DriveLog, Executed
+from harness.rules.answers import Answer, answer_in
+from harness.rules.repeats_allowed import spacers_of
+from harness.sweep.answering import AnsweringDrive, AnswerValues
 from harness.sweep.conditions import ACCESS_LAYOUTS, Conditions
 from harness.sweep.requests import (
     BROADCAST,
@@ -74,7 +76,7 @@ class Observation:
     silent: list[frozenset[int]] = field(default_factory=list)
     triggers: list[int] = field(default_factory=list)
     frames: list[Frame] = field(default_factory=list)
-    executed: list[Executed] = field(default_factory=list)
+    answers: list[Answer] = field(default_factory=list)
     stopped: str = ""
     finished: bool = False
     stop_edge_ns: int | None = None
@@ -111,19 +113,15 @@ class Rig:
         line = plant.lines[entry.name]
         for inverter in plant.drives.values():
             inverter.power_off()
-        self._log = DriveLog()
+        self._values = AnswerValues()
         self._drives = {
             item.inv_no: AnsweringDrive(
-                plant.kernel, line, catalog.drives[item.series], item.inv_no, self._log
+                plant.kernel, line, catalog.drives[item.series], item.inv_no, self._values
             )
             for item in entry.drives
         }
         self.inv_nos = tuple(self._drives)
-        series = catalog.drives[entry.drives[0].series]
-        link = series.link
-        self.spacers = frozenset(
-            series.comno(name).number for name in (link.trip, link.status, link.output_frequency)
-        )
+        self.spacers = spacers_of(catalog.drives[entry.drives[0].series])
         line.taps.append(self._heard)
         plant.cpu.after_scan.append(self._scanned)
         instance = with_prefix(f"TOS_Gateway_{entry.name}_DB", plan.prefix)
@@ -163,7 +161,6 @@ class Rig:
                 break
         kernel.run_for(_SETTLING_NS)
         self._seen.finished = self._over
-        self._seen.executed = self._log.executed
         return self._seen
 
     def _begin(self, conditions: Conditions, script: Sequence[Step]) -> None:
@@ -179,7 +176,7 @@ class Rig:
         self._gateway.settings = replace(self._gateway.settings, trigger_poll_ns=poll_ns)
         seed = crc32(repr(conditions).encode())
         kernel.random.seed(seed)
-        self._log.begin(seed)
+        self._values.begin(seed)
         for drive in self._drives.values():
             drive.begin(conditions.reply_ns)
         self._seen = Observation(conditions)
@@ -262,6 +259,8 @@ class Rig:
 
     def _heard(self, transmission: Transmission) -> None:
         if transmission.sender is not self._gateway.port:
+            if (answer := answer_in(transmission)) is not None:
+                self._seen.answers.append(answer)
             return
         if transmission.data[:1] == bytes((ASCII_START,)):
             return

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from harness.kernel import NS_PER_MS
+from harness.rules.answers import belongs
+from harness.rules.repeats_allowed import most_attempts
 from harness.sweep.requests import BROADCAST, READ, Outcome
 from harness.sweep.rig import Frame, Observation
 
@@ -14,10 +16,9 @@ NO_REPLY, FAULTY, OTHER_REPLY = 0x8401, 0x8402, 0x8403
 NAMED = {NO_REPLY, FAULTY, OTHER_REPLY}
 """What a request may end with where nothing disturbs gateway and PROFIBUS."""
 
-_ATTEMPTS = 3
+_RETRIES = 2
 _PROCESSING_NS = 5 * NS_PER_MS
-_REPLY_FRAME_NS = 5 * NS_PER_MS
-"""The way of a reply to the PLC takes at least this (TOSPBDP001 manual v1.1, 9)."""
+"""The way of a reply from the line to the PLC takes at least this (TOSPBDP001 manual v1.1, 9)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +53,7 @@ def violations(seen: Observation, expected: Expected) -> list[Violation]:
     found += _done_or_not(seen, expected)
     found += _values(seen, expected)
     found += _telegrams(seen, expected)
-    found += _repetitions(seen)
+    found += _repetitions(seen, expected)
     return found
 
 
@@ -98,18 +99,8 @@ def _values(seen: Observation, expected: Expected) -> Iterator[Violation]:
         request = outcome.request
         if not outcome.done or not request.reply_expected or outcome.ended_ns is None:
             continue
-        answerer = 0 if request.inv_no == BROADCAST else request.inv_no
-        latest_ns = outcome.ended_ns - _PROCESSING_NS - _REPLY_FRAME_NS
-        answers = [
-            item
-            for item in seen.executed
-            if item.inv_no == answerer
-            and item.com_no == request.com_no
-            and item.writes == (request.cmd != READ)
-            and item.value == outcome.data
-            and outcome.posted_ns <= item.time_ns <= latest_ns
-        ]
-        if not answers:
+        since_ns, until_ns = outcome.posted_ns, outcome.ended_ns - _PROCESSING_NS
+        if not belongs(seen.answers, request.telegram, outcome.data, since_ns, until_ns):
             text = f"{request} gives {outcome.data:04X}, which nobody answered to it"
             yield Violation("the value belongs to the request", text)
 
@@ -141,13 +132,12 @@ def _asked(frame: Frame, seen: Observation) -> bool:
     )
 
 
-def _repetitions(seen: Observation) -> Iterator[Violation]:
+def _repetitions(seen: Observation, expected: Expected) -> Iterator[Violation]:
     """Nothing goes out more often than the blocks say; what must not be repeated, once."""
     for outcome in seen.outcomes:
         count = _count(outcome, seen.frames)
-        limit = _ATTEMPTS if outcome.request.repeatable else 1
-        if not outcome.request.reply_expected:
-            limit = 1
+        telegram, expected_reply = outcome.request.telegram, outcome.request.reply_expected
+        limit = most_attempts(telegram, _RETRIES, expected.spacers, reply_expected=expected_reply)
         if count > limit:
             text = f"{outcome.request} went out {count} times"
             yield Violation("only what may be is repeated", text)

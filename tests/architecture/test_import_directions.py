@@ -62,7 +62,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.faults": BASE | TEXT | PLANT | {"harness.durations"},
     "harness.rules": BASE | TEXT | PLANT,
     "harness.journal": {"fbgen.source"},
-    "harness.sweep": BASE | TEXT | PLANT | {"harness.journal"},
+    "harness.sweep": BASE | TEXT | PLANT | {"harness.journal", "harness.rules"},
     "harness.trial": BASE | {"fbgen.lang", "harness.engine", "harness.kernel"},
     "harness.pytest_plugin": BASE
     | TEXT

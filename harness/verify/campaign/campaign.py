@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from fbgen.diagnostics import error
+from fbgen.source import Source, Span
 from harness.verify.campaign.log import add_chunk, open_log
 from harness.verify.campaign.trials import CampaignSettings, Chunk, Failure, try_seeds
 
@@ -147,10 +148,11 @@ def _on_cluster(address: str) -> Iterator[Executor]:
     try:
         client = distributed.Client(address, timeout=10)
     except (OSError, ValueError) as wrong:
+        asked = Source("--cluster", address)
         raise error(
             "FB8073",
             f"there is no cluster at {address}: {wrong}",
-            None,
+            Span(asked, 0, len(address)),
             "start one with dask scheduler and dask worker, and name the scheduler's address",
         ) from None
     with client:

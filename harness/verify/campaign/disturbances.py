@@ -9,6 +9,9 @@ from harness.verify.campaign.entries import Entry, written_time
 BEGIN_NS = 700 * NS_PER_MS
 LAST_NS = 5 * NS_PER_S
 """Faults begin `BEGIN_NS` behind the start, and all are over `LAST_NS` later."""
+_SHORTEST_REST_NS = 200 * NS_PER_MS
+_AT_REST = ("cpu_retentive_lost", "cpu_stopped", "cpu_unpowered")
+"""No CPU is in RUN again sooner than in some tenths of a second."""
 _MOST_KINDS = 4
 _MOST_FAULTS = 8
 _LONGEST_NS = 1500 * NS_PER_MS
@@ -47,6 +50,8 @@ def draw_faults(
     for _ in range(random.randint(1, _MOST_FAULTS)):
         name = random.choice(chosen)
         lasts_ns = int(_LONGEST_NS ** random.uniform(0.7, 1.0))
+        if name in _AT_REST:
+            lasts_ns = max(lasts_ns, _SHORTEST_REST_NS)
         at_ns = BEGIN_NS + random.randrange(LAST_NS - lasts_ns)
         event: Entry = {
             "at": written_time(at_ns),

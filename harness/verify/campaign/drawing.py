@@ -57,11 +57,26 @@ def draw(seed: int, turn: int, subject: Subject, kinds: Sequence[str]) -> Entry:
         **draw_start(random, plan, program, catalog),
         "rules": ["all"],
         "faults": draw_faults(random, subject.places, kinds),
-        "steps": [*_work(random, plan), *_recovery(plan, _patience(program, plan))],
+        "steps": [
+            *_work(random, plan, _sequences(plan, catalog)),
+            *_recovery(plan, _patience(program, plan), _sequences(plan, catalog)),
+        ],
     }
 
 
-def _work(random: Random, plan: Plant) -> list[Entry]:
+def _sequences(plan: Plant, catalog: Catalog) -> list[str]:
+    """The sequences of the plant that leave no drive running."""
+    return [
+        name
+        for name in plan.sequences
+        if not catalog.sequences[name].telegrams
+        and not any(
+            "run" in (getattr(step, "bits", None) or ()) for step in catalog.sequences[name].steps
+        )
+    ]
+
+
+def _work(random: Random, plan: Plant, sequences: Sequence[str]) -> list[Entry]:
     """What the PLC is asked for meanwhile, and where its triggers begin."""
     steps: list[Entry] = []
     for gateway in plan.gateways:
@@ -73,15 +88,16 @@ def _work(random: Random, plan: Plant) -> list[Entry]:
         pause_ns = random.randrange(left_ns // _ACTIONS * 2) + NS_PER_MS
         steps += [
             {"wait": written_time(min(pause_ns, left_ns))},
-            {"set": _asked(random, *random.choice(drives))},
+            {"set": _asked(random, *random.choice(drives), sequences)},
         ]
         left_ns = max(left_ns - pause_ns, NS_PER_MS)
     return [*steps, {"wait": written_time(left_ns)}]
 
 
-def _asked(random: Random, gateway: str, drive: PlantDrive) -> Entry:
-    control = f"plc.TOS_Plant.{gateway}.{drive.name}.control"
-    match random.randrange(7):
+def _asked(random: Random, gateway: str, drive: PlantDrive, sequences: Sequence[str]) -> Entry:
+    base = f"plc.TOS_Plant.{gateway}.{drive.name}"
+    control = f"{base}.control"
+    match random.randrange(9):
         case 0 | 1:
             hz = round(random.uniform(5.0, drive.max_frequency_hz), 1)
             run = {f"{control}.enable": True, f"{control}.run": True}
@@ -94,6 +110,8 @@ def _asked(random: Random, gateway: str, drive: PlantDrive) -> Entry:
             return {f"{control}.reset": random.random() < 0.5}
         case 5:
             return {f"plc.TOS_Plant.{gateway}.line.emergencyStop": random.random() < 0.5}
+        case 6 | 7 if sequences:
+            return {f"{base}.{random.choice(sequences)}.execute": random.random() < 0.7}
         case _:
             return {f"{control}.enable": random.random() < 0.5}
 
@@ -105,19 +123,21 @@ def _patience(program: Entry, plan: Plant) -> float:
     return max(cycle_ms / _USUAL_CYCLE_MS, 1.0)
 
 
-def _recovery(plan: Plant, patience: float) -> list[Entry]:
+def _recovery(plan: Plant, patience: float, sequences: Sequence[str]) -> list[Entry]:
     """Nothing is asked for, drives are reset, twice: a reset may be lost. Then all must be well:
     everything answers and stands, and no alarm is left of the line or of a drive."""
     round_time = written_time(round(patience * _ROUND_NS))
     lines = [f"plc.TOS_Plant.{gateway.name}.line" for gateway in plan.gateways]
-    controls = [
-        f"plc.TOS_Plant.{gateway.name}.{drive.name}.control"
+    drives = [
+        f"plc.TOS_Plant.{gateway.name}.{drive.name}"
         for gateway in plan.gateways
         for drive in gateway.drives
     ]
+    controls = [f"{drive}.control" for drive in drives]
+    executes = {f"{drive}.{name}.execute": False for drive in drives for name in sequences}
     steps: list[Entry] = [
         {"set": {f"{line}.emergencyStop": False for line in lines}},
-        {"set": {f"{control}.run": False for control in controls}},
+        {"set": {f"{control}.run": False for control in controls} | executes},
         {"set": {f"{control}.enable": True for control in controls}},
         {"wait": round_time},
     ]

@@ -1,6 +1,7 @@
 """Campaigns: the same seeds give the same, whoever runs them; failures become short scenarios."""
 
 import json
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from harness.verify.campaign.shrinking import minimal, shrink
 from harness.verify.campaign.trials import case_from, drawn, try_seeds
 
 ROOT = Path(__file__).parents[4]
+BAD = ROOT / "tests" / "unit" / "bad"
 ONE = ROOT / "tests" / "scenarios" / "one_drive.yaml"
 FAILING = f"""version: 1
 title: A gateway that must not lose its supply
@@ -253,6 +255,20 @@ def test_an_unknown_fault_is_told_with_the_nearest_name() -> None:
 
 def test_without_an_answer_there_is_no_cluster(failing: CampaignSettings, tmp_path: Path) -> None:
     pytest.importorskip("distributed")
+    address = (BAD / "FB8073_no_cluster.txt").read_text("utf-8").strip()
     with pytest.raises(DiagnosticError) as refused:
-        Campaign(failing, 1, cluster="nowhere://x").run(tmp_path / "log.jsonl")
-    assert [item.code for item in refused.value.diagnostics] == ["FB8073"]
+        Campaign(failing, 1, cluster=address).run(tmp_path / "log.jsonl")
+    (found,) = refused.value.diagnostics
+    assert found.span is not None
+    assert (found.code, found.span.source.name) == ("FB8073", "--cluster")
+    assert (found.span.line, found.span.column) == (1, 1)
+
+
+def test_without_the_package_there_is_no_cluster(
+    failing: CampaignSettings, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(DiagnosticError) as refused:
+        Campaign(failing, 1, cluster="tcp://10.0.0.5:8786").run(tmp_path / "log.jsonl")
+    (found,) = refused.value.diagnostics
+    assert (found.code, found.help) == ("FB8073", "pip install fbgen[cluster]")

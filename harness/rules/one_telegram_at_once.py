@@ -1,0 +1,75 @@
+"""The PLC asks nothing of a line while somebody may still answer what it asked before.
+
+A reply is waited for until it is there, or until the drive's reply time and that of a frame have
+passed (TOSPBDP001 manual v1.1, section 9). Two requests at once may lead to two replies at once, or
+to a drive that hears only one of them. What the gateway sends by itself does not count, nor what
+was held back on its way to the line. Nor does the read that goes out first to a gateway that is
+back, as long as it goes to the same drive: that hears one telegram at a time, and nothing is lost
+with a read.
+"""
+
+from collections.abc import Mapping
+
+from fbgen.wire.toshiba import BROADCAST, Command
+from harness.installation import Installation
+from harness.kernel import NS_PER_MS
+from harness.rules.answers import Answer
+from harness.rules.line_log import LineLog, Sent, line_logs, telling
+from harness.rules.put_out import Sending
+from harness.rules.rule import Rule, Watch
+
+_ANSWERED = (Command.R, Command.G, Command.W, Command.P)
+
+
+class _Waiting:
+    """Until when the reply to the last telegram of a line may come."""
+
+    def __init__(self, log: LineLog, reply_ns: Mapping[int, int], found: list[str]) -> None:
+        self._log = log
+        self._reply_ns = reply_ns
+        self._found = found
+        self._asked, self._answerer = b"", -1
+        self._open_until_ns = 0
+        log.on_sent.append(self._sent)
+        log.on_answer.append(self._answered)
+
+    def _sent(self, sent: Sent) -> None:
+        if sent.sending is not Sending.NEW:
+            return
+        early_ns = self._open_until_ns - sent.start_ns
+        is_read_again = _answerer(sent) == self._answerer and sent.telegram[1] == Command.G
+        if early_ns > 0 and not (sent.is_first and is_read_again):
+            asked = self._asked.hex(" ").upper()
+            self._found.append(
+                f"{self._log.gateway}: {sent.telegram.hex(' ').upper()} began "
+                f"{early_ns / NS_PER_MS:.3f} ms before the reply to {asked} was over or out of time"
+            )
+        self._asked = sent.telegram
+        self._answerer = inv_no = _answerer(sent)
+        self._open_until_ns = 0
+        if sent.telegram[1] in _ANSWERED and inv_no in self._reply_ns and not sent.is_late:
+            frame_ns = sent.end_ns - sent.start_ns
+            self._open_until_ns = sent.end_ns + self._reply_ns[inv_no] + frame_ns
+
+    def _answered(self, answer: Answer) -> None:
+        self._open_until_ns = min(self._open_until_ns, answer.end_ns)
+
+
+def _answerer(sent: Sent) -> int:
+    """A broadcast is answered by drive 00."""
+    return 0 if sent.telegram[0] == BROADCAST else sent.telegram[0]
+
+
+def _watch(plant: Installation) -> Watch:
+    logs = line_logs(plant)
+    found: list[str] = []
+    for log, entry in zip(logs, plant.plan.gateways, strict=True):
+        reply_ns = {
+            item.inv_no: plant.catalog.drive(item.series).times.reply_max.ns
+            for item in entry.drives
+        }
+        _Waiting(log, reply_ns, found)
+    return telling(logs, found)
+
+
+RULE = Rule("one_telegram_at_once", "Nothing is asked while a reply may still come", _watch)

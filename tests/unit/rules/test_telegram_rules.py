@@ -1,0 +1,198 @@
+"""The rules about telegrams: the generated blocks keep them, what each forbids is told."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+
+from fbgen.catalog import load_catalog
+from fbgen.plant import Plant, load_plant
+from fbgen.source import Source
+from fbgen.wire.toshiba import seal
+from harness.installation import PlantSetup, build_plant, generated_sources
+from harness.kernel import NS_PER_MS, NS_PER_S
+from harness.rules import RULES
+from harness.rules.answers import Answer, belongs
+from harness.rules.put_out import PutOuts, Sending
+from harness.rules.repeats_allowed import most_attempts
+
+ROOT = Path(__file__).parents[3]
+CATALOG = load_catalog()
+READ = "TOS_Plant.gw1.pump.read_status.execute"
+ABOUT_TELEGRAMS = (
+    "one_telegram_at_once",
+    "repeats_allowed",
+    "telegrams_asked_for",
+    "values_answered",
+)
+
+
+@pytest.fixture(scope="module")
+def plan() -> Plant:
+    return load_plant(ROOT / "tests" / "scenarios" / "one_drive.yaml", CATALOG)
+
+
+class Watched:
+    """A plant of one drive that nobody polls, with what breaks the rules in it."""
+
+    def __init__(self, plan: Plant, changes: Sequence[tuple[str, str]] = ()) -> None:
+        sources = generated_sources(plan, CATALOG)
+        for old, new in changes:
+            assert any(old in source.text for source in sources)
+            sources = [Source(item.name, item.text.replace(old, new)) for item in sources]
+        self.plant = build_plant(plan, CATALOG, PlantSetup(sources=sources if changes else None))
+        self.broken: dict[str, list[str]] = {}
+        self._watches = {name: RULES[name].watch(self.plant) for name in ABOUT_TELEGRAMS}
+        self.plant.cpu.after_scan.append(self._look)
+        self.plant.start()
+        self.run_ms(200)
+
+    def _look(self) -> None:
+        for name, watch in self._watches.items():
+            if texts := list(watch()):
+                self.broken.setdefault(name, []).extend(texts)
+
+    def run_ms(self, milliseconds: int) -> None:
+        self.plant.run_for(milliseconds * NS_PER_MS)
+
+    def read(self) -> None:
+        """One read of the status word of the drive, from its begin to its end."""
+        self.plant.cpu.engine.set_global(READ, True)
+        self.run_ms(600)
+        self.plant.cpu.engine.set_global(READ, False)
+        self.run_ms(50)
+
+    def sends(self, telegram: str) -> None:
+        """The gateway sends this although nobody wants it."""
+        self.plant.gateways["gw1"].port.transmit(seal(bytes.fromhex(telegram)))
+        self.run_ms(50)
+
+
+def test_the_generated_blocks_keep_all_of_them(plan: Plant) -> None:
+    watched = Watched(plan)
+    watched.read()
+    watched.plant.drives["pump"].power_off()
+    watched.read()
+    watched.plant.drives["pump"].power_on()
+    watched.run_ms(3000)
+    watched.read()
+    assert watched.plant.gateways["gw1"].telegrams > 5
+    assert watched.broken == {}
+
+
+@pytest.mark.parametrize(
+    ("telegram", "message"),
+    [
+        ("0B50FA00C400", "and the PLC has never put it out like that"),
+        ("0B47FC900000", "went out once more without a new trigger"),
+    ],
+)
+def test_a_telegram_that_nobody_has_asked_for_is_told(
+    plan: Plant, telegram: str, message: str
+) -> None:
+    watched = Watched(plan)
+    watched.read()
+    watched.sends(telegram)
+    ((name, texts),) = watched.broken.items()
+    assert name == "telegrams_asked_for"
+    assert message in texts[0]
+
+
+def test_a_request_while_a_reply_may_still_come_is_told(plan: Plant) -> None:
+    watched = Watched(plan, [("request.timeout := T#500ms", "request.timeout := T#1ms")])
+    watched.read()
+    assert "was over or out of time" in watched.broken["one_telegram_at_once"][0]
+
+
+def test_a_value_that_was_answered_to_an_earlier_telegram_is_told(plan: Plant) -> None:
+    watched = Watched(plan, [("#statSpacers := 1;", "#statSpacers := 0;")])
+    watched.read()
+    assert "0B 47 FC 90 00 00 gives 0000" in watched.broken["values_answered"][0]
+
+
+def test_more_attempts_than_are_allowed_are_told(plan: Plant) -> None:
+    watched = Watched(plan, [("#statAttempt < #retries", "#statAttempt < 9")])
+    watched.plant.drives["pump"].power_off()
+    watched.plant.cpu.engine.set_global("TOS_Plant.gw1.pump.stop.execute", True)
+    watched.run_ms(3000)
+    assert "0B 50 FA 00 C0 00 was put out 4 times" in watched.broken["repeats_allowed"][0]
+
+
+# --- what the rules are made of ---------------------------------------------------------------
+
+RESET, STOP, EEPROM = "01 50 FA 00 E0 00", "01 50 FA 00 C0 00", "01 57 00 09 00 32"
+
+
+@pytest.mark.parametrize(
+    ("telegram", "expected", "most"),
+    [
+        ("01 47 FE 03 00 00", True, 3),
+        ("01 47 FD 01 00 00", True, 5),
+        (STOP, True, 3),
+        (STOP, False, 1),
+        (RESET, True, 1),
+        (EEPROM, True, 1),
+        ("01 53 FA 01 13 88", True, 1),
+    ],
+)
+def test_only_what_a_drive_may_get_twice_may_go_out_again(
+    telegram: str, expected: bool, most: int
+) -> None:
+    spacers = {0xFC90, 0xFD01, 0xFD00}
+    assert most_attempts(bytes.fromhex(telegram), 2, spacers, reply_expected=expected) == most
+
+
+@pytest.mark.parametrize(
+    ("asked", "data", "since_ns", "until_ns", "is_its"),
+    [
+        ("01 47 FE 03 00 00", 0x1234, 100, 300, True),
+        ("01 47 FE 03 00 00", 0x1235, 100, 300, False),
+        ("01 47 FE 03 00 00", 0x1234, 101, 300, False),
+        ("01 47 FE 03 00 00", 0x1234, 100, 299, False),
+        ("01 47 FD 01 00 00", 0x1234, 100, 300, False),
+        ("02 47 FE 03 00 00", 0x1234, 100, 300, False),
+        ("01 50 FE 03 12 34", 0x1234, 100, 300, False),
+    ],
+)
+def test_a_value_belongs_to_the_telegram_to_which_it_was_answered(
+    asked: str, data: int, since_ns: int, until_ns: int, is_its: bool
+) -> None:
+    for said in ("01 47 FE 03 12 34", "01 67 FE 03 12 34"):
+        answers = [Answer(200, 300, bytes.fromhex(said), heard_ns=100)]
+        assert belongs(answers, bytes.fromhex(asked), data, since_ns, until_ns) is is_its
+
+
+@pytest.mark.parametrize("number", ["00", "FF"])
+def test_a_broadcast_is_answered_by_drive_00(number: str) -> None:
+    answers = [Answer(200, 300, bytes.fromhex(f"{number} 50 FA 00 C0 00"), heard_ns=100)]
+    assert belongs(answers, bytes.fromhex("FF 50 FA 00 C0 00"), 0xC000, 0, 300)
+
+
+def test_a_gateway_may_send_again_only_what_it_has_forgotten() -> None:
+    put = PutOuts(processing_ns=5 * NS_PER_MS)
+    first, second = b"first ", b"second"
+    put.new_trigger(0, first, is_first=False)
+    assert put.on_line(first, 6 * NS_PER_MS)[0] is Sending.NEW
+    assert put.on_line(first, 20 * NS_PER_MS)[0] is Sending.REPEATED
+    put.forgets()
+    assert put.on_line(first, 30 * NS_PER_MS)[0] is Sending.RESENT
+    assert put.on_line(first, 40 * NS_PER_MS)[0] is Sending.REPEATED
+    assert put.on_line(second, 50 * NS_PER_MS)[0] is Sending.FOREIGN
+    put.stands(second)
+    assert put.on_line(second, 60 * NS_PER_MS)[0] is Sending.REPEATED
+
+
+def test_what_is_like_the_telegram_before_is_new_with_a_new_trigger() -> None:
+    put = PutOuts(processing_ns=5 * NS_PER_MS)
+    telegram = b"a read"
+    put.new_trigger(0, telegram, is_first=False)
+    put.on_line(telegram, 6 * NS_PER_MS)
+    put.new_trigger(NS_PER_S, telegram, is_first=False)
+    assert put.on_line(telegram, NS_PER_S + 6 * NS_PER_MS)[0] is Sending.NEW
+    put.forgets()
+    put.new_trigger(2 * NS_PER_S, telegram, is_first=True)
+    assert put.on_line(telegram, 2 * NS_PER_S + NS_PER_MS)[0] is Sending.RESENT
+    sending, belongs_to = put.on_line(telegram, 2 * NS_PER_S + 9 * NS_PER_MS)
+    assert sending is Sending.NEW
+    assert belongs_to is not None
+    assert belongs_to.is_first
