@@ -198,8 +198,9 @@ class _Session:
 
     def _proofs(self, target: Target, alive: Sequence[int]) -> dict[int, str]:
         """Proofs that mutants make no difference to anybody."""
-        program = program_key(self.stage, target.home)
-        work = [_Asked(number, (target.home,), f"proof {program}") for number in alive]
+        keys = sorted({program_key(self.stage, case) for case in target.cases})
+        ran = (target.home, *(case for case in target.cases if case != target.home))
+        work = [_Asked(number, ran, f"proof {' '.join(keys)}") for number in alive]
         said = self._said(target, "proofs", prove, work)
         return {number: why for number, why in said.items() if why}
 

@@ -7,7 +7,7 @@ made once, before they are started.
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from fbgen.catalog import load_catalog
 from harness.scenario import scenario_cases
@@ -17,6 +17,9 @@ from harness.verify.mutation.effects import first_difference
 from harness.verify.mutation.log import Noticed
 from harness.verify.mutation.stage import OtherBody, Stage
 from harness.verify.mutation.watching import CHANGED, REACHED
+
+if TYPE_CHECKING:
+    from harness.verify.mutation.proof.invariants import Invariant
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,9 +138,23 @@ def prove(work: Survivor) -> str:
     subject = stage.subject(home, work.block)
     assert subject is not None, "the home of a mutant has the block"
     other = subject.mutants[work.number].body(subject.body)
-    proof = compare(stage.program(home), subject.block, subject.body, other)
-    proved = proof.answer is Answer.EQUIVALENT
-    return "no values of its variables tell one call of it from one of the block" if proved else ""
+    known = _invariants(work.cases, work.ran, work.block)
+    proof = compare(stage.program(home), subject.block, subject.body, other, known)
+    if proof.answer is not Answer.EQUIVALENT:
+        return ""
+    return "no values that its variables can have tell one call of it from one of the block"
+
+
+@lru_cache(maxsize=1)
+def _invariants(cases: Cases, ran: tuple[int, ...], name: str) -> "tuple[Invariant, ...]":
+    """What the variables of a block hold between its calls, in the programs of all these cases."""
+    from harness.verify.mutation.proof.proving import invariants_of  # noqa: PLC0415 - an extra
+
+    stage = stage_of(cases)
+    subject = stage.subject(ran[0], name)
+    assert subject is not None, "only cases with the block are asked"
+    programs = {id(stage.program(case)): stage.program(case) for case in ran}
+    return invariants_of(tuple(programs.values()), subject.block)
 
 
 @lru_cache(maxsize=2 * MOST_RECORDED)

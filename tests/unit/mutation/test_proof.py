@@ -14,9 +14,11 @@ from fbgen.source import Source
 from harness import load_program
 from harness.engine.loading import read_program
 from harness.installation import generated_sources
+from harness.verify.mutation.finding import mutants_of
 from harness.verify.mutation.proof.memory import Memory
-from harness.verify.mutation.proof.proving import Answer, compare, transition
+from harness.verify.mutation.proof.proving import Answer, compare, invariants_of, transition
 from harness.verify.mutation.proof.terms import constant
+from harness.verify.mutation.texts import mutated_text
 
 ROOT = Path(__file__).parents[3]
 HEAD = """FUNCTION "Half" : Int VAR_INPUT x : Int; END_VAR BEGIN #Half := #x / 2; END_FUNCTION
@@ -104,6 +106,7 @@ def _moved(program: Program, other: Program, body: tuple[object, ...]) -> tuple:
             "CASE #i OF 2: #n := 2; 1: #n := 1; END_CASE;",
         ),
         ("IF #a THEN RETURN; END_IF;\n#n := 1;", "IF NOT #a THEN #n := 1; END_IF;"),
+        ("#out := ABS(#r) > 1.0;", "#out := #r > 1.0 OR #r < -1.0;"),
         ('#n := "Half"(x := #i);', '#t := #i;\n#n := "Half"(x := #t);'),
         ("#other(x := #i, y => #n);", "#t := #i;\n#other(x := #t);\n#n := #other.y;"),
     ],
@@ -162,6 +165,63 @@ def test_in_outs_that_may_be_one_variable_are_no_proof() -> None:
     block = program.blocks["pair"]
     first, second = program.bodies[block]
     assert compare(program, block, (first, second), (second, first)).answer is Answer.UNKNOWN
+
+
+# --- what a block keeps between its calls ---------------------------------------------------------
+
+COUNTER = """FUNCTION_BLOCK "Counter"
+VAR_INPUT step : Bool; by : Int; END_VAR
+VAR_OUTPUT n : Int; END_VAR
+VAR count : Int{initial}; state : Int; END_VAR
+BEGIN
+   IF #step THEN {statement} END_IF;
+   CASE #state OF 0: #state := 3; 3: #state := 7; ELSE #state := 0; END_CASE;
+   #n := #count;
+END_FUNCTION_BLOCK
+"""
+WRAPS = "IF #count >= 255 THEN #count := 1; ELSE #count := #count + 1; END_IF;"
+USER = 'FUNCTION_BLOCK "User"\nVAR one : "Counter"; END_VAR\nBEGIN\n   {use}\nEND_FUNCTION_BLOCK\n'
+
+
+def known(statement: str = WRAPS, initial: str = "", more: str = "") -> set[tuple[object, ...]]:
+    text = COUNTER.format(statement=statement, initial=initial) + more
+    program = read_program([Source("counter.scl", text)], "tia")
+    found = invariants_of((program,), program.blocks["counter"])
+    return {(one.variable.name, one.relation, *one.values) for one in found}
+
+
+def test_limits_of_a_counter_and_the_values_of_a_state_are_found() -> None:
+    found = known(more=USER.format(use="#one(step := TRUE, by := 5);"))
+    assert {("count", ">=", 0), ("count", "<=", 255), ("state", "=", 0, 3, 7)} <= found
+    assert ("count", "<=", 1) not in found
+
+
+@pytest.mark.parametrize(
+    ("statement", "initial", "more"),
+    [
+        ("#count := #count + 1;", "", ""),
+        ("#count := #by;", "", ""),
+        (WRAPS, " := 300", ""),
+        (WRAPS, "", USER.format(use="#one.count := 300;")),
+        (WRAPS, "", 'DATA_BLOCK "Own" "Counter" BEGIN count := 300; END_DATA_BLOCK\n'),
+    ],
+)
+def test_no_limit_is_known_of_what_something_else_may_write(
+    statement: str, initial: str, more: str
+) -> None:
+    assert ("count", "<=", 255) not in known(statement, initial, more)
+
+
+def test_a_mutant_that_no_reachable_value_shows_is_proved() -> None:
+    text = COUNTER.format(statement=WRAPS, initial="")
+    program = read_program([Source("counter.scl", text)], "tia")
+    block = program.blocks["counter"]
+    body = program.bodies[block]
+    mutants = mutants_of(block, body)
+    other = next(one for one in mutants if "#count = 255" in mutated_text(one)).body(body)
+    invariants = invariants_of((program,), block)
+    assert compare(program, block, body, other).answer is Answer.DIFFERENT
+    assert compare(program, block, body, other, invariants).answer is Answer.EQUIVALENT
 
 
 # --- against the engine ---------------------------------------------------------------------------

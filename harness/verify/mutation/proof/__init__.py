@@ -6,5 +6,6 @@ and those of the mutant, from the same start. If no start can tell the results a
 equivalent. What cannot be said in terms is unknown, which is no proof.
 
 What the proof takes for granted: a block that is called does the same if it is given the same and
-the world is the same. Temporary variables begin with anything.
+the world is the same; nobody writes the statics of a block from outside of the program. Temporary
+variables begin with anything.
 """

@@ -283,6 +283,8 @@ class Reader:
 
     def _standard(self, node: StandardCall) -> Term:
         values = [self.value(one) for one in node.arguments]
+        if node.name == "ABS" and terms.is_real(node.type):
+            return z3.fpAbs(values[0])
         make = _STANDARD.get(node.name)
         if make is None or not all(z3.is_bv(one) for one in values):
             raise UnknownError(f"{node.name} on {node.type}")

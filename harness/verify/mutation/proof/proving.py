@@ -23,11 +23,18 @@ from fbgen.lang.checked import (
 )
 from fbgen.lang.checked import Constant as ConstantIndex
 from harness.engine.compiled.walk import every_node
+from harness.verify.mutation.proof.invariants import (
+    Invariant,
+    candidates,
+    conditions,
+    kept,
+    own_variables,
+)
 from harness.verify.mutation.proof.memory import Memory, any_values
 from harness.verify.mutation.proof.statements import Execution
-from harness.verify.mutation.proof.terms import UnknownError
+from harness.verify.mutation.proof.terms import Term, UnknownError
 
-EFFORT = 1_000_000
+EFFORT = 20_000_000
 """How much the solver may do for one proof: a count of its own, the same on every machine."""
 
 
@@ -51,26 +58,55 @@ def transition(
     program: Program, block: Block, body: Sequence[Statement], *, exact: bool = True
 ) -> Memory:
     """What one call makes of any start. Raises UnknownError. `exact` as for `Reader`."""
-    variables = set(block.variables)
-    for node in every_node(body):
-        if isinstance(node, VariableRef) and node.variable.kind is VariableKind.GLOBAL:
-            variables.add(node.variable)
-    memory = Memory.begin(any_values(program, variables))
+    memory = _start(program, block, body)
     execution = Execution(program, memory, exact=exact)
     execution.run(body)
     return execution.memory
 
 
+def _start(program: Program, block: Block, body: Sequence[Statement]) -> Memory:
+    variables = set(block.variables)
+    for node in every_node(body):
+        if isinstance(node, VariableRef) and node.variable.kind is VariableKind.GLOBAL:
+            variables.add(node.variable)
+    return Memory.begin(any_values(program, variables))
+
+
+def invariants_of(programs: Sequence[Program], block: Block) -> tuple[Invariant, ...]:
+    """What the variables of a block of the first program hold between its calls.
+
+    All programs have the very same block.
+    """
+    body = programs[0].bodies[block]
+    guessed = candidates(block, body, own_variables(programs, block))
+    if not guessed:
+        return ()
+    try:
+        check_places(programs[0], block)
+        end = transition(programs[0], block, body, exact=False)
+    except UnknownError:
+        return ()
+    return tuple(kept(_start(programs[0], block, body), end, guessed))
+
+
 def compare(
-    program: Program, block: Block, body: Sequence[Statement], other: Sequence[Statement]
+    program: Program,
+    block: Block,
+    body: Sequence[Statement],
+    other: Sequence[Statement],
+    invariants: Sequence[Invariant] = (),
 ) -> Proof:
-    """Whether one call of a block with other statements can be told from one with its own."""
+    """Whether one call of a block with other statements can be told from one with its own.
+
+    `invariants` say what is true before each call.
+    """
     try:
         check_places(program, block)
+        known = conditions(_start(program, block, body), invariants)
         for exact in (False, True):
             first = transition(program, block, body, exact=exact)
             second = transition(program, block, other, exact=exact)
-            proof = _compared(first, second)
+            proof = _compared(first, second, known)
             if proof.answer is Answer.EQUIVALENT or exact:
                 return proof
     except UnknownError as unknown:
@@ -78,7 +114,7 @@ def compare(
     raise AssertionError("the exact one has an answer")
 
 
-def _compared(first: Memory, second: Memory) -> Proof:
+def _compared(first: Memory, second: Memory, known: Sequence[Term]) -> Proof:
     differ = [first.world != second.world, first.stopped != second.stopped]
     for key in {*first.values, *second.values}:
         if key[0].kind is VariableKind.TEMP:
@@ -90,7 +126,7 @@ def _compared(first: Memory, second: Memory) -> Proof:
             differ.append(one != two)
     solver = z3.Solver()
     solver.set("rlimit", EFFORT)
-    solver.add(z3.Or(*differ))
+    solver.add(*known, z3.Or(*differ))
     found = solver.check()
     if found == z3.unsat:
         return Proof(Answer.EQUIVALENT)
