@@ -19,6 +19,7 @@ from harness.engine.stubs import Stub
 from harness.installation import PlantSetup, build_plant, generated_program
 from harness.kernel import Kernel
 from harness.plc import CpuSettings
+from harness.scenario.alone import program_of
 from harness.scenario.block_stage import BlockStage
 from harness.scenario.model import Scenario, Variation
 from harness.scenario.places import at
@@ -74,7 +75,10 @@ class Staging:
         sources = self._sources()
         if sources and scenario.block is None:
             return Planned(plan, catalog, read_program(sources, plan.code_dialect))
-        return Planned(plan, catalog, generated_program(plan, catalog))
+        program = generated_program(plan, catalog)
+        if scenario.block is not None:
+            program = program_of(program, scenario.block)
+        return Planned(plan, catalog, program)
 
     def build(self, planned: Planned, seed: int, factory: EngineFactory) -> Stage:
         """Plant or block with a program loaded by `factory`. Raises DiagnosticError."""
