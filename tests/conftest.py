@@ -3,11 +3,13 @@
 `FBGEN_REQUIRE_ALL=1` turns each skip into a failure: the continuous integration sets it, because
 there everything that a check needs is installed. A run ends with a list of what was skipped and
 why. `--update-golden` writes golden files anew instead of comparing with them. The cache folder is
-off: what is tested is made by this code.
+one that begins empty with each run: what is tested is made by this code, once for all processes.
 """
 
 import os
+import shutil
 import signal
+import tempfile
 from collections import Counter
 from collections.abc import Callable, Generator, Iterator
 
@@ -15,7 +17,8 @@ import pytest
 
 from tests.fact_marks import FACTS
 
-os.environ["FBGEN_CACHE"] = "off"
+if "PYTEST_XDIST_WORKER" not in os.environ:
+    os.environ["FBGEN_CACHE"] = tempfile.mkdtemp(prefix="fbgen-tests-")
 _REQUIRE_ALL = os.environ.get("FBGEN_REQUIRE_ALL") == "1"
 
 
@@ -25,6 +28,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="store_true",
         help="write the golden files anew instead of comparing with them",
     )
+
+
+def pytest_unconfigure() -> None:
+    if "PYTEST_XDIST_WORKER" not in os.environ:
+        shutil.rmtree(os.environ["FBGEN_CACHE"], ignore_errors=True)
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -73,7 +73,9 @@ def _pip_is_new_enough() -> bool:
 
 
 def _install(*arguments: str) -> bool:
-    command = [_python(), "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+    """Packages as they are: Python compiles the few modules that are used when they are first."""
+    options = ("--quiet", "--disable-pip-version-check", "--no-compile")
+    command = [_python(), "-m", "pip", "install", *options]
     return subprocess.run([*command, *arguments], check=False).returncode == 0
 
 

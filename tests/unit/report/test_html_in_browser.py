@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 
 import pytest
 from playwright.sync_api import Locator, Page, expect
@@ -13,8 +14,13 @@ from tests.unit.report.traces import long_trace, short_trace
 Show = Callable[..., Page]
 TRACED = replace(FAILED, observations=(short_trace(),))
 REPORT = ScenarioReport((PASSED, TRACED))
-LONG = ScenarioReport((replace(PASSED, observations=(long_trace(100_000),)),))
 TOTAL_MS = 100
+
+
+@cache
+def long_report() -> ScenarioReport:
+    """A run with a hundred thousand events."""
+    return ScenarioReport((replace(PASSED, observations=(long_trace(100_000),)),))
 
 
 def stage(page: Page) -> Locator:
@@ -301,7 +307,7 @@ def draw_ms(page: Page) -> float:
 
 
 def test_a_hundred_thousand_events_are_drawn_at_once(shown: Show) -> None:
-    page = shown(LONG)
+    page = shown(long_report())
     expect(page.locator(".readout")).to_contain_text("100 s in sight")
     times = []
     for key in ("0", "+", "+", "+", "+", "+", "Shift+ArrowRight", "Shift+ArrowRight"):
@@ -311,7 +317,7 @@ def test_a_hundred_thousand_events_are_drawn_at_once(shown: Show) -> None:
 
 
 def test_what_cannot_be_told_apart_is_one_band_and_no_bar_code(shown: Show) -> None:
-    page = shown(LONG)
+    page = shown(long_report())
     expect(page.locator(".readout")).to_contain_text("100 s in sight")
     row = page.locator('.label[title^="drive.pump.running:"]').bounding_box()
     top = page.locator(".waves").bounding_box()
