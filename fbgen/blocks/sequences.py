@@ -185,7 +185,11 @@ class _Steps:
             if isinstance(step, CheckStep):
                 name = self.drive.comno(step.check).name
                 setting = None if step.equals is not None else self.drive.setting(name)
-                yield step, setting or Setting(comno=name, value=step.equals, why=name)
+                source = self.sequence.source or self.sequence.id
+                yield (
+                    step,
+                    setting or Setting(comno=name, value=step.equals, why=name, source=source),
+                )
 
     def noted(self) -> Iterator[ParameterView]:
         """What checks leave: how many deviate, which was the first, what each was to be and was."""

@@ -9,6 +9,7 @@ from harness.faults import (
     cpu_retentive_lost,
     cpu_stopped,
     cpu_unpowered,
+    drive_alarm,
     drive_answers_for_another,
     drive_answers_late,
     drive_disconnected,
@@ -22,6 +23,7 @@ from harness.faults import (
     drive_unpowered,
     gateway_buffer_overwritten,
     gateway_diagnosis,
+    gateway_reports,
     gateway_slow,
     gateway_trigger_stuck,
     gateway_unpowered,
@@ -41,6 +43,7 @@ from harness.faults import (
     profibus_sync_held,
     profibus_watchdog_expired,
     profibus_wrong_configuration,
+    transfers_refused,
     transfers_torn,
 )
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
@@ -53,6 +56,7 @@ _MODULES = (
     cpu_retentive_lost,
     cpu_stopped,
     cpu_unpowered,
+    drive_alarm,
     drive_answers_for_another,
     drive_answers_late,
     drive_disconnected,
@@ -66,6 +70,7 @@ _MODULES = (
     drive_unpowered,
     gateway_buffer_overwritten,
     gateway_diagnosis,
+    gateway_reports,
     gateway_slow,
     gateway_trigger_stuck,
     gateway_unpowered,
@@ -85,6 +90,7 @@ _MODULES = (
     profibus_sync_held,
     profibus_watchdog_expired,
     profibus_wrong_configuration,
+    transfers_refused,
     transfers_torn,
 )
 

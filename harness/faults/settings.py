@@ -59,6 +59,8 @@ def _expected(details: ErrorDetails) -> str:
         return "a time that is not 0, with its unit, such as 500 ms or 2 s"
     if details["type"] == "literal_error":
         return str(context["expected"])
+    if details["type"] == "string_pattern_mismatch":
+        return "a RET_VAL of an error, such as 16#80B0"
     if details["type"].startswith("string"):
         return "a text"
     return "a whole number" if details["type"].startswith("int") else "a number"

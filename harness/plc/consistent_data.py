@@ -36,10 +36,14 @@ class ConsistentData:
     """The two instructions on one CPU.
 
     `answer_with` makes the next calls give a RET_VAL that the model has no cause for, such as the
-    system errors 80B2, 80B3, 80C2, 80Fx, 808x, 85xy, 87xy.
+    system errors 80B2, 80B3, 80C2, 80Fx, 808x, 85xy, 87xy. As long as `refused_reading` or
+    `refused_writing` is not 0, reads or writes do nothing and give that.
     """
 
-    __slots__ = ("_forced", "_image", "_link", "_modules", "_settings")
+    __slots__ = (
+        *("_forced", "_image", "_link", "_modules", "_settings"),
+        *("refused_reading", "refused_writing"),
+    )
 
     def __init__(
         self, settings: CpuSettings, modules: ModuleTable, link: MasterLink, image: bytearray
@@ -50,6 +54,8 @@ class ConsistentData:
         self._link = link
         self._image = image
         self._forced: list[int] = []
+        self.refused_reading = 0
+        self.refused_writing = 0
 
     def answer_with(self, ret_val: int, calls: int = 1) -> None:
         """Let the next calls do nothing and give `ret_val`."""
@@ -57,8 +63,8 @@ class ConsistentData:
 
     def read(self, laddr: int, record: Area) -> int:
         """DPRD_DAT: inputs of the module at `laddr` into `record`. Gives RET_VAL."""
-        if self._forced:
-            return self._forced.pop(0)
+        if self._forced or self.refused_reading:
+            return self._forced.pop(0) if self._forced else self.refused_reading
         module = self._modules.readable.get(laddr)
         if module is None:
             return self._missing(laddr, self._modules.writable)
@@ -78,8 +84,8 @@ class ConsistentData:
 
     def write(self, laddr: int, record: Area) -> int:
         """DPWR_DAT: `record` to the outputs of the module at `laddr`. Gives RET_VAL."""
-        if self._forced:
-            return self._forced.pop(0)
+        if self._forced or self.refused_writing:
+            return self._forced.pop(0) if self._forced else self.refused_writing
         module = self._modules.writable.get(laddr)
         if module is None:
             return self._missing(laddr, self._modules.readable)

@@ -222,6 +222,12 @@ class Tospbdp001:
             device_light(self.fault, not self._initialised, stopped and at_device),
         )
 
+    def report(self, code: int) -> None:
+        """Show a status code until the next valid telegram; nothing without supply."""
+        if self._initialised:
+            self.status.report(code)
+            self._publish()
+
     # --- PROFIBUS ---------------------------------------------------------------------------
 
     def exchange_started(self) -> None:

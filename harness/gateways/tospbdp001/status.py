@@ -67,6 +67,10 @@ class StatusWord:
         self.timeouts = self.timeouts + 1 & 0xFF
         self._change(OFFLINE_TIMEOUT, self.timeouts)
 
+    def report(self, code: int) -> None:
+        """Something that only the device knows of, told by its status code."""
+        self._change(code, 0)
+
     @property
     def _is_taken(self) -> bool:
         return self.word & _CHANGED == self._taken

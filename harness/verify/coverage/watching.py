@@ -28,6 +28,7 @@ from harness.verify.coverage.catalogue import (
     WRITTEN_WORDS,
     CatalogueCoverage,
 )
+from harness.verify.coverage.left_out import NEVER_READ, NEVER_WRITTEN, UNUSED, is_counted
 
 _INSTRUCTIONS = {
     "DPRD_DAT": READ_RESULTS,
@@ -35,6 +36,7 @@ _INSTRUCTIONS = {
     "DPWR_DAT": WRITE_RESULTS,
     "SFC15": WRITE_RESULTS,
 }
+_NEVER_GIVEN = {READ_RESULTS: NEVER_READ, WRITE_RESULTS: NEVER_WRITTEN}
 
 
 def watch(plant: Installation, coverage: CatalogueCoverage) -> None:
@@ -76,7 +78,8 @@ class _GatewayWatch:
         self._control_at = control_at
         self._last = b"", b""
         for word in (self._control, self._status):
-            coverage.know(GATEWAY_WORDS, _values(f"{known.id}.{word.name}", word))
+            items = _values(f"{known.id}.{word.name}", word)
+            coverage.know(GATEWAY_WORDS, (item for item in items if item not in UNUSED))
         master.taps.append(self._transferred)
 
     def _transferred(self, transfer: Transfer) -> None:
@@ -116,7 +119,7 @@ class _LineWatch:
             coverage.know(WRITTEN, _comnos(drive, "w"))
             coverage.know(READ, _comnos(drive, "r"))
             for comno in drive.comnos:
-                if comno.word is not None:
+                if comno.word is not None and is_counted(drive.word(comno.word)):
                     items = list(_values(f"{drive.id}.{comno.word}", drive.word(comno.word)))
                     for group, access in ((WRITTEN_WORDS, "w"), (READ_WORDS, "r")):
                         if access in comno.access:
@@ -175,7 +178,11 @@ def _watch_instructions(plant: Installation, coverage: CatalogueCoverage) -> Non
 
 
 def _noting(coverage: CatalogueCoverage, group: str, instruction: Instruction) -> Instruction:
-    names = {int(one): f"16#{one:04X} {one.name.lower().replace('_', ' ')}" for one in RetVal}
+    names = {
+        int(one): f"16#{one:04X} {one.name.lower().replace('_', ' ')}"
+        for one in RetVal
+        if one not in _NEVER_GIVEN[group]
+    }
 
     def noted(arguments: "Mapping[str, Scalar | Area]", span: Span) -> Scalar:
         ret_val = instruction(arguments, span)

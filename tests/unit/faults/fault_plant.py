@@ -58,6 +58,10 @@ def snapshot(plant: Installation) -> dict[str, object]:
         "cpu": plant.cpu.mode,
         "scans": (plant.cpu.settings.execution_ns, plant.cpu.settings.execution_jitter_ns),
         "torn": plant.cpu.link.tear_probability,
+        "refused": (
+            plant.cpu.consistent_data.refused_reading,
+            plant.cpu.consistent_data.refused_writing,
+        ),
         "bus": master.mode,
         "connected": master.connected,
         "jitter": master.jitter_ns,
@@ -92,6 +96,7 @@ def _drive(drive: Inverter) -> dict[str, object]:
     return {
         "powered": drive.powered,
         "local": drive.operation.local,
+        "alarm": drive.monitors.alarm,
         "locked": drive.registers.locked,
         "worn": drive.registers.eeprom_faulty,
         "emergency": drive.emergency_terminal,

@@ -36,6 +36,7 @@ CHANGES: dict[str, Mapping[str, Any]] = {
     "cpu_retentive_lost": UNPOWERED,
     "cpu_stopped": STOPPED,
     "cpu_unpowered": UNPOWERED,
+    "drive_alarm": {"drive3": {"alarm": 8}},
     "drive_answers_for_another": {"drive3": {"numbers": (3, 0)}},
     "drive_answers_late": {"drive3": {"reply": (ReplyTime(), 0.2, 100 * MS)}},
     "drive_disconnected": {"drive3": {"open": (True, True)}},
@@ -67,12 +68,14 @@ CHANGES: dict[str, Mapping[str, Any]] = {
     "profibus_jitter": {"jitter": MS},
     "profibus_plug_pulled": {"plugged": False},
     "profibus_sync_held": {"sync": (True, False)},
+    "transfers_refused": {"refused": (0x80B0, 0x80B0)},
     "transfers_torn": {"torn": 1.0},
 }
 """What each fault changes, as it is without settings; what comes of the others is seen."""
 
 SEEN_ELSEWHERE = {
     "drive_tripped",
+    "gateway_reports",
     "line_babbling",
     "profibus_watchdog_expired",
     "profibus_wrong_configuration",
@@ -133,6 +136,8 @@ def test_places_are_those_of_the_plant(plant: Installation) -> None:
         ("drive_tripped", {"display": ""}, "is never ''", "a text"),
         ("gateway_slow", {"processing_time": 20}, "is never 20", "such as 500 ms"),
         ("gateway_slow", {"processing_time": "0 s"}, "is never '0 s'", "that is not 0"),
+        ("transfers_refused", {"ret_val": "16#7000"}, "is never '16#7000'", "16#80B0"),
+        ("gateway_reports", {"code": "no_error"}, "is never 'no_error'", "'frame_error'"),
         ("cpu_unpowered", {"display": "OC1"}, "has no setting 'display'", "it has none"),
     ],
 )
