@@ -31,7 +31,7 @@ def _allowed(node: Any) -> Any:
         return node
     if node.get("type") == "string" and "pattern" in node:
         return {**node, "pattern": f"{node['pattern']}|{_PLACE}"}
-    if node.get("type") in _NO_TEXTS:
+    if node.get("type") in _NO_TEXTS or "enum" in node:
         about = {key: node[key] for key in _ABOUT if key in node}
         value = {key: item for key, item in node.items() if key not in about}
         return {**about, "anyOf": [value, _FILLED]}
