@@ -36,6 +36,7 @@ from harness.scenario.scalars import ScalarValue
 from harness.scenario.schema_places import with_places
 from harness.scenario.seeds import Seeds
 from harness.scenario.start_model import GatewaySetup, PlantTimes
+from harness.scenario.stub_tables import StubValue
 
 RuleName = Annotated[Text, WithJsonSchema({"enum": ["all", *sorted(RULES)]})]
 """A rule of the plant; which ones there are is checked with the plant at hand."""
@@ -254,10 +255,11 @@ class Scenario(Located):
         description="Time from one call of the block to the next",
         json_schema_extra={"default": "10 ms"},
     )
-    stubs: dict[Text, dict[Text, ScalarValue]] = Field(
+    stubs: dict[Text, dict[Text, StubValue]] = Field(
         default_factory=dict,
         description="Instructions and blocks that are not there: name, and the outputs of each "
-        "call by name, RET_VAL for the result of a function",
+        "call by name, RET_VAL for the result of a function; a list has a value for each call, "
+        "a mapping from times to values one from each time on",
     )
     seed: Count = Field(default=0, description="Seed of everything random, such as reply times")
     engine: Literal["compiled", "reference"] = Field(

@@ -1,7 +1,7 @@
 """Builds what a scenario plays on: its plant with the changes of a variation, or its block."""
 
 import os.path
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,7 +15,6 @@ from harness.engine.compiled.probes import ProbeMaker
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.interface import EngineFactory, Limits
 from harness.engine.loading import Clock, LoadedProgram, engine_named, read_program
-from harness.engine.stubs import Stub
 from harness.installation import PlantSetup, build_plant, generated_program
 from harness.kernel import Kernel
 from harness.plc import CpuSettings
@@ -27,6 +26,7 @@ from harness.scenario.plant_changes import device_problems, varied_plant
 from harness.scenario.plant_stage import PlantStage
 from harness.scenario.scalars import Scalar
 from harness.scenario.stage import Stage
+from harness.scenario.stub_tables import stub_of
 from harness.trial import subject_named
 
 
@@ -109,7 +109,7 @@ class Staging:
         engine = factory(planned.program, StandaloneEnvironment(kernel), Limits())
         loaded = LoadedProgram(engine, Clock(kernel))
         for name, outputs in scenario.stubs.items():
-            loaded.stub(name, _constant(outputs))
+            loaded.stub(name, stub_of(outputs, _value, lambda: kernel.now_ns))
         try:
             subject = subject_named(engine, scenario.block or "")
         except DiagnosticError as wrong:
@@ -146,12 +146,6 @@ class Staging:
         advice = "name it as seen from the folder of the scenario"
         message = f"there is no {what} {path.as_posix()}"
         raise DiagnosticError([Diagnostic("FB8007", message, place, advice)])
-
-
-def _constant(outputs: Mapping[str, Scalar]) -> Stub:
-    """A stub that gives the same at each call."""
-    values = {name: _value(value) for name, value in outputs.items()}
-    return lambda **_: values
 
 
 def _value(value: Scalar) -> Scalar:

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from fbgen.catalog import load_catalog
+from fbgen.diagnostics import DiagnosticError
 from harness.scenario import RunOptions, run_case, run_paths, scenario_cases
 from tests.unit.scenario.block_scenarios import HEAD, only_failure, tank, tank_file
 from tests.unit.scenario.scenario_files import PLANT, marked
@@ -109,6 +110,40 @@ steps:
 """
     result = tank(tmp_path, text, READER)
     assert result.passed, result.render()
+
+
+def test_a_stub_gives_a_value_for_each_call_or_by_the_clock(tmp_path: Path) -> None:
+    text = """\
+stubs:
+  GET_WEATHER: {RET_VAL: [16#8401, 16#7002, 0], degrees: {0 s: -4, 30 ms: 5, 1 s: 20}}
+steps:
+  - call: 1
+  - expect: {block.status: 16#8401, block.found: -4}
+  - call: 1
+  - expect: {block.status: 16#7002, block.found: -4}
+  - call: 2
+  - expect: {block.status: 0, block.found: 5}
+  - wait: 1 s
+  - expect: {block.status: 0, block.found: 20}
+"""
+    result = tank(tmp_path, text, READER)
+    assert result.passed, result.render()
+
+
+@pytest.mark.parametrize(
+    ("degrees", "message"),
+    [("[]", "empty"), ("{soon: 4}", "'soon' is no time"), ("[[1]]", "found a list")],
+)
+def test_a_table_of_a_stub_that_is_none_is_refused(
+    tmp_path: Path, degrees: str, message: str
+) -> None:
+    text = f"stubs:\n  GET_WEATHER: {{degrees: {degrees}}}\n"
+    with pytest.raises(DiagnosticError) as refused:
+        tank(tmp_path, f"{text}steps:\n  - expect: {{block.found: 1}}\n", READER)
+    (found,) = refused.value.diagnostics
+    assert message in found.message
+    assert found.span is not None
+    assert found.span.line == 5
 
 
 def test_a_generated_block_is_tested_without_its_devices(tmp_path: Path) -> None:
