@@ -6,6 +6,7 @@ Only for JSON Schemas. What a scenario may really do is checked with the plant a
 from pydantic.json_schema import JsonSchemaValue
 
 from harness.faults import FAULTS, FaultType, Target
+from harness.scenario.schema_places import FILLED
 
 _NAMES = sorted(FAULTS)
 FAULT_NAME: JsonSchemaValue = {
@@ -27,11 +28,14 @@ def with_places_and_settings(schema: JsonSchemaValue) -> None:
 
 
 def _of_fault(kind: FaultType) -> JsonSchemaValue:
-    settings = kind.settings.model_json_schema()
+    settings = kind.settings.model_json_schema().get("properties", {})
+    for name, value in settings.items():
+        if "enum" in value:
+            settings[name] = {"anyOf": [value, FILLED]}
     wanted: JsonSchemaValue = {
         "properties": {
             "settings": {
-                "properties": settings.get("properties", {}),
+                "properties": settings,
                 "additionalProperties": False,
             }
         }

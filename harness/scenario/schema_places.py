@@ -6,7 +6,7 @@ What comes out when the table is filled in is checked when the scenario is read.
 from typing import Any
 
 _PLACE = r"\$\{"
-_FILLED: dict[str, Any] = {"type": "string", "pattern": _PLACE}
+FILLED: dict[str, Any] = {"type": "string", "pattern": _PLACE}
 _ABOUT = ("default", "description", "title")
 _AS_THEY_ARE = ("version", "cases")
 _NO_TEXTS = ("boolean", "integer", "number")
@@ -31,8 +31,8 @@ def _allowed(node: Any) -> Any:
         return node
     if node.get("type") == "string" and "pattern" in node:
         return {**node, "pattern": f"{node['pattern']}|{_PLACE}"}
-    if node.get("type") in _NO_TEXTS or "enum" in node:
+    if node.get("type") in _NO_TEXTS:
         about = {key: node[key] for key in _ABOUT if key in node}
         value = {key: item for key, item in node.items() if key not in about}
-        return {**about, "anyOf": [value, _FILLED]}
+        return {**about, "anyOf": [value, FILLED]}
     return {key: _allowed(item) for key, item in node.items()}
