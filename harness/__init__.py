@@ -14,8 +14,6 @@ Nothing is imported before it is asked for: pytest looks at this package in ever
 
 from typing import TYPE_CHECKING
 
-from fbgen.faces import member
-
 if TYPE_CHECKING:
     from harness.engine.loading import LoadedProgram, load_program
     from harness.engine.organization import ObSettings, Period
@@ -50,4 +48,6 @@ _HOMES = {
 
 
 def __getattr__(name: str) -> object:
+    from fbgen.faces import member  # noqa: PLC0415 - not before it is needed either
+
     return member(__name__, _HOMES, name)
