@@ -30,17 +30,19 @@ def register(program: typer.Typer) -> None:
             "fbgen mutate plant.yaml --scenarios scenarios",
             "fbgen mutate plant.yaml --block TOS_Telegram -j 4 --html mutants.html",
             "fbgen mutate --operators bits,byte_order --fail-under 95",
+            "fbgen mutate own.scl --scenarios scenarios",
             "fbgen mutate --mutant TOS_Handshake:44:mask:1",
         ),
     )(mutate)
 
 
 def mutate(
-    plants: Annotated[
+    files: Annotated[
         list[Path] | None,
         typer.Argument(
-            metavar="PLANTS",
-            help="Plant files whose blocks are changed; else those of all the scenarios.",
+            metavar="FILES",
+            help="Plant files and PLC texts whose blocks are changed; else those of all the "
+            "scenarios.",
         ),
     ] = None,
     scenarios: Annotated[
@@ -113,6 +115,7 @@ def mutate(
     """
     from harness.verify.mutation import report as found
     from harness.verify.mutation.explained import wrong_reasons
+    from harness.verify.mutation.homes import homes_of
     from harness.verify.mutation.session import Wanted, run_mutants
     from harness.verify.mutation.subjects import targets_of
     from harness.verify.mutation.work import stage_of
@@ -124,7 +127,7 @@ def mutate(
     reasons = _reasons(equivalents, paths)
     cases = _cases(paths, every=variations)
     stage = stage_of(cases)
-    homes = _homes(stage, plants) if plants else None
+    homes = homes_of(stage, files) if files else None
     targets = targets_of(stage, block or _blocks_in(mutant or ()), homes)
     wanted = Wanted(
         kinds, most, seed, tuple(mutant or ()), jobs or _processors(), prove, log, reasons
@@ -204,25 +207,6 @@ def _reasons(file: Path | None, paths: "Sequence[Path]") -> "Equivalents":
     there = [folder / FILE_NAME for folder in folders if (folder / FILE_NAME).is_file()]
     chosen = file or next(iter(there), None)
     return NO_REASONS if chosen is None else load_equivalents(chosen)
-
-
-def _homes(stage: "Stage", plants: "Sequence[Path]") -> list[int]:
-    """The cases with one of these plants. Raises DiagnosticError FB8066 for one without any."""
-    from fbgen.diagnostics import error
-
-    homes: list[int] = []
-    for plant in plants:
-        found = [
-            number
-            for number, case in enumerate(stage.cases)
-            if case.plant is not None and case.plant.resolve() == plant.resolve()
-        ]
-        if not found:
-            message = f"no scenario has the plant {plant.as_posix()}"
-            advice = "name its scenarios with --scenarios; their key plant: says which it is"
-            raise error("FB8066", message, help=advice)
-        homes += found
-    return homes
 
 
 def _blocks_in(mutants: "Sequence[str]") -> list[str]:

@@ -1,4 +1,4 @@
-"""Which blocks are mutated: those of one plant, or each block that some plant has."""
+"""Which blocks are mutated: those of some files, or each block that some program has."""
 
 import hashlib
 from collections.abc import Iterable, Sequence
@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.nearest import nearest
+from harness.verify.mutation.homes import Homes
 from harness.verify.mutation.stage import Stage, Subject
 
 
@@ -29,11 +30,11 @@ class Target:
 
 
 def targets_of(
-    stage: Stage, wanted: Sequence[str] = (), homes: Sequence[int] | None = None
+    stage: Stage, wanted: Sequence[str] = (), homes: Homes | None = None
 ) -> list[Target]:
     """The blocks to be mutated, in the order of the programs; all without `wanted`.
 
-    With `homes` only the blocks of these cases' programs. Raises DiagnosticError FB8060 for names
+    With `homes` only those blocks of those cases' programs. Raises DiagnosticError FB8060 for names
     that no program has.
     """
     names = {name.casefold() for name in wanted}
@@ -46,7 +47,7 @@ def targets_of(
             subject = stage.subject(case, block.name)
             if subject is not None:
                 found.setdefault((block.name, subject.key), []).append(case)
-                if homes is None or case in homes:
+                if _is_home(homes, case, block.name):
                     subjects.setdefault((block.name, subject.key), subject)
     subjects = {key: subject for key, subject in subjects.items() if subject.mutants}
     there = [name for name, _ in subjects]
@@ -56,17 +57,29 @@ def targets_of(
     targets = []
     for key, subject in subjects.items():
         cases = found[key]
-        home = next(case for case in cases if homes is None or case in homes)
         name = key[0]
+        home = next(case for case in cases if _is_home(homes, case, name))
         shown = f"{stage.place(home)}/{name}" if there.count(name) > 1 else name
         targets.append(Target(shown, subject, home, tuple(cases)))
     return targets
 
 
-def _with_statements(stage: Stage, homes: Sequence[int] | None) -> list[str]:
+def _is_home(homes: Homes | None, case: int, name: str) -> bool:
+    """Whether the mutants of a block may be taken from a case."""
+    if homes is None:
+        return True
+    names = homes.get(case, ())
+    return names is None or name in names
+
+
+def _with_statements(stage: Stage, homes: Homes | None) -> list[str]:
     """The names of all blocks that could be named."""
-    cases = range(len(stage.cases)) if homes is None else homes
-    return [block.name for case in cases for block in stage.program(case).bodies]
+    return [
+        block.name
+        for case in range(len(stage.cases))
+        for block in stage.program(case).bodies
+        if _is_home(homes, case, block.name)
+    ]
 
 
 def _unknown(name: str, known: Sequence[str]) -> DiagnosticError:

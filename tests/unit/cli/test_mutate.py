@@ -140,6 +140,7 @@ def test_ctrl_c_leaves_a_report_of_what_ran(tmp_path: Path) -> None:
         (("--block", "TOS_WordToHz", "--log", SCENARIO), "FB8063"),
         (("--operators", "logic"), "FB8065"),
         (("examples/five_drives/plant.yaml",), "FB8066"),
+        (("own.scl",), "FB8066"),
     ],
 )
 def test_what_cannot_be_done_is_said(fbgen: Fbgen, arguments: tuple[str, ...], code: str) -> None:
@@ -160,6 +161,31 @@ def test_a_scenario_that_fails_by_itself_is_named(fbgen: Fbgen, tmp_path: Path) 
     assert run.status == 1
     assert "FB8061" in run.err
     assert "fbgen test" in run.err
+
+
+def test_the_blocks_of_a_text_of_ones_own_are_changed(fbgen: Fbgen, tmp_path: Path) -> None:
+    head = "VAR_INPUT x : Int; END_VAR VAR_OUTPUT y : Int; END_VAR BEGIN"
+    for name, statement in (("Own", '#y := "Other"(x := #x);'), ("Second", "#y := #x;")):
+        text = f'FUNCTION_BLOCK "{name}" {head}\n  {statement}\nEND_FUNCTION_BLOCK\n'
+        (tmp_path / f"{name}.scl").write_text(text, encoding="utf-8")
+    other = (
+        'FUNCTION "Other" : Int VAR_INPUT x : Int; END_VAR BEGIN #Other := #x + 1; END_FUNCTION\n'
+    )
+    with (tmp_path / "Own.scl").open("a", encoding="utf-8") as file:
+        file.write(other)
+    (tmp_path / "own.scenario.yaml").write_text(
+        "version: 1\ntitle: Own\nsources: [Own.scl, Second.scl]\nblock: Own\n"
+        "steps:\n  - set: {block.x: 1}\n  - call: 1\n  - expect: {block.y: 2}\n",
+        encoding="utf-8",
+    )
+    run = fbgen("mutate", str(tmp_path / "Own.scl"), "--scenarios", str(tmp_path))
+    assert run.status == 0
+    assert [line.split()[0] for line in run.out.splitlines()[-4:]] == [
+        "block",
+        "Own",
+        "Other",
+        "all",
+    ]
 
 
 def test_equivalent_mutants_are_proved_and_do_not_count(fbgen: Fbgen, tmp_path: Path) -> None:

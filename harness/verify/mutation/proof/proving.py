@@ -36,6 +36,8 @@ from harness.verify.mutation.proof.terms import Term, UnknownError
 
 EFFORT = 20_000_000
 """How much the solver may do for one proof: a count of its own, the same on every machine."""
+EXACT_EFFORT = 1_000_000
+"""The same for calculations with REAL, where each count takes far longer."""
 
 
 class Answer(Enum):
@@ -106,7 +108,7 @@ def compare(
         for exact in (False, True):
             first = transition(program, block, body, exact=exact)
             second = transition(program, block, other, exact=exact)
-            proof = _compared(first, second, known)
+            proof = _compared(first, second, known, EXACT_EFFORT if exact else EFFORT)
             if proof.answer is Answer.EQUIVALENT or exact:
                 return proof
     except UnknownError as unknown:
@@ -114,7 +116,7 @@ def compare(
     raise AssertionError("the exact one has an answer")
 
 
-def _compared(first: Memory, second: Memory, known: Sequence[Term]) -> Proof:
+def _compared(first: Memory, second: Memory, known: Sequence[Term], effort: int) -> Proof:
     differ = [first.world != second.world, first.stopped != second.stopped]
     for key in {*first.values, *second.values}:
         if key[0].kind is VariableKind.TEMP:
@@ -125,7 +127,7 @@ def _compared(first: Memory, second: Memory, known: Sequence[Term]) -> Proof:
         if not one.eq(two):
             differ.append(one != two)
     solver = z3.Solver()
-    solver.set("rlimit", EFFORT)
+    solver.set("rlimit", effort)
     solver.add(*known, z3.Or(*differ))
     found = solver.check()
     if found == z3.unsat:
