@@ -43,12 +43,19 @@ gateways:
 """
 
 
-@cache
 def generated(text: str = TWO_GATEWAYS, dialect: str = "tia") -> GeneratedSet:
-    """What is generated for a plant in a dialect, with all files beside the PLC text."""
+    """What is generated for a plant in a dialect, with all files beside the PLC text; made once."""
+    return _kept(text, dialect)
+
+
+def generated_anew(text: str, dialect: str) -> GeneratedSet:
+    """The same, made now."""
     catalog = shipped_catalog()
     plant = in_dialect(read_plant(Source("plant.yaml", text), catalog), dialect, catalog)
     return with_artefacts(generate(plant, catalog), plant, catalog)
+
+
+_kept = cache(generated_anew)
 
 
 def data(name: str, text: str = TWO_GATEWAYS, dialect: str = "tia") -> bytes:
@@ -70,4 +77,4 @@ def table(text: bytes) -> list[dict[str, str]]:
     return list(csv.DictReader(StringIO(text.decode("utf-8-sig"), newline=""), strict=True))
 
 
-__all__ = ["FIVE_DRIVES", "TWO_GATEWAYS", "data", "generated", "sheets", "table"]
+__all__ = ["FIVE_DRIVES", "TWO_GATEWAYS", "data", "generated", "generated_anew", "sheets", "table"]

@@ -2,6 +2,7 @@
 
 import shutil
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from fbgen.catalog import load_catalog
 from fbgen.catalog.differences import Difference, catalogue_differences, differences
 from fbgen.emit.affected import Comparison, compared
+from fbgen.emit.generated import GeneratedSet
 from fbgen.emit.generator import generate
 from fbgen.plant import load_plant
 from fbgen.resources import shipped
@@ -22,6 +24,13 @@ def folder(tmp_path: Path) -> Path:
     return Path(shutil.copytree(shipped("catalog"), tmp_path / "catalog"))
 
 
+@cache
+def shipped_set() -> GeneratedSet:
+    """What the shipped catalogue makes of the plant."""
+    catalog = load_catalog()
+    return generate(load_plant(PLANT, catalog), catalog)
+
+
 def comparison(folder: Path, changes: Mapping[str, Mapping[str, str]]) -> Comparison:
     """The shipped catalogue against the folder with texts replaced in its files."""
     for name, replaced in changes.items():
@@ -31,8 +40,9 @@ def comparison(folder: Path, changes: Mapping[str, Mapping[str, str]]) -> Compar
             text = text.replace(old, new)
         (folder / name).write_text(text, "utf-8")
     old, new = load_catalog(), load_catalog([folder])
-    sets = [generate(load_plant(PLANT, one), one) for one in (old, new)]
-    return compared(catalogue_differences(old, new), *sets)
+    return compared(
+        catalogue_differences(old, new), shipped_set(), generate(load_plant(PLANT, new), new)
+    )
 
 
 def told(found: Comparison, path: str) -> tuple[Difference, dict[str, list[str]]]:

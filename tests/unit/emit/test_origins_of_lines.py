@@ -1,26 +1,20 @@
 """Lines of generated files know where they are from, in every dialect and container."""
 
-from pathlib import Path
+from functools import cache
 
 import pytest
 
-from fbgen.catalog import load_catalog
-from fbgen.emit.generator import generate
-from fbgen.plant import LANGUAGES, in_dialect, load_plant
+from fbgen.plant import LANGUAGES
 from fbgen.resources import shipped
 from fbgen.source import Origin
-
-PLANT = Path(__file__).parents[3] / "examples" / "manual_example" / "plant.yaml"
-CATALOG = load_catalog()
+from tests.unit.emit.examples import generated
 
 
-def lines(dialect: str) -> list[tuple[str, Origin | None]]:
+@cache
+def lines(dialect: str) -> tuple[tuple[str, Origin | None], ...]:
     """All lines of PLC text, each with its origin."""
-    plant = load_plant(PLANT, CATALOG)
-    gateways = tuple(item.model_copy(update={"access": "process_image"}) for item in plant.gateways)
-    changed = in_dialect(plant.model_copy(update={"gateways": gateways}), dialect, CATALOG)
     found: list[tuple[str, Origin | None]] = []
-    for file in generate(changed, CATALOG).files:
+    for file in generated("manual_example", dialect):
         if file.is_program:
             texts = file.text.splitlines()
             assert len(file.origins) == len(texts)
@@ -29,7 +23,7 @@ def lines(dialect: str) -> list[tuple[str, Origin | None]]:
                 for known in file.origins
             )
             found += zip(texts, values, strict=True)
-    return found
+    return tuple(found)
 
 
 def in_template(origin: Origin | None) -> str:
