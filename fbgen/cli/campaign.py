@@ -13,7 +13,7 @@ from fbgen.cli.layers import JsonOption
 from fbgen.cli.output import on_error_terminal, result, result_json, say
 
 if TYPE_CHECKING:
-    from harness.verify.campaign import CampaignReport, Progressed
+    from harness.verify.campaign import CampaignReport, Failure, Progressed
 
 NS_PER_S = 1_000_000_000
 _SHOWN_EVERY_S = 1.0
@@ -81,15 +81,14 @@ def run_campaign(
     display = _Display()
     done = Campaign(settings, seeds, workers, cluster).run(log, display.progressed)
     display.end()
-    files = {}
+    files: dict[str, Path] = {}
     for kind, failures in done.kinds().items():
-        files[kind] = reproduce(settings, failures[0], out)
+        if not done.interrupted:
+            display.making_short(kind)
+            files[kind] = reproduce(settings, failures[0], out)
+            display.end()
         if not as_json:
-            result(
-                f"{kind}: {len(failures)} seeds, first {failures[0].seed}: {failures[0].message}\n"
-                f"  {failures[0].configuration}\n"
-                f"  run it again: fbgen test {files[kind].as_posix()}"
-            )
+            result(_told(kind, failures, files.get(kind)))
     if as_json:
         result_json(_plain(done, files))
     say(display.summary(done))
@@ -98,6 +97,13 @@ def run_campaign(
         raise typer.Exit(INTERRUPTED)
     if done.failures:
         raise typer.Exit(FINDINGS)
+
+
+def _told(kind: str, failures: "list[Failure]", file: Path | None) -> str:
+    first = failures[0]
+    seeds = "1 seed" if len(failures) == 1 else f"{len(failures)} seeds"
+    text = f"{kind}: {seeds}, first {first.seed}: {first.message}\n  {first.configuration}"
+    return text if file is None else f"{text}\n  run it again: fbgen test {file.as_posix()}"
 
 
 def _plain(done: "CampaignReport", files: dict[str, Path]) -> dict[str, object]:
@@ -111,7 +117,7 @@ def _plain(done: "CampaignReport", files: dict[str, Path]) -> dict[str, object]:
                 "seeds": [failure.seed for failure in failures],
                 "message": failures[0].message,
                 "configuration": failures[0].configuration,
-                "file": files[kind].as_posix(),
+                "file": files[kind].as_posix() if kind in files else None,
             }
             for kind, failures in done.kinds().items()
         ],
@@ -141,6 +147,11 @@ class _Display:
             f"{rate:.1f} a second{left}, {how.failures} failed"
         )
         sys.stderr.flush()
+
+    def making_short(self, kind: str) -> None:
+        if self._is_shown:
+            sys.stderr.write(f"\r\x1b[K{kind}: making it short")
+            sys.stderr.flush()
 
     def end(self) -> None:
         if self._is_shown:

@@ -2,7 +2,7 @@
 
 `TOS_Plant.inputsHash` has the eight digits that stand in the heads of all its blocks; where they
 differ, blocks of several generations have been mixed. A program without such heads shows nothing,
-and none does before its first scan.
+and none does before its first scan or while the CPU is in STOP.
 """
 
 import re
@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 from fbgen.plant import with_prefix
 from harness.installation import Installation
+from harness.plc import CpuMode
 from harness.rules.rule import Rule, Watch
 
 _HEAD = re.compile(r"\bfbgen \d[^\n]*\b([0-9A-F]{8})\b")
@@ -23,8 +24,9 @@ def _watch(plant: Installation) -> Watch:
     read = engine.reader([path] if heads else [])
 
     def broken() -> Iterator[str]:
-        for shown in read():
-            if plant.cpu.scans and heads != {shown}:
+        runs = plant.cpu.mode is CpuMode.RUN and plant.cpu.scans > 0
+        for shown in read() if runs else ():
+            if heads != {shown}:
                 stand = ", ".join(f"{one:08X}" for one in sorted(heads))
                 yield f"{path} is 16#{shown:08X}, and in the heads stands {stand}"
 

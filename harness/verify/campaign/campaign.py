@@ -5,15 +5,17 @@ same with however many workers, in whichever order, and in one go or in several.
 """
 
 from collections.abc import Callable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from fbgen.diagnostics import error
 from fbgen.source import Source, Span
+from fbgen.workers import in_order
 from harness.verify.campaign.log import add_chunk, open_log
 from harness.verify.campaign.trials import CampaignSettings, Chunk, Failure, try_seeds
 
@@ -104,38 +106,29 @@ class Campaign:
         return left
 
     def _tried(self, left: list[range]) -> Iterator[Chunk]:
-        if self.cluster is None and self.workers == 1:
-            for seeds in left:
-                yield try_seeds(self.settings, seeds.start, seeds.stop)
+        if self.cluster is None:
+            yield from in_order(partial(_try, self.settings), left, self.workers)
             return
-        with self._executor() as executor:
+        with _on_cluster(self.cluster) as (executor, workers):
             waiting: set[Future[Chunk]] = set()
-            most = _WAITING_PER_WORKER * self.workers
             for seeds in left:
-                if len(waiting) >= most:
+                if len(waiting) >= _WAITING_PER_WORKER * workers:
                     done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
                     yield from (item.result() for item in done)
-                waiting.add(executor.submit(try_seeds, self.settings, seeds.start, seeds.stop))
+                waiting.add(executor.submit(_try, self.settings, seeds))
             while waiting:
                 done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
                 yield from (item.result() for item in done)
 
-    @contextmanager
-    def _executor(self) -> Iterator[Executor]:
-        if self.cluster is not None:
-            with _on_cluster(self.cluster) as executor:
-                yield executor
-            return
-        executor = ProcessPoolExecutor(self.workers)
-        try:
-            yield executor
-        finally:
-            executor.shutdown(wait=False, cancel_futures=True)
+
+def _try(settings: CampaignSettings, seeds: range) -> Chunk:
+    return try_seeds(settings, seeds.start, seeds.stop)
 
 
 @contextmanager
-def _on_cluster(address: str) -> Iterator[Executor]:
-    """The workers of a dask.distributed cluster. Raises DiagnosticError FB8073."""
+def _on_cluster(address: str) -> Iterator[tuple[Executor, int]]:
+    """The workers of a dask.distributed cluster, and how many at once. Raises DiagnosticError
+    FB8073."""
     try:
         distributed: Any = import_module("distributed")
     except ImportError:
@@ -156,7 +149,7 @@ def _on_cluster(address: str) -> Iterator[Executor]:
             "start one with dask scheduler and dask worker, and name the scheduler's address",
         ) from None
     with client:
-        yield client.get_executor(pure=False)
+        yield client.get_executor(pure=False), max(sum(client.nthreads().values()), 1)
 
 
 def _configurations(chunks: list[Chunk]) -> tuple[str, ...]:
