@@ -19,6 +19,7 @@ from harness.scenario.addresses import Place
 from harness.scenario.kinds import Found, ValueKind, no_bytes
 from harness.scenario.paths import Readable, Writable
 from harness.scenario.plc_variables import kind_of_type, reading, variable_kind
+from harness.trace.blocks import BlockRecorder
 from harness.trial import Subject
 
 ROOTS = ("block", "plc", "address")
@@ -137,6 +138,12 @@ class BlockStage:
             self._subject.call()
             for told in self.after_scan:
                 told()
+
+    def record(self) -> BlockRecorder:
+        """Record the variables of the block from now on."""
+        recorder = BlockRecorder(self.program.engine, self._subject, self.kernel)
+        self.after_scan.append(recorder.variables_written)
+        return recorder
 
     def past(self) -> Sequence[Note]:
         """Nothing goes on beside the block."""

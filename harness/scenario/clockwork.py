@@ -1,17 +1,13 @@
 """What goes on beside the steps of a scenario: faults by the clock, and rules of the plant."""
 
 from fbgen.diagnostics import error
-from harness.faults import Fault
-from harness.faults.schedule import FaultEvent
-from harness.scenario.fault_plans import prepare_faults
+from harness.scenario.fault_plans import ClockFault, prepare_faults
 from harness.scenario.model import Scenario
 from harness.scenario.rule_checks import RuleChecks, prepare_rules
 from harness.scenario.stage import Stage
 
 
-def clockwork(
-    scenario: Scenario, stage: Stage
-) -> tuple[list[tuple[FaultEvent, Fault]], RuleChecks]:
+def clockwork(scenario: Scenario, stage: Stage) -> tuple[list[ClockFault], RuleChecks]:
     """The faults by the clock and the rules of a scenario, ready for its stage.
 
     Raises DiagnosticError with everything that the plant does not allow; FB8018 for a block.

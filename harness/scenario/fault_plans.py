@@ -2,8 +2,10 @@
 
 from collections.abc import Sequence
 from random import Random
+from typing import NamedTuple
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError
+from fbgen.source import Span
 from harness.faults import FAULTS, Fault
 from harness.faults.schedule import FaultEvent
 from harness.faults.settings import fault_settings
@@ -12,9 +14,15 @@ from harness.scenario.fault_making import FaultMaking
 from harness.scenario.fault_model import RandomFaults, ScenarioFault
 
 
-def prepare_faults(
-    entries: Sequence[ScenarioFault], plant: Installation
-) -> list[tuple[FaultEvent, Fault]]:
+class ClockFault(NamedTuple):
+    """A fault that comes by the clock, and the place of its entry in the file."""
+
+    event: FaultEvent
+    fault: Fault
+    place: Span | None
+
+
+def prepare_faults(entries: Sequence[ScenarioFault], plant: Installation) -> list[ClockFault]:
     """The events of all entries in the order of their instants. What is drawn depends on the seed
     of the plant and the place of its entry in the list, on nothing else.
 
@@ -22,19 +30,20 @@ def prepare_faults(
     """
     found: list[Diagnostic] = []
     making = FaultMaking(plant, found)
-    armed: list[tuple[FaultEvent, Fault]] = []
+    armed: list[ClockFault] = []
     for number, entry in enumerate(entries):
         if isinstance(entry, RandomFaults):
             for name in entry.kinds:
                 making.kind(name, entry.span_of("kinds"))
             random = Random(f"{plant.kernel.seed} {number}")
             places = possible_places(plant)
-            armed += [(event, _made(event, plant)) for event in entry.events(random, places)]
-        elif making.fault(entry) is not None:
-            armed += [(event, _made(event, plant)) for event in entry.events()]
+            events = entry.events(random, places)
+        else:
+            events = entry.events() if making.fault(entry) is not None else []
+        armed += [ClockFault(event, _made(event, plant), entry.span) for event in events]
     if found:
         raise DiagnosticError(found)
-    return sorted(armed, key=lambda item: item[0].at_ns)
+    return sorted(armed, key=lambda item: item.event.at_ns)
 
 
 def possible_places(plant: Installation) -> dict[str, tuple[str, ...]]:

@@ -7,6 +7,7 @@ properties:
     then: {drive.pump.running: false}
 """
 
+from collections.abc import Iterator, Mapping
 from typing import Annotated
 
 from pydantic import Discriminator, Field, Tag
@@ -25,6 +26,13 @@ class AnyProperty(Located):
     during: Conditions | None = Field(
         default=None, description="The property counts only while all of this holds"
     )
+
+    def paths(self) -> Iterator[str]:
+        """What it names, key by key."""
+        for name in type(self).model_fields:
+            conditions = getattr(self, name)
+            if isinstance(conditions, Mapping):
+                yield from conditions
 
 
 class NeverProperty(AnyProperty):

@@ -39,7 +39,7 @@ class ScenarioRun:
     """One scenario on its stage. `checks` counts what was demanded and held.
 
     The functions in `on_step` are told when a step begins, is done, or has failed. `warnings` are
-    there when the run has ended well. `faults` are those that come by the clock, in their order.
+    there when the run has ended well. `clock_faults` come by the clock, in their order.
     """
 
     def __init__(self, scenario: Scenario, stage: Stage) -> None:
@@ -52,8 +52,7 @@ class ScenarioRun:
         self._steps = prepared.steps
         self._failures = Failures(stage)
         self._watch = Watch(prepared.monitors, stage, self._failures)
-        self._faults, self._rules = clockwork(scenario, stage)
-        self.faults: Sequence[FaultEvent] = tuple(event for event, _ in self._faults)
+        self.clock_faults, self._rules = clockwork(scenario, stage)
         self._watches_the_cpu = any(
             isinstance(step, ExpectStep) and "cpu.mode" in step.expect for step in scenario.steps
         )
@@ -63,6 +62,11 @@ class ScenarioRun:
         """The plant. Not for a block on its own: `stage.installation` is None there."""
         assert self.stage.installation is not None, "a block has no plant"
         return self.stage.installation
+
+    @property
+    def faults(self) -> Sequence[FaultEvent]:
+        """What comes by the clock, in its order."""
+        return tuple(one.event for one in self.clock_faults)
 
     @property
     def recorders(self) -> Mapping[str, TelegramRecorder]:
@@ -76,7 +80,8 @@ class ScenarioRun:
         """
         self.stage.start()
         if self.stage.installation is not None:
-            arm(self.stage.installation, self._faults)
+            faults = ((one.event, one.fault) for one in self.clock_faults)
+            arm(self.stage.installation, faults)
         self._watch.begin()
         for prepared in self._steps:
             self._tell(prepared.step, StepMoment.BEGUN)

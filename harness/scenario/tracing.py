@@ -1,18 +1,21 @@
 """The trace of a scenario: its plant recorded from before the start, with steps, checks, faults."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from harness.engine.compiled import ProbeMaker, writers_probe
 from harness.results import ScenarioResult
+from harness.scenario.block_stage import BlockStage
 from harness.scenario.cases import ScenarioCase
 from harness.scenario.events import StepEvent, StepMoment
 from harness.scenario.expectations import Expectation, Range
+from harness.scenario.fault_plans import ClockFault
 from harness.scenario.model import (
     CallStep,
     ClearStep,
     ExpectStep,
     InjectStep,
+    Scenario,
     SequenceStep,
     SetStep,
     Step,
@@ -23,6 +26,7 @@ from harness.scenario.places import key_span
 from harness.scenario.runner import ScenarioRun
 from harness.scenario.scalars import Scalar
 from harness.trace import Mark, Place, Recorder, Trace, Verdict
+from harness.trace.blocks import BlockRecorder
 from harness.trace.places import place_of
 
 _PLC = "plc."
@@ -33,12 +37,13 @@ class TraceObserver:
     """Leaves the `Trace` of one run. Variables that its steps name are recorded as well."""
 
     def __init__(self, case: ScenarioCase) -> None:
-        self._steps = case.scenario.steps
+        self._scenario = case.scenario
         self._compiled = case.scenario.engine == "compiled"
-        self._recorder: Recorder | None = None
+        self._recorder: Recorder | BlockRecorder | None = None
         self._step = 0
         self._checks: list[int] = []
         self._faults: dict[tuple[str, str], int] = {}
+        self._clock_faults: Sequence[ClockFault] = ()
 
     @property
     def probes(self) -> tuple[ProbeMaker, ...]:
@@ -46,21 +51,34 @@ class TraceObserver:
         return (writers_probe,) if self._compiled else ()
 
     def attach(self, run: ScenarioRun) -> None:
-        """Record from now on. A block on its own has no plant to be recorded."""
-        if run.stage.installation is None:
-            return
-        variables = [path.removeprefix(_PLC) for path in _paths(self._steps)]
-        self._recorder = run.stage.installation.record(variables)
+        """Record from now on: a plant, or a block on its own."""
         run.on_step.append(self._told)
+        if isinstance(run.stage, BlockStage):
+            self._recorder = run.stage.record()
+            return
+        variables = [path.removeprefix(_PLC) for path in _paths(self._scenario)]
+        self._clock_faults = run.clock_faults
+        self._recorder = run.installation.record(variables)
 
     def finish(self, result: ScenarioResult) -> Trace | None:
         """The trace; the checks whose places the failures name have failed."""
         if self._recorder is None:
             return None
+        self._mark_clock_faults(self._recorder)
         trace = self._recorder.finish(result.name, result.file)
         wrong = {place_of(found.span) for found in result.failures if found.span is not None}
         marks = tuple(_judged(mark, trace, wrong) for mark in trace.marks)
         return replace(trace, marks=marks)
+
+    def _mark_clock_faults(self, recorder: Recorder | BlockRecorder) -> None:
+        """Those that have come until now: they are known from the start, so nobody has to look."""
+        start_ns, now_ns = recorder.begin_ns, recorder.now_ns
+        for event, _, place in self._clock_faults:
+            at_ns = start_ns + event.at_ns
+            if at_ns <= now_ns:
+                end_ns = None if event.lasts_ns is None else start_ns + event.end_ns
+                end_ns = end_ns if end_ns is not None and end_ns <= now_ns else None
+                recorder.marks.add_fault(event.name, event.on, place, at_ns, end_ns)
 
     def _told(self, event: StepEvent) -> None:
         assert self._recorder is not None, "only a run that it is attached to tells of its steps"
@@ -75,7 +93,7 @@ class TraceObserver:
             places = {path: key_span(step, "set", path) for path in step.set}
             self._recorder.variables_written(places)
 
-    def _begin(self, recorder: Recorder, step: Step) -> None:
+    def _begin(self, recorder: Recorder | BlockRecorder, step: Step) -> None:
         marks = recorder.marks
         self._step = marks.begin("step", _title(step), step.span)
         self._checks = []
@@ -102,9 +120,10 @@ def _judged(mark: Mark, trace: Trace, wrong: set[Place]) -> Mark:
     return replace(mark, verdict="passed")
 
 
-def _paths(steps: tuple[Step, ...]) -> list[str]:
-    """The variables of the PLC that steps name, in their order."""
-    named = [path for step in steps for path in _named(step)]
+def _paths(scenario: Scenario) -> list[str]:
+    """The variables of the PLC that steps and properties name, in their order."""
+    named = [path for step in scenario.steps for path in _named(step)]
+    named += [path for item in scenario.properties for path in item.paths()]
     return [path for path in dict.fromkeys(named) if path.startswith(_PLC)]
 
 

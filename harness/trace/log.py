@@ -3,6 +3,8 @@
 Values of channels are kept apart from what happened, so that one comparison decides.
 """
 
+from math import isnan
+
 from harness.trace.model import Change, Channel, TraceValue
 
 
@@ -26,6 +28,11 @@ class ChangeLog:
         self, channel: int, time_ns: int, value: TraceValue, writer: int | None = None
     ) -> None:
         """The value of a channel at an instant."""
-        if value != self._last[channel]:
+        last = self._last[channel]
+        if value != last and not (_is_nan(value) and _is_nan(last)):
             self._last[channel] = value
             self.changes.append(Change(time_ns, channel, value, writer))
+
+
+def _is_nan(value: TraceValue | None) -> bool:
+    return isinstance(value, float) and isnan(value)

@@ -24,6 +24,14 @@ class Marks:
         self.found.append(Mark(self._kernel.now_ns, kind, title, None, target, number))
         return len(self.found) - 1
 
+    def add_fault(
+        self, title: str, target: str, place: Span | None, start_ns: int, end_ns: int | None
+    ) -> None:
+        """A fault of another time than now; `end_ns` None if it is still there."""
+        number = self._places.of(place)
+        self.found.append(Mark(start_ns, "fault", title, end_ns, target, number))
+        self.found.sort(key=lambda mark: mark.start_ns)
+
     def end(self, number: int, verdict: Verdict | None = None) -> None:
         """What has this number is over now."""
         now_ns = self._kernel.now_ns

@@ -48,7 +48,7 @@ class Recorder:
     def __init__(self, plant: "Installation", variables: Iterable[str] = ()) -> None:
         """Raises DiagnosticError FB6020 and FB6024 for variables that the PLC does not have."""
         self._plant = plant
-        self._begin_ns = plant.kernel.now_ns
+        self.begin_ns = plant.kernel.now_ns
         self._log = ChangeLog()
         self._places = Places()
         self._who = who_wrote(plant.cpu, self._places)
@@ -70,10 +70,15 @@ class Recorder:
         for drive in plant.drives.values():
             DriveWatch(self._log, plant.kernel, drive)
         channels = _variables(plant, variables)
-        self._plc = PlcWatch(self._log, plant.cpu.engine, channels, self._begin_ns, self._who)
+        self._plc = PlcWatch(self._log, plant.cpu.engine, channels, self.begin_ns, self._who)
         stations = {id(plant.stations[name]): watch for name, watch in self._gateways.items()}
         plant.master.taps.append(partial(_to_gateway, stations))
         plant.cpu.after_scan.append(self._scanned)
+
+    @property
+    def now_ns(self) -> int:
+        """The instant of the plant."""
+        return self._plant.kernel.now_ns
 
     def _scanned(self) -> None:
         self._cpu.scanned()
@@ -106,7 +111,7 @@ class Recorder:
             engine_name(plant.cpu.engine),
             plant.plan.code_dialect,
             self._who is not None,
-            self._begin_ns,
+            self.begin_ns,
             plant.kernel.now_ns,
             _words(self._log.channels, plant.catalog),
             tuple(self._places.found),

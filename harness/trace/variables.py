@@ -4,7 +4,8 @@ Durations are left out unless they are asked for by their own path: ages and ela
 with every scan and say nothing.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from fbgen.lang.checked import LIVING, Program
 from fbgen.lang.types import (
@@ -44,6 +45,17 @@ def variable_channels(program: Program, path: str) -> Iterator[Channel]:
         yield _channel(path, "integer", "ns" if kind is LTIME else "ms")
     else:
         yield from _below(program, path, kind)
+
+
+def block_channels(
+    program: Program, block: str, variables: Iterable[tuple[str, Type]]
+) -> Iterator[Channel]:
+    """A channel for each single value of a block's variables, named as scenario files do."""
+    for name, kind in variables:
+        for channel in _below(program, _name(name), kind):
+            path = channel.path.partition(".")[2]
+            title = path.replace(".", " ")
+            yield replace(channel, path=f"block.{path}", title=title, owner=block)
 
 
 def _below(program: Program, path: str, kind: Type) -> Iterator[Channel]:

@@ -22,6 +22,11 @@ class Subject(Protocol):
     """One block with its state. Paths are those of the block: `status`, `timer.ET`."""
 
     @property
+    def name(self) -> str:
+        """Its name, as it is declared."""
+        ...
+
+    @property
     def outputs(self) -> tuple[str, ...]:
         """What it gives: its outputs, in-outs and its result, by name."""
         ...
@@ -90,6 +95,7 @@ class InstanceSubject:
         self._program = engine.program
         self._instance = engine.instance(block.name)
         self._type = BlockType(block.name)
+        self.name = block.name
         self.outputs = _names(block, VariableKind.OUTPUT, *IN_OUTS)
 
     def call(self) -> None:
@@ -122,6 +128,7 @@ class FunctionSubject:
         self._arguments: dict[str, Value] = {}
         self._results: Mapping[str, Value] = {}
         result = (block.name,) if block.result is not None else ()
+        self.name = block.name
         self.outputs = result + _names(block, VariableKind.OUTPUT, VariableKind.IN_OUT)
 
     def call(self) -> None:
@@ -168,6 +175,7 @@ class CyclicSubject:
         self._block = block
         kept = () if block.kind is BlockKind.ORGANIZATION_BLOCK else block.variables
         self._own = {variable.name.casefold() for variable in kept}
+        self.name = block.name
         self.outputs = tuple(
             variable.name for variable in kept if variable.kind is not VariableKind.TEMP
         ) or tuple(variable.name for variable in engine.program.globals.values())

@@ -7,6 +7,9 @@ import pytest
 from fbgen.catalog import load_catalog
 from fbgen.diagnostics import DiagnosticError
 from harness.scenario import RunOptions, run_case, run_paths, scenario_cases
+from harness.scenario.tracing import TraceObserver
+from harness.trace import Trace
+from harness.trace.vcd import vcd_text
 from tests.unit.scenario.block_scenarios import HEAD, only_failure, tank, tank_file
 from tests.unit.scenario.scenario_files import PLANT, marked
 
@@ -239,3 +242,27 @@ def test_the_users_own_program_runs_in_the_plant(tmp_path: Path) -> None:
     )
     result = run_case(scenario_cases(path)[0], load_catalog())
     assert result.passed, result.render()
+
+
+def test_a_block_on_its_own_leaves_a_trace_of_its_variables(tmp_path: Path) -> None:
+    path = tank_file(
+        tmp_path,
+        "steps:\n  - set: {block.start: true}\n"
+        "  - expect: {block.pump: true}\n    within: 600 ms\n",
+    )
+    (case,) = scenario_cases(path)
+    trace = run_case(case, load_catalog(), observers=[TraceObserver]).observed(Trace)
+    assert trace is not None
+    started = trace.changes_of("block.start")
+    assert [change.value for change in started] == [False, True]
+    written = trace.writer_of(started[1])
+    assert written is not None
+    assert written.text == "- set: {block.start: true}"
+    off, on = trace.changes_of("block.pump")
+    assert (off.value, on.value) == (False, True)
+    assert on.time_ns > 0
+    source = trace.writer_of(on)
+    assert source is not None
+    assert source.file.endswith("tank.scl")
+    assert [mark.verdict for mark in trace.marks if mark.kind == "check"] == ["passed"]
+    assert "block" in vcd_text(trace)

@@ -117,3 +117,39 @@ def test_the_words_of_each_step(tmp_path: Path) -> None:
         "drive.pump.current: equals 0.0, tolerance 0.5, stays for 1500 us"
     )
     assert titles[3] == 'expect drive.pump.trip: "E"'
+
+
+def test_variables_that_only_properties_name_are_recorded(tmp_path: Path) -> None:
+    trace = traced(
+        tmp_path,
+        "- wait: 20 ms",
+        more="properties:\n"
+        "  - always: {plc.TOS_Parameters.gw1.line.retries: 2}\n"
+        "    during: {plc.TOS_Gateway_gw1_DB.statPrepared: true}\n",
+    )
+    paths = [channel.path for channel in trace.channels]
+    assert "plc.TOS_Parameters.gw1.line.retries" in paths
+    assert "plc.TOS_Gateway_gw1_DB.statPrepared" in paths
+
+
+def test_faults_by_the_clock_are_marked_as_those_of_steps(tmp_path: Path) -> None:
+    trace = traced(
+        tmp_path,
+        "- wait: 30 ms",
+        "- expect: {cpu.mode: RUN}",
+        more="faults:\n"
+        "  - {at: 10 ms, lasts: 5 ms, every: 15 ms, until: 40 ms, inject: line_noise, on: gw1}\n"
+        "  - {at: 28 ms, inject: drive_local, on: pump}\n",
+    )
+    first, second, local = of_kind(trace, "fault")
+    assert [(mark.title, mark.target) for mark in (first, local)] == [
+        ("line_noise", "gw1"),
+        ("drive_local", "pump"),
+    ]
+    assert (first.start_ns, first.end_ns) == (10_000_000, 15_000_000)
+    assert (second.start_ns, second.end_ns) == (25_000_000, 30_000_000)
+    assert (local.start_ns, local.end_ns) == (28_000_000, None)
+    assert first.place is not None
+    assert trace.places[first.place].text.startswith("- {at: 10 ms")
+    starts = [mark.start_ns for mark in trace.marks]
+    assert starts == sorted(starts)
