@@ -7,7 +7,9 @@ import json
 import os
 import sys
 import traceback
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
 
 import typer
 
@@ -76,7 +78,33 @@ def _echo(text: str | bytes, *, err: bool) -> None:
     try:
         typer.echo(text, err=err, color=colour, nl=isinstance(text, str))
     except BrokenPipeError:
-        raise typer.Exit(READER_GONE) from None
+        if not _UNREAD:
+            raise typer.Exit(READER_GONE) from None
+        _UNREAD[-1].gone = True
+        # Whatever else is printed there goes nowhere, what is still in the buffer too.
+        stream = sys.stderr if err else sys.stdout
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+@dataclass(slots=True)
+class Unread:
+    """Whether the reader of what was printed has gone away."""
+
+    gone: bool = False
+
+
+_UNREAD: list[Unread] = []
+"""The commands that go on without their reader: one, or none."""
+
+
+@contextmanager
+def going_on_unread() -> Iterator[Unread]:
+    """Inside, nothing ends because nobody reads what is printed: there is more to do than that."""
+    _UNREAD.append(Unread())
+    try:
+        yield _UNREAD[-1]
+    finally:
+        _UNREAD.pop()
 
 
 def on_error_terminal() -> bool:

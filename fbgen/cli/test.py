@@ -4,12 +4,13 @@ A report that somebody asks for by an option is a `ReportWriter`: its module has
 makes the writer; here it is only named.
 """
 
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fbgen.cli import FINDINGS, INTERRUPTED
+from fbgen.cli import FINDINGS, INTERRUPTED, READER_GONE
 from fbgen.cli.coverage_report import CoverageOption, FailUnderOption, coverage_writer
 from fbgen.cli.dialects import PlantDialectOption
 from fbgen.cli.examples import examples
@@ -17,7 +18,15 @@ from fbgen.cli.failure_annotations import AnnotationsOption, AnnotationWriter, C
 from fbgen.cli.html_report import HtmlOption, HtmlWriter, asked_for
 from fbgen.cli.junit_report import JunitOption, JunitWriter
 from fbgen.cli.layers import JsonOption
-from fbgen.cli.output import on_error_terminal, report, result, result_json, say
+from fbgen.cli.output import (
+    Unread,
+    going_on_unread,
+    on_error_terminal,
+    report,
+    result,
+    result_json,
+    say,
+)
 from fbgen.cli.progress import Progress
 from fbgen.cli.trace_reports import TraceOption, VcdOption, trace_writers
 
@@ -102,23 +111,27 @@ def run_scenarios(
     writers = [*(writer for writer in asked if writer is not None), *trace_writers(trace, vcd)]
     observers = tuple(dict.fromkeys(one for writer in writers for one in writer.observers))
     session = _Session()
-    done = run_paths(
-        paths or [Path()],
-        RunOptions(seed, select, dialect, jobs, observers),
-        planned=session.planned,
-        finished=session.counted if as_json else session.shown,
-    )
-    if not done.results and not done.interrupted:
-        raise _nothing_selected(select)
-    findings = [found for writer in writers for found in _written(writer, done)]
-    if as_json:
-        result_json({"scenarios": [scenario.as_json() for scenario in done.results]})
-    report(findings)
-    say(session.summary(done))
+    # Reports are written although nobody reads the terminal any more, as behind `| head`.
+    with going_on_unread() if writers else nullcontext(Unread()) as unread:
+        done = run_paths(
+            paths or [Path()],
+            RunOptions(seed, select, dialect, jobs, observers),
+            planned=session.planned,
+            finished=session.counted if as_json else session.shown,
+        )
+        if not done.results and not done.interrupted:
+            raise _nothing_selected(select)
+        findings = [found for writer in writers for found in _written(writer, done)]
+        if as_json:
+            result_json({"scenarios": [scenario.as_json() for scenario in done.results]})
+        report(findings)
+        say(session.summary(done))
     if done.interrupted:
         raise typer.Exit(INTERRUPTED)
     if findings or not done.passed:
         raise typer.Exit(FINDINGS)
+    if unread.gone:
+        raise typer.Exit(READER_GONE)
 
 
 def _written(writer: "ReportWriter", done: "ScenarioReport") -> "Sequence[Diagnostic]":

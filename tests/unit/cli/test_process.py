@@ -176,6 +176,36 @@ def test_a_reader_that_goes_away_is_quiet(arguments: tuple[str, ...]) -> None:
     assert (done.returncode, done.stderr) == (141, b"")
 
 
+@pytest.mark.parametrize(
+    ("text", "status"),
+    [
+        ("title: Twice\nblock: Twice\nsources: [twice.scl]\nsteps: [expect: {block.a: 0}]\n", 141),
+        ("title: Twice\n", 1),
+    ],
+)
+def test_reports_are_written_although_the_reader_goes_away(
+    tmp_path: Path, text: str, status: int
+) -> None:
+    scenario = tmp_path / "twice.scenario.yaml"
+    scenario.write_text(f"version: 1\n{text}", encoding="utf-8")
+    (tmp_path / "twice.scl").write_text(
+        "FUNCTION_BLOCK Twice\nVAR_INPUT\n    a : INT;\nEND_VAR\nBEGIN\nEND_FUNCTION_BLOCK\n",
+        encoding="utf-8",
+    )
+    arguments = ["test", str(scenario), "--coverage", "table", "--junit", str(tmp_path / "out.xml")]
+    reader, writer = os.pipe()
+    os.close(reader)
+    try:
+        done = subprocess.run(
+            [*COMMAND, *arguments], check=False, stdout=writer, stderr=subprocess.PIPE, cwd=ROOT
+        )
+    finally:
+        os.close(writer)
+    assert done.returncode == status, done.stderr
+    assert b"twice.scenario" in (tmp_path / "out.xml").read_bytes()
+    assert b"Traceback" not in done.stderr
+
+
 def test_findings_are_coloured_on_a_terminal_only(
     fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
