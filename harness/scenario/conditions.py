@@ -33,7 +33,11 @@ class Check:
 
 def all_hold(checks: tuple[Check, ...]) -> bool:
     """Whether all of it is as demanded at this instant."""
-    return all(check.demand.holds(check.source.get()) for check in checks)
+    # Asked every millisecond, and a generator takes longer than the checks.
+    for check in checks:  # noqa: SIM110
+        if not check.demand.holds(check.source.get()):
+            return False
+    return True
 
 
 class Conditions:

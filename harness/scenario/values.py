@@ -32,7 +32,8 @@ class Demand:
 
     def holds(self, found: Found) -> bool:
         """Whether a found value is what is demanded."""
-        if self.equals is not None and not _equal(self.equals, found, self.tolerance):
+        equals = self.equals
+        if equals is not None and found is not equals and not _equal(equals, found, self.tolerance):
             return False
         if self.differs_from is not None and _equal(self.differs_from, found, 0.0):
             return False

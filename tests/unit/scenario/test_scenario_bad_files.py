@@ -48,6 +48,7 @@ def test_a_broken_scenario_is_reported_at_its_place(name: str, line: int, column
 
 
 def test_every_broken_file_is_tried() -> None:
-    assert {path.stem for code in ("FB752", "FB8") for path in BAD.glob(f"{code}*.yaml")} == {
+    codes = ("FB752", "FB80[0-5]", "FB807[01]")  # the others are of files of other commands
+    assert {path.stem for code in codes for path in BAD.glob(f"{code}*.yaml")} == {
         name for name, _, _ in FILES
     }
