@@ -2,7 +2,7 @@
 
 Each scenario runs on two plants that differ in nothing but the dialect. What is compared is every
 transfer between master and gateway: when, which outputs, which inputs. The same holds for the two
-engines. The long form takes every scenario file.
+engines. The long form takes every scenario file; those of a block alone pass in every dialect.
 """
 
 from dataclasses import replace
@@ -14,7 +14,7 @@ import pytest
 
 from fbgen.catalog import load_catalog
 from harness.fieldbus import Transfer
-from harness.scenario import find_scenarios, prepare, scenario_cases
+from harness.scenario import find_scenarios, prepare, run_case, scenario_cases
 from harness.scenario.model import Variation
 
 ROOT = Path(__file__).parents[3]
@@ -30,16 +30,22 @@ SCENARIOS = (
 )
 FOR_ONE_PLC = (
     *("gateway_lost_", "error_block", "own_sequences", "torn_process_image"),
-    *("alarms_of_a_line", "handshake_switched_off"),
+    *("alarms_of_a_line", "handshake_switched_off", "cyclic_data"),
 )
 """Scenarios about one family, one access way or one option."""
 
-EVERY = tuple(
-    pytest.param(str(path.relative_to(ROOT)), marks=pytest.mark.slow)
+OTHERS = {
+    str(path.relative_to(ROOT)): scenario_cases(path)[0].scenario.block is not None
     for path in find_scenarios([ROOT / "tests" / "scenarios"])
     if not any(part in str(path) for part in FOR_ONE_PLC)
     and str(path.relative_to(ROOT)) not in SCENARIOS
+}
+"""The other scenarios, and whether they are about a block alone, which moves nothing on a bus."""
+
+EVERY = tuple(
+    pytest.param(name, marks=pytest.mark.slow) for name, alone in OTHERS.items() if not alone
 )
+OF_BLOCKS = [name for name, alone in OTHERS.items() if alone]
 WHOLE = {"layout": "whole10", "access": "dpxx_dat"}
 IMAGE = {"access": "process_image"}
 
@@ -103,6 +109,15 @@ def test_a_dialect_does_what_tia_does(scenario: str, twins: str) -> None:
     first, second = (transfers(ROOT / scenario, changes) for changes in TWINS[twins])
     assert len(first) > 5
     assert second == first
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("twins", TWINS)
+@pytest.mark.parametrize("scenario", OF_BLOCKS)
+def test_a_block_alone_passes_in_every_dialect(scenario: str, twins: str) -> None:
+    case = scenario_cases(ROOT / scenario)[0]
+    result = run_case(replace(case, variation=Variation(**TWINS[twins][1])), CATALOG)
+    assert result.passed, result.render()
 
 
 @pytest.mark.parametrize(("scenario", "dialect"), PAIRS)
