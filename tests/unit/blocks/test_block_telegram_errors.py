@@ -146,27 +146,6 @@ def test_from_the_loss_on_the_frame_holds_the_read_with_its_trigger(program: Loa
     assert not bench.block.frameChanged
 
 
-@pytest.mark.parametrize("handshake", [True, False])
-def test_a_command_lies_in_the_frame_until_the_gateway_has_acknowledged_it(
-    program: LoadedProgram, handshake: bool
-) -> None:
-    """Without the handshake nobody acknowledges it, and it stays."""
-    bench = TelegramBench(program, handshake=handshake)
-    waiting = "0B 47 FC 90 00 00" if handshake else "0B 50 FA 00 C4 00"
-    bench.send(11, WRITE, 0xFA00, 0xC400, retries=1, timeout=100)
-    assert bench.frame()[6:] == "01 0B 50 FA 00 C4 00"
-    bench.call()
-    assert bench.frame()[6:] == "01 0B 50 FA 00 C4 00"
-    bench.call()
-    assert (bench.frame()[6:], bench.block.frameChanged) == (f"01 {waiting}", handshake)
-    bench.cycles(10)
-    assert bench.frame()[6:] == "02 0B 50 FA 00 C4 00"
-    bench.cycles(2)
-    assert bench.frame()[6:] == f"02 {waiting}"
-    bench.receive(11, WRITE, 0xFA00, 0xC400)
-    assert (bench.block.done, bench.block.error) == (True, False)
-
-
 def test_a_loss_right_behind_a_command_still_gives_the_read_a_trigger_of_its_own(
     program: LoadedProgram,
 ) -> None:
