@@ -200,9 +200,9 @@ def test_done_lasts_one_call_when_execute_was_taken_back(program: LoadedProgram)
     sequence = started(bench, "stop")
     bench.give(sequence, execute=False)
     bench.until(lambda: not sequence.busy)
-    assert (sequence.done, sequence.active) == (True, False)
+    assert (sequence.done, sequence.active) == (True, True)
     bench.cycle()
-    assert (sequence.done, sequence.status) == (False, 0x7000)
+    assert (sequence.done, sequence.status, sequence.active) == (False, 0x7000, False)
 
 
 def test_the_steps_of_two_sequences_alternate(program: LoadedProgram) -> None:
