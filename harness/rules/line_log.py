@@ -33,16 +33,20 @@ _RESULT = "replyData"
 class Sent:
     """A telegram of the gateway on the line: INV-NO, CMD, ComNo and DATA.
 
-    `is_first` tells that it was put out before the PLC took the gateway as there, `is_late` that it
-    took longer to get here than bus, gateway and a heartbeat of the gateway's may take.
+    `put_ns` is when the PLC had put it out. `is_first` tells that it was before the PLC took the
+    gateway as there, `is_late` that it took longer to get here than bus, gateway and a heartbeat of
+    the gateway's may take, `is_unnoticed` that the gateway sent it once more and was always there
+    for the PLC.
     """
 
     start_ns: int
     end_ns: int
     telegram: bytes
     sending: Sending
+    put_ns: int
     is_first: bool
     is_late: bool
+    is_unnoticed: bool
 
 
 @dataclass(slots=True)
@@ -148,9 +152,12 @@ class LineLog:
             self._put.forgets()
         self._sent_ns, self._overwritten = start_ns, device.overwritten
         sending, put = self._put.on_line(telegram, start_ns)
-        is_first = put is not None and put.is_first
-        is_late = put is not None and start_ns - put.put_ns > self._longest_way_ns
-        sent = Sent(start_ns, transmission.end_ns, telegram, sending, is_first, is_late)
+        is_first, put_ns = (put.is_first, put.put_ns) if put is not None else (False, start_ns)
+        sent = Sent(
+            *(start_ns, transmission.end_ns, telegram, sending, put_ns, is_first),
+            is_late=start_ns - put_ns > self._longest_way_ns,
+            is_unnoticed=sending is Sending.RESENT and self._was_online,
+        )
         for told in self.on_sent:
             told(sent)
 

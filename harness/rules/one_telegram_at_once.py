@@ -3,9 +3,9 @@
 A reply is waited for until it is there, or until the drive's reply time and that of a frame have
 passed (TOSPBDP001 manual v1.1, section 9). Two requests at once may lead to two replies at once, or
 to a drive that hears only one of them. What the gateway sends by itself does not count, nor what
-was held back on its way to the line. Nor does the read that goes out first to a gateway that is
-back, as long as it goes to the same drive: that hears one telegram at a time, and nothing is lost
-with a read.
+was held back on its way to the line, nor a telegram behind which a late reply to the one before has
+come before it went out. Nor does the read that goes out first to a gateway that is back, as long as
+it goes to the same drive: that hears one telegram at a time, and nothing is lost with a read.
 """
 
 from collections.abc import Mapping
@@ -22,13 +22,18 @@ _ANSWERED = (Command.R, Command.G, Command.W, Command.P)
 
 
 class _Waiting:
-    """Until when the reply to the last telegram of a line may come."""
+    """Until when the reply to the last telegram of a line may come, and when the PLC saw one that
+    was late."""
 
-    def __init__(self, log: LineLog, reply_ns: Mapping[int, int], found: list[str]) -> None:
+    def __init__(
+        self, log: LineLog, reply_ns: Mapping[int, int], processing_ns: int, found: list[str]
+    ) -> None:
         self._log = log
+        self._processing_ns = processing_ns
         self._reply_ns = reply_ns
         self._found = found
         self._asked, self._answerer = b"", -1
+        self._late_ns = -1
         self._open_until_ns = 0
         log.on_sent.append(self._sent)
         log.on_answer.append(self._answered)
@@ -47,12 +52,16 @@ class _Waiting:
         self._asked = sent.telegram
         self._answerer = inv_no = _answerer(sent)
         self._open_until_ns = 0
-        if sent.telegram[1] in _ANSWERED and inv_no in self._reply_ns and not sent.is_late:
+        is_waited_for = not sent.is_late and self._late_ns < sent.put_ns
+        if sent.telegram[1] in _ANSWERED and inv_no in self._reply_ns and is_waited_for:
             frame_ns = sent.end_ns - sent.start_ns
             self._open_until_ns = sent.end_ns + self._reply_ns[inv_no] + frame_ns
 
     def _answered(self, answer: Answer) -> None:
-        self._open_until_ns = min(self._open_until_ns, answer.end_ns)
+        if answer.end_ns > self._open_until_ns:
+            self._late_ns = answer.end_ns + self._processing_ns
+        else:
+            self._open_until_ns = answer.end_ns
 
 
 def _answerer(sent: Sent) -> int:
@@ -68,7 +77,7 @@ def _watch(plant: Installation) -> Watch:
             item.inv_no: plant.catalog.drive(item.series).times.reply_max.ns
             for item in entry.drives
         }
-        _Waiting(log, reply_ns, found)
+        _Waiting(log, reply_ns, plant.gateways[log.gateway].settings.processing_ns, found)
     return telling(logs, found)
 
 

@@ -15,6 +15,7 @@ from harness.rules import RULES
 from harness.rules.answers import Answer, belongs
 from harness.rules.put_out import PutOuts, Sending
 from harness.rules.repeats_allowed import most_attempts
+from harness.scenario import prepare, scenario_cases
 
 ROOT = Path(__file__).parents[3]
 CATALOG = load_catalog()
@@ -116,6 +117,21 @@ def test_more_attempts_than_are_allowed_are_told(plan: Plant) -> None:
     watched.plant.cpu.engine.set_global("TOS_Plant.gw1.pump.stop.execute", True)
     watched.run_ms(3000)
     assert "0B 50 FA 00 C0 00 was put out 4 times" in watched.broken["repeats_allowed"][0]
+
+
+def test_what_a_gateway_sends_again_unnoticed_is_no_mistake_of_the_plc(tmp_path: Path) -> None:
+    """Zeros for 4 ms make the gateway forget its trigger; the PLC sees nothing of it."""
+    file = tmp_path / "clear.scenario.yaml"
+    file.write_text(
+        "version: 1\ntitle: Short zeros\nrules: [telegrams_spaced, one_telegram_at_once]\n"
+        f"plant: {(ROOT / 'examples' / 'five_drives' / 'plant.yaml').as_posix()}\nfaults: "
+        "[{at: 1 s, lasts: 4 ms, every: 137 ms, until: 4 s, inject: profibus_clear}]\n"
+        "steps: [{wait: 5 s}]\n",
+        "utf-8",
+    )
+    run = prepare(scenario_cases(file)[0], CATALOG)
+    run.run()
+    assert run.installation.spacing["gw1"].too_close, "or it shows nothing"
 
 
 # --- what the rules are made of ---------------------------------------------------------------
