@@ -2,8 +2,7 @@
 
 It has no CONFIGURATION, which TwinCAT keeps outside of its text; all else must be read whole. The
 parser takes half a minute for a plant, and most units are those of dialect `twincat` word for word:
-these are read there (`test_xml_elsewhere`, the long ones with `make sweep`), and here only what
-differs.
+these are read there (`test_xml_elsewhere`), and here only what differs.
 """
 
 import re
