@@ -70,6 +70,12 @@ class DiagnosticError(Exception):
         self.diagnostics = tuple(diagnostics)
         super().__init__("\n".join(render(diagnostic) for diagnostic in self.diagnostics))
 
+    def __reduce__(
+        self,
+    ) -> "tuple[type[DiagnosticError], tuple[tuple[Diagnostic, ...]], dict[str, object]]":
+        """So that it goes from one process to another, with its notes."""
+        return type(self), (self.diagnostics,), self.__dict__
+
 
 def error(code: str, message: str, span: Span | None = None, help: str = "") -> DiagnosticError:  # noqa: A002
     """The exception for a single finding, ready to raise."""

@@ -32,7 +32,7 @@ class Workers:
         trace: TracebackType | None,
     ) -> None:
         if self._pool is not None:
-            self._pool.end(at_once=kind is not None)
+            self._pool.end()
             self._pool = None
 
     def in_order(

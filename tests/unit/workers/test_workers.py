@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from fbgen.diagnostics import DiagnosticError
-from fbgen.workers import in_order
+from fbgen.diagnostics import DiagnosticError, error
+from fbgen.workers import Workers, in_order
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="Windows has no such signals")
 
@@ -30,6 +30,11 @@ if __name__ == "__main__":
 """
 
 
+def its_process(number: int) -> int:
+    """Who does it."""
+    return os.getpid()
+
+
 def slow_first(number: int) -> int:
     """The first one is done last."""
     time.sleep(0.2 if not number else 0.0)
@@ -39,6 +44,18 @@ def slow_first(number: int) -> int:
 def ended_by_the_system(number: int) -> int:
     """As if the memory was used up."""
     os.kill(os.getpid(), signal.SIGKILL)
+    return number
+
+
+def large(number: int) -> bytes:
+    """Far more than a pipe holds."""
+    return bytes([number]) * 20_000_000
+
+
+def fails(number: int) -> int:
+    """The last one fails."""
+    if number == 3:
+        raise error("FB9020", "number three")
     return number
 
 
@@ -70,6 +87,37 @@ def test_who_stops_asking_is_not_kept_waiting() -> None:
     next(results)
     results.close()
     assert time.monotonic() - begin < PATIENCE_S
+
+
+def test_who_stops_asking_does_not_wait_for_results_under_way() -> None:
+    begin = time.monotonic()
+    results = in_order(large, range(40), 2)
+    assert next(results)[0] == 0
+    results.close()
+    assert time.monotonic() - begin < PATIENCE_S
+
+
+def test_large_results_pass_work_that_waits() -> None:
+    assert [result[-1] for result in in_order(large, range(6), 2)] == list(range(6))
+
+
+def test_processes_are_kept_for_more_work() -> None:
+    with Workers(2) as workers:
+        before = set(workers.in_order(its_process, range(8)))
+        stopped = workers.in_order(slow_first, range(9))
+        next(stopped)
+        stopped.close()
+        assert list(workers.in_order(slow_first, range(4))) == [0, 1, 4, 9]
+    assert len(before) <= 2
+    assert os.getpid() not in before
+
+
+def test_what_the_work_raises_is_raised_with_the_place_in_the_other_process() -> None:
+    found: list[int] = []
+    with pytest.raises(DiagnosticError, match="number three") as failure:
+        found.extend(in_order(fails, range(9), 2))
+    assert [item.code for item in failure.value.diagnostics] == ["FB9020"]
+    assert "in fails" in "".join(failure.value.__notes__)
 
 
 def test_a_process_that_the_system_ends_is_fb9020() -> None:
