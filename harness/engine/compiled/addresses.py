@@ -53,7 +53,7 @@ def as_memory_ref(node: AddressRef | VariableRef, address: Address) -> MemoryRef
 
 def _size(procedure: Procedure, address: Address) -> int | None:
     """The bytes of the area; None for a data block that has none."""
-    data = procedure.context.bytes
+    data = procedure.context.shapes
     return data.block_size(address.db) if address.area == "DB" else data.image_sizes[address.area]
 
 

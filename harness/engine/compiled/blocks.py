@@ -25,7 +25,8 @@ from harness.engine.compiled.model import Model, Part, Record, has_memory, is_sc
 from harness.engine.compiled.outside_calls import input_types
 from harness.engine.compiled.placement import Bytes
 from harness.engine.compiled.probes import Probe
-from harness.engine.compiled.procedure import BlockContext, FrameNeededError, Procedure
+from harness.engine.compiled.procedure import BlockContext, FrameNeededError, Link, Procedure
+from harness.engine.compiled.shapes import Shapes
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.statements import write_long
 from harness.engine.compiled.temporaries import read_unfilled
@@ -42,26 +43,30 @@ for module in (
 
 @dataclass(frozen=True, slots=True)
 class Written:
-    """The Python of one block, and the objects that its source refers to by name."""
+    """The Python of one block, and what its source refers to by name: objects, and links."""
 
     listing: Listing
     tables: Mapping[str, object]
+    links: Mapping[str, Link]
+
+    def names(self, data: Bytes) -> dict[str, object]:
+        """All that the source refers to, on one controller."""
+        return {**self.tables, **{name: link.on(data) for name, link in self.links.items()}}
 
 
 def write_block(
     block: Block,
-    model: Model,
     facts: Facts,
-    data: Bytes,
+    shapes: Shapes,
     *,
     probe: Probe | None = None,
     body: Sequence[Statement] | None = None,
 ) -> Written:
     """A block as Python source, with another body if one is given; FB6050 if nested too deep."""
     if body is None:
-        body = model.program.bodies[block]
+        body = shapes.model.program.bodies[block]
     for framed in (False, True):
-        context = BlockContext(block, model, facts, data, probe=probe, framed=framed)
+        context = BlockContext(block, facts, shapes, probe=probe, framed=framed)
         try:
             listing = _class(context, body) if has_memory(block) else _function(context, body)
         except FrameNeededError:
@@ -69,7 +74,7 @@ def write_block(
         for part in context.parts:
             listing.add("")
             listing.append(part)
-        return Written(listing, context.tables)
+        return Written(listing, context.tables, context.links)
     raise AssertionError("a block with a frame needs no other one")
 
 
@@ -115,15 +120,15 @@ def _head(procedure: Procedure, parameters: Sequence[Variable], body: Sequence[S
         context.tables[f"_{context.python_name}_frame"] = type(
             f"{context.python_name}_frame", (), {"__slots__": tuple(names)}
         )
-    placement = context.bytes.frame(context.block)
+    placement = context.shapes.frame(context.block)
     if placement.size:
-        first = context.table("first", context.bytes.first_bytes(placement))
+        first = context.table("first", context.shapes.first_bytes(placement))
         procedure.line(f"{_MEMORY} = bytearray({first})")
     for variable in parameters:
         bit = placement.bits.get(variable)
         if bit is not None:
             name, target = context.names.of(variable.name), procedure.storage(variable)
-            make = context.table("at", context.bytes.maker(variable.type))
+            make = context.link("at", Bytes.maker, variable.type)
             procedure.line(f"{target} = _placed_parameter({make}({_MEMORY}, {bit}), {name})")
             continue
         name, target = context.names.of(variable.name), procedure.storage(variable)
@@ -137,7 +142,7 @@ def _head(procedure: Procedure, parameters: Sequence[Variable], body: Sequence[S
         if variable in filled_first and variable not in placement.bits:
             continue
         if variable in placement.bits:
-            make = context.table("at", context.bytes.maker(variable.type))
+            make = context.link("at", Bytes.maker, variable.type)
             procedure.line(f"{target} = {make}({_MEMORY}, {placement.bits[variable]})")
             continue
         for text in initializer.statements(target, variable.type, variable.initial):
@@ -256,11 +261,11 @@ def _write_init(listing: Listing, parts: Sequence[Part], initializer: Initialize
 
 def _write_placed_init(context: BlockContext, record: Record, listing: Listing) -> None:
     """The start of an instance with bytes, in a memory of its own or inside of another one's."""
-    placement = context.bytes.layout.instance(context.block)
-    first = context.table("first", context.bytes.first_bytes(placement))
+    placement = context.shapes.layout.instance(context.block)
+    first = context.table("first", context.shapes.first_bytes(placement))
     for part in record.parts:
         if _is_property(part):
-            way = context.table("bytes", context.bytes.codec(part.type))
+            way = context.link("bytes", Bytes.codec, part.type)
             listing.add(f"{part.slot} = _attribute({way}, {part.bit})")
     listing.add("")
     listing.add("def __init__(self, memory=None, at=0):")
@@ -275,7 +280,7 @@ def _write_placed_init(context: BlockContext, record: Record, listing: Listing) 
         if part.bit is None:
             lines = context.initializer.part(f"self.{part.slot}", part)
         else:
-            make = context.table("at", context.bytes.maker(part.type))
+            make = context.link("at", Bytes.maker, part.type)
             lines = [f"self.{part.slot} = {make}(self._memory, at + {part.bit})"]
             if isinstance(part.initial, StructInitial) and holds_blocks(part.type):
                 lines += context.initializer.changes(f"self.{part.slot}", part.type, part.initial)

@@ -9,13 +9,11 @@ from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import IN_OUTS, AnyBlock, Block, Program, Variable, VariableKind
 from fbgen.lang.checked.variables import IN_GLOBALS, RECEIVER
-from fbgen.lang.types import BlockType, OpenArrayType, ReferenceType, StructType, Type
+from fbgen.lang.types import BlockType, OpenArrayType, ReferenceType, Type
 from harness.engine.compiled.areas import read_located, write_located
-from harness.engine.compiled.blocks import write_block, write_structures
 from harness.engine.compiled.cells import ValueCell
 from harness.engine.compiled.code import Listing
-from harness.engine.compiled.facts import Facts
-from harness.engine.compiled.generation import clock_of, room_for_generation
+from harness.engine.compiled.generation import clock_of
 from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.instance import CompiledInstance
 from harness.engine.compiled.library.counters import counter_classes
@@ -23,13 +21,12 @@ from harness.engine.compiled.library.timers import timer_classes
 from harness.engine.compiled.local_errors import going_on
 from harness.engine.compiled.located import found_at, located_at
 from harness.engine.compiled.memory import Location, Memory
-from harness.engine.compiled.model import GLOBALS, Model, Record, is_scalar, run_method
+from harness.engine.compiled.model import GLOBALS, Record, is_scalar, run_method
 from harness.engine.compiled.namespace import LIBRARY, Cpu, counting, hardware
 from harness.engine.compiled.open_arrays import OpenArray
 from harness.engine.compiled.outside_arguments import by_variable, given_inputs
 from harness.engine.compiled.outside_calls import write_keyword_call
 from harness.engine.compiled.outside_variants import new_variable, reference_to
-from harness.engine.compiled.passes import may_exceed
 from harness.engine.compiled.placement import Bytes
 from harness.engine.compiled.probes import Probe
 from harness.engine.compiled.programs import programs
@@ -37,6 +34,7 @@ from harness.engine.compiled.readers import written_reader
 from harness.engine.compiled.routines import Routines, unmodelled_classes
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.stopping import Stopper
+from harness.engine.compiled.translation import Translation, Unit, translation_of
 from harness.engine.environment import Environment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block
 from harness.engine.interface import (
@@ -83,10 +81,9 @@ class CompiledEngine:
             **counter_classes(program.dialect),
             **unmodelled_classes(program),
         }
-        self._model = Model(program, library)
-        self._facts = Facts(program, limits.call_depth)
-        with room_for_generation():
-            self._facts.counts_loops = may_exceed(program, self._facts, limits.loop_passes)
+        translation = translation_of(program, library, environment, limits, probe)
+        self._model = translation.model
+        self._facts = translation.facts
         self._cpu = Cpu(limits)
         self._namespace: dict[str, Any] = {
             **LIBRARY,
@@ -99,7 +96,7 @@ class CompiledEngine:
             "_stopped_by": self._stopped,
             **(probe.names if probe is not None else {}),
         }
-        self._bytes = Bytes(self._model, self._namespace, environment)
+        self._bytes = Bytes(translation.shapes, self._namespace, environment)
         self._memory = Memory(self._model, self._facts, self._namespace)
         self._namespace |= hardware(self._memory, self._bytes, environment)
         self._routines = Routines(program, environment, self._memory, self._cpu.retrigger)
@@ -111,8 +108,7 @@ class CompiledEngine:
             for variable in program.globals.values()
             if variable.address is not None
         }
-        self._load(probe)
-        self._globals = self._make_globals()
+        self._globals = self._load(translation)
         self.programs = dict(programs(self._model, self._namespace))
         self._own = [key for key in self.programs if program.program_variable(key) is None]
         self._runs: dict[str, Callable[[], Any]] = {}
@@ -125,46 +121,23 @@ class CompiledEngine:
 
     # --- loading ------------------------------------------------------------------------------
 
-    def _load(self, probe: Probe | None) -> None:
-        problems: list[DiagnosticError] = []
-        with room_for_generation():
-            for block in self._program.bodies:
-                try:
-                    written = write_block(block, self._model, self._facts, self._bytes, probe=probe)
-                except DiagnosticError as problem:
-                    problems.append(problem)
-                    continue
-                self._namespace |= written.tables
-                self._run_listing(f"<{block.name}>", written.listing)
-        if problems:
-            raise DiagnosticError([one for problem in problems for one in problem.diagnostics])
-
-    def _run_listing(self, file_name: str, listing: Listing) -> None:
-        self._listings[file_name] = listing
-        exec(compile(listing.text, file_name, "exec"), self._namespace)
-
-    def _make_globals(self) -> object:
-        """The object with all global variables; composite ones get their module-level names too."""
-        record = self._model.global_record
-        initializer = Initializer(self._model)
-        listing = Listing()
-        for part in record.parts:
-            lines = initializer.part(f"{GLOBALS}.{part.slot}", part)
-            if part.bit is not None and isinstance(part.type, StructType):
-                lines = [f"{GLOBALS}.{part.slot} = {self._bytes.block_name(part)}"]
-            for line in lines:
-                listing.add(line)
-            if not is_scalar(part.type):
-                listing.add(f"{part.slot} = {GLOBALS}.{part.slot}")
-        # The structures come last, because writing blocks and globals discovers them.
-        self._run_listing("<structures>", write_structures(self._model))
+    def _load(self, translation: Translation) -> object:
+        """Make the classes and functions of the program, and the object with its variables."""
+        for unit in translation.blocks:
+            self._run_unit(unit)
+        self._run_unit(translation.structures)
         self._namespace |= self._bytes.unions()
         self._namespace |= self._bytes.blocks()
-        slots = {"__slots__": tuple(part.slot for part in record.parts)}
+        slots = {"__slots__": tuple(part.slot for part in self._model.global_record.parts)}
         everything: object = type("Globals", (), slots)()
         self._namespace[GLOBALS] = everything
-        self._run_listing("<globals>", listing)
+        self._run_unit(translation.globals)
         return everything
+
+    def _run_unit(self, unit: Unit) -> None:
+        self._namespace |= unit.written.names(self._bytes)
+        self._listings[unit.file_name] = unit.written.listing
+        exec(unit.code, self._namespace)
 
     # --- what it is ---------------------------------------------------------------------------
 
@@ -243,7 +216,9 @@ class CompiledEngine:
         make = self._makers.get(record.class_name)
         if make is None:
             listing = write_keyword_call(record, self._facts, block)
-            self._run_listing(f"<{block.name}, called from outside>", listing)
+            file_name = f"<{block.name}, called from outside>"
+            self._listings[file_name] = listing
+            exec(compile(listing.text, file_name, "exec"), self._namespace)
             make = self._makers[record.class_name] = self._namespace.pop("_make")
         function: Callable[..., None] = make(data, convert)
         return function

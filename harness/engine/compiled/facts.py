@@ -6,6 +6,7 @@ holds the variables where that is possible, and those that references to them ne
 """
 
 from collections.abc import Iterable, Mapping
+from copy import copy
 from dataclasses import dataclass, field
 
 from fbgen.lang.checked import (
@@ -109,6 +110,12 @@ class Facts:
         self._too_deep = _nests_deeper({b: f.callees for b, f in self._found.items()}, call_depth)
         self._spread()
         self._find_cells(sites)
+
+    def counting_loops(self) -> "Facts":
+        """The same facts where any loop may run too long: of other statements than the block's."""
+        same = copy(self)
+        same.counts_loops = True
+        return same
 
     def counts_passes(self, block: Block) -> bool:
         """True if a call of the block can run a loop anywhere, and loops are counted."""

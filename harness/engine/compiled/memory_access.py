@@ -10,6 +10,7 @@ from fbgen.lang.checked import MemoryRef
 from fbgen.lang.types import Elementary, Scalar
 from harness.engine.compiled.library.placed import ByteCell, Codec
 from harness.engine.compiled.placement import Bytes
+from harness.engine.compiled.shapes import Shapes
 from harness.engine.environment import Environment
 from harness.engine.faults import address_out_of_range, no_data_block, unknown_area
 from harness.engine.layout import S7
@@ -27,9 +28,9 @@ class Spot(NamedTuple):
     bits: int
 
 
-def spot(node: MemoryRef, data: Bytes) -> Spot:
+def spot(node: MemoryRef, shapes: Shapes) -> Spot:
     """What generated code hands over for a place."""
-    codec = data.codec(node.type) if isinstance(node.type, Elementary) else None
+    codec = shapes.codec(node.type) if isinstance(node.type, Elementary) else None
     return Spot(node, codec, S7.used_bits(node.type))
 
 

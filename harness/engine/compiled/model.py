@@ -48,6 +48,11 @@ def has_memory(block: Block) -> bool:
     return block.kind in MEMORY_KINDS
 
 
+def bytes_name(part: "Part") -> str:
+    """The name that the bytes of a data block have until they are bound to the block's own."""
+    return f"_bytes_of_{part.slot}"
+
+
 def may_be_unconnected(variable: Variable, block: Block) -> bool:
     """True for an in-out that the block may find unconnected: nobody calls a PROGRAM with one."""
     return variable.kind is VariableKind.IN_OUT and block.kind is BlockKind.PROGRAM
@@ -150,11 +155,11 @@ class Model:
             else:
                 self.structures.append(record)
             for field in kind.fields:
-                self._discover(field.type)
+                self.discover(field.type)
         return record
 
-    def _discover(self, kind: Type) -> None:
-        """Make the records of the structures inside of another one."""
+    def discover(self, kind: Type) -> None:
+        """Make the records of the structures that data of a type is made of."""
         while isinstance(kind, ArrayType):
             kind = kind.element
         if isinstance(kind, StructType):

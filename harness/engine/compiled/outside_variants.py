@@ -49,7 +49,7 @@ def reference_to(engine: Engine, path: str, found: Location | Type) -> Reference
 
 def new_variable(memory: Memory, data: Bytes, kind: Type, value: Value | None) -> Reference:
     """A variable of its own, in bytes, so that it has an address."""
-    first = bytearray(data.layout.encode(kind, data.value(kind, None)))
+    first = bytearray(data.layout.encode(kind, data.shapes.value(kind, None)))
     view = data.view(kind, first, 0)
     if is_scalar(kind):
         location = Location(kind, lambda: view.value, lambda given: setattr(view, "value", given))

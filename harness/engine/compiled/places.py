@@ -221,8 +221,8 @@ def _address(procedure: Procedure, node: AddressRef) -> Code:
 
 def memory_cell(procedure: Procedure, node: MemoryRef) -> Code:
     """The place at an address that is worked out at run time, as a cell."""
-    data = procedure.context.bytes
-    texts = [procedure.context.table("spot", spot(node, data)), *_whereabouts(procedure, node)]
+    context = procedure.context
+    texts = [context.table("spot", spot(node, context.shapes)), *_whereabouts(procedure, node)]
     return Code(f"_memory_at({', '.join(texts)})", depth=5, safe=False)
 
 
@@ -240,8 +240,8 @@ def _memory(procedure: Procedure, node: MemoryRef) -> Code:
 
 
 def _assign_memory(procedure: Procedure, node: MemoryRef, code: Code) -> None:
-    data = procedure.context.bytes
-    texts = [procedure.context.table("spot", spot(node, data)), *_whereabouts(procedure, node)]
+    context = procedure.context
+    texts = [context.table("spot", spot(node, context.shapes)), *_whereabouts(procedure, node)]
     procedure.line(f"_write_memory({stored(code).text}, {', '.join(texts)})")
 
 

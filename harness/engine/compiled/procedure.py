@@ -8,6 +8,7 @@ functions share; such a block is written a second time with `framed` set.
 
 import re
 from collections.abc import Callable, Sequence, Set
+from typing import NamedTuple
 
 from fbgen.diagnostics import error
 from fbgen.lang import checked
@@ -18,11 +19,12 @@ from harness.engine.compiled.code import Code, Level, Listing, Site
 from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.intervals import Intervals
-from harness.engine.compiled.model import GLOBALS, Model, has_memory, is_scalar
+from harness.engine.compiled.model import GLOBALS, has_memory, is_scalar
 from harness.engine.compiled.names import Names
 from harness.engine.compiled.paths import Path
 from harness.engine.compiled.placement import Bytes
 from harness.engine.compiled.probes import Moment, Probe, Probed
+from harness.engine.compiled.shapes import Shapes
 
 DEEPEST_EXPRESSION = 60
 DEEPEST_INDENT = 60
@@ -35,32 +37,43 @@ class FrameNeededError(Exception):
     """The block is nested so deep that its variables must be shared between functions."""
 
 
+class Link(NamedTuple):
+    """Something that refers to the memory of one controller, and is made for each of them."""
+
+    make: Callable[[Bytes, Type], object]
+    kind: Type
+
+    def on(self, data: Bytes) -> object:
+        """What it is on a controller."""
+        return self.make(data, self.kind)
+
+
 class BlockContext:
     """What all functions of one block share while they are written.
 
-    `tables` are objects at module level, by their names; `parts` the functions that were split off,
-    finished. `bytes` knows what lies in bytes, and how large the areas I, Q and M are.
+    `tables` are objects at module level, by their names; `links` those that each controller makes
+    for itself. `parts` are the functions that were split off,
+    finished. `shapes` knows what lies in bytes, and how large the areas I, Q and M are.
     """
 
     __slots__ = (
-        *("block", "bytes", "facts", "framed", "initializer", "model", "names", "parts"),
-        *("probe", "python_name", "storage", "tables", "_count", "_path_names"),
+        *("block", "facts", "framed", "initializer", "links", "model", "names", "parts"),
+        *("probe", "python_name", "shapes", "storage", "tables", "_count", "_path_names"),
     )
 
     def __init__(
         self,
         block: Block,
-        model: Model,
         facts: Facts,
-        data: Bytes,
+        shapes: Shapes,
         *,
         probe: Probe | None,
         framed: bool,
     ) -> None:
         self.block = block
-        self.model = model
+        self.model = model = shapes.model
         self.facts = facts
-        self.bytes = data
+        self.shapes = shapes
         self.probe = probe
         self.framed = framed
         self.initializer = Initializer(model)
@@ -68,6 +81,7 @@ class BlockContext:
         self.python_name = model.name_of(block)
         self.parts: list[Listing] = []
         self.tables: dict[str, object] = {}
+        self.links: dict[str, Link] = {}
         self.storage: dict[Variable, str] = {}
         self._path_names: dict[Path, str] = {}
         self._count = 0
@@ -97,6 +111,13 @@ class BlockContext:
         """The name of a new module-level constant."""
         name = self.new_name(what)
         self.tables[name] = content
+        return name
+
+    def link(self, what: str, make: Callable[[Bytes, Type], object], kind: Type) -> str:
+        """The name of something at module level that each controller makes for itself."""
+        self.model.discover(kind)
+        name = self.new_name(what)
+        self.links[name] = Link(make, kind)
         return name
 
 

@@ -98,7 +98,7 @@ class ReplaceableEngine(CompiledEngine):
     ) -> None:
         self._controller = CurrentController(environment)
         super().__init__(program, self._controller, limits)
-        self._facts.counts_loops = True
+        self._facts = self._facts.counting_loops()
         self._first_state = self.snapshot()
 
     def move_to(self, environment: Environment) -> None:
@@ -121,12 +121,15 @@ class ReplaceableEngine(CompiledEngine):
         Raises DiagnosticError FB6050 for a body that is nested too deep.
         """
         with room_for_generation():
-            written = write_block(
-                block, self._model, self._facts, self._bytes, probe=probe, body=body
-            )
-        names = {**written.tables, **(probe.names if probe is not None else {})}
+            written = write_block(block, self._facts, self._bytes.shapes, probe=probe, body=body)
+        names = {
+            **written.names(self._bytes),
+            **(probe.names if probe is not None else {}),
+        }
         code = compile(written.listing.text, f"<{block.name}>", "exec")
-        of_any = all(isinstance(one, Elementary) for one in written.tables.values())
+        of_any = not written.links and all(
+            isinstance(one, Elementary) for one in written.tables.values()
+        )
         return CompiledBody(block.name, written.listing, names, code, of_any)
 
     @contextmanager
