@@ -100,7 +100,7 @@ def _document(lists: PlantLists) -> Iterator[str]:
 
 
 def _gateway(lists: PlantLists, gateway: PlantGateway) -> Iterator[str]:
-    entry = lists.catalog.gateway(gateway.type)
+    entry = lists.catalog.telegram_gateway(gateway.type)
     line = entry.subnetwork
     yield ""
     yield f"## Gateway {gateway.title or gateway.name}"
@@ -154,9 +154,9 @@ def _switches(lists: PlantLists, switches: tuple[Switch, ...], address: int) -> 
         "|---|---|---|---|",
     )
     for switch in switches:
-        stands = switch.stands
-        if stands is None:
-            stands = f"**{address % 10 if switch.shows == 'ones' else address // 10}**"
+        stands = switch.position(address)
+        if switch.stands is None:
+            stands = f"**{stands}**"
         cells = (lists.texts(switch.name), switch.where, stands, _source(lists, switch))
         yield f"| {' | '.join(_cell(cell) for cell in cells)} |"
 

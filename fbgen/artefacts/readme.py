@@ -111,7 +111,7 @@ def _context(
     lists: PlantLists, memory: WorkMemory, artefacts: Sequence[Artefact]
 ) -> dict[str, object]:
     plant, generated = lists.plant, lists.generated
-    entry = lists.catalog.gateway(plant.gateways[0].type)
+    entry = lists.catalog.telegram_gateway(plant.gateways[0].type)
     names = {item.name for item in artefacts}
     owned = [file.name for file in generated.files if file.is_owned]
     return {

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from fbgen.blocks.line_times import LineTimes, line_times
 from fbgen.blocks.literals import SclText, byte, milliseconds, real
-from fbgen.catalog import Catalog, CyclicField, Drive, Gateway, Layout, origin
+from fbgen.catalog import Catalog, CyclicField, Drive, Layout, TelegramGateway, origin
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import Plant, PlantDrive, PlantGateway
 from fbgen.source import Origin
@@ -98,7 +98,7 @@ class GatewayView:
 
 def gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> GatewayView:
     """What the templates of one gateway are told."""
-    entry = catalog.gateway(gateway.type)
+    entry = catalog.telegram_gateway(gateway.type)
     layout = entry.layout(gateway.layout)
     place = origin(f"gateway {gateway.name}", gateway)
     series = [catalog.drive(drive.series) for drive in gateway.drives]
@@ -162,7 +162,7 @@ def missing_fields(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
                 )
 
 
-def _times_of_the_line(entry: Gateway, series: Iterable[Drive]) -> Iterator[Origin | None]:
+def _times_of_the_line(entry: TelegramGateway, series: Iterable[Drive]) -> Iterator[Origin | None]:
     """The entries that times of a line are worked out from."""
     for name in ("processing", "trigger_poll"):
         time = getattr(entry.times, name)

@@ -7,7 +7,7 @@ gateway and drives; the states of TOS_Telegram and TOS_Line for what goes out.
 
 from dataclasses import dataclass
 
-from fbgen.catalog import Catalog, Gateway
+from fbgen.catalog import Catalog, TelegramGateway
 from fbgen.plant import Plant, PlantGateway
 
 LONGEST_BUS_CYCLE_MS = 5.0
@@ -42,7 +42,7 @@ class LineTimes:
 
 def line_times(plant: Plant, entry: PlantGateway, catalog: Catalog) -> LineTimes:
     """The times of one gateway of a plant."""
-    gateway = catalog.gateway(entry.type)
+    gateway = catalog.telegram_gateway(entry.type)
     reply_max_ms = max(catalog.drive(item.series).times.reply_max.ms for item in entry.drives)
     chosen = entry.parameters.timeout_ms
     timeout_ms = reply_timeout_ms(plant, gateway, reply_max_ms) if chosen is None else float(chosen)
@@ -59,7 +59,7 @@ def line_times(plant: Plant, entry: PlantGateway, catalog: Catalog) -> LineTimes
     )
 
 
-def reply_timeout_ms(plant: Plant, gateway: Gateway, reply_max_ms: float) -> float:
+def reply_timeout_ms(plant: Plant, gateway: TelegramGateway, reply_max_ms: float) -> float:
     """How long a reply may take, with a reserve of twice the time that the manual adds up.
 
     Drive, gateway in both directions and 8 bytes on the line in both directions, and two cycles of
@@ -69,7 +69,7 @@ def reply_timeout_ms(plant: Plant, gateway: Gateway, reply_max_ms: float) -> flo
     return 2 * (reply_max_ms + 2 * gateway.times.processing.ms + line_ms) + 2 * plant.cycle_time_ms
 
 
-def silent_gap_ms(plant: Plant, gateway: Gateway, reply_max_ms: float) -> float:
+def silent_gap_ms(plant: Plant, gateway: TelegramGateway, reply_max_ms: float) -> float:
     """How long the line is left alone after a telegram that nobody answers.
 
     The gateway has surely looked at the trigger, processed and sent the telegram, also where the
@@ -81,7 +81,7 @@ def silent_gap_ms(plant: Plant, gateway: Gateway, reply_max_ms: float) -> float:
     return 2 * plant.cycle_time_ms + sent_ms + reply_max_ms
 
 
-def apart_ms(gateway: Gateway, reply_max_ms: float) -> float:
+def apart_ms(gateway: TelegramGateway, reply_max_ms: float) -> float:
     """How long after a telegram the PLC may send one to another drive of the same line.
 
     On the line they must be the reply time apart, that of the slowest series. A bus cycle and the
@@ -111,7 +111,9 @@ def _sequence_limits(plant: Plant, catalog: Catalog) -> list[float]:
     return limits
 
 
-def _emergency_stop_ms(plant: Plant, entry: PlantGateway, gateway: Gateway, gap_ms: float) -> float:
+def _emergency_stop_ms(
+    plant: Plant, entry: PlantGateway, gateway: TelegramGateway, gap_ms: float
+) -> float:
     """From the edge to the end of the broadcast.
 
     The block sees it in its next cycle, leaves the line alone for the gap (three cycles more, as
@@ -133,6 +135,6 @@ def _emergency_stop_ms(plant: Plant, entry: PlantGateway, gateway: Gateway, gap_
     )
 
 
-def _frame_ms(gateway: Gateway) -> float:
+def _frame_ms(gateway: TelegramGateway) -> float:
     """How long 8 bytes take on the line towards the drives."""
     return 8 * gateway.subnetwork.character_bits / gateway.subnetwork.baud * 1000

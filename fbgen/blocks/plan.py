@@ -11,7 +11,7 @@ from fbgen.blocks.poll_cycle import slow_polls
 from fbgen.blocks.sequences import SequenceView, sequence_view
 from fbgen.blocks.texts import ENGLISH, Texts
 from fbgen.blocks.words import WordView, bits_origin
-from fbgen.catalog import Catalog, ComNo, Drive, Gateway, Trip, WriteStep, origin
+from fbgen.catalog import Catalog, ComNo, Drive, TelegramGateway, Trip, WriteStep, origin
 from fbgen.catalog.sourced import Duration
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.plant import Plant
@@ -88,7 +88,7 @@ def plan_blocks(plant: Plant, catalog: Catalog, texts: Texts = ENGLISH) -> Block
     sequences = tuple(_sequence(name, drives, catalog, texts) for name in plant.sequences)
     gateways = tuple(gateway_view(plant, item, catalog) for item in plant.gateways)
     context = _plant_context(plant, gateways, sequences)
-    context |= _gateway_context(catalog.gateway(plant.gateways[0].type))
+    context |= _gateway_context(catalog.telegram_gateway(plant.gateways[0].type))
     context |= _drive_context(drives[0], catalog, texts)
     first = gateways[0]
     context["times"] = {"timeout": first.timeout, "gap": first.gap, "apart": first.apart}
@@ -244,7 +244,7 @@ def longest_pause(plant: Plant) -> SclText | None:
     return milliseconds(max(_LONGEST_PAUSE_MS, _LONGEST_PAUSE_CYCLES * plant.cycle_time_ms), place)
 
 
-def _gateway_context(gateway: Gateway) -> dict[str, object]:
+def _gateway_context(gateway: TelegramGateway) -> dict[str, object]:
     shake, trigger = gateway.handshake, gateway.trigger
     status = WordView(gateway.status_word, gateway.id)
     place = origin("trigger", trigger)

@@ -57,7 +57,7 @@ class PollCycle:
 
 def poll_cycle(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> PollCycle:
     """The poll of one gateway."""
-    entry = catalog.gateway(gateway.type)
+    entry = catalog.telegram_gateway(gateway.type)
     net, times = entry.subnetwork, entry.times
     sent_ms = _TELEGRAM_BYTES * net.character_bits / net.baud * 1000
     received_ms = _TELEGRAM_BYTES * _DRIVE_BITS / net.baud * 1000

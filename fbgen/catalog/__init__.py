@@ -8,10 +8,11 @@ from fbgen.catalog.catalog import (
     with_own_sequences,
 )
 from fbgen.catalog.drives import ComNo, Drive, Trip
-from fbgen.catalog.gateways import Gateway, Led, LedState, StatusCode
+from fbgen.catalog.gateways import Gateway, Led, LedState
 from fbgen.catalog.layouts import AccessWay, CyclicField, Layout, PlacedIdentifier
 from fbgen.catalog.located import Located, origin, validate
 from fbgen.catalog.options import Option, OptionValue
+from fbgen.catalog.process_data_gateways import ParameterChannel, ProcessDataGateway
 from fbgen.catalog.protocols import Command, ErrorCode, Frame, Protocol
 from fbgen.catalog.sequences import Parameter, Result, Sequence, Telegram
 from fbgen.catalog.settings import Setting, Switch
@@ -27,6 +28,7 @@ from fbgen.catalog.steps import (
     WaitStep,
     WriteStep,
 )
+from fbgen.catalog.telegram_gateways import StatusCode, TelegramGateway
 from fbgen.catalog.values import parse_word
 from fbgen.catalog.words import BitField, DecodedField, Word
 from fbgen.catalog.yaml_nodes import Document, load_yaml
@@ -59,7 +61,9 @@ __all__ = [
     "Option",
     "OptionValue",
     "Parameter",
+    "ParameterChannel",
     "PlacedIdentifier",
+    "ProcessDataGateway",
     "Protocol",
     "ReadStep",
     "Replacement",
@@ -70,6 +74,7 @@ __all__ = [
     "Step",
     "Switch",
     "Telegram",
+    "TelegramGateway",
     "Trip",
     "Word",
     "WriteStep",

@@ -14,11 +14,14 @@ from types import MappingProxyType
 from typing import TypeVar
 
 from fbgen.catalog.drives import Drive
+from fbgen.catalog.gateway_kinds import gateway_kind
 from fbgen.catalog.gateways import Gateway
 from fbgen.catalog.located import validate
+from fbgen.catalog.process_data_gateways import ProcessDataGateway
 from fbgen.catalog.protocols import Protocol
 from fbgen.catalog.references import unresolved
 from fbgen.catalog.sequences import Sequence
+from fbgen.catalog.telegram_gateways import TelegramGateway
 from fbgen.catalog.words import Word
 from fbgen.catalog.yaml_nodes import load_yaml
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
@@ -30,11 +33,12 @@ Entry = Drive | Gateway | Protocol | Sequence
 KINDS: Mapping[str, type[Entry]] = MappingProxyType(
     {"drives": Drive, "gateways": Gateway, "protocols": Protocol, "sequences": Sequence}
 )
-"""Folder name -> model of the files in it."""
+"""Folder name -> model of the files in it; of gateways there are kinds."""
 OWN_SEQUENCES = "sequences"
 """The folder beside a plant file in which its own sequences lie."""
 
 EntryType = TypeVar("EntryType", Drive, Gateway, Protocol, Sequence)
+GatewayType = TypeVar("GatewayType", bound=Gateway)
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +69,14 @@ class Catalog:
     def gateway(self, name: str) -> Gateway:
         """The gateway of an id. Raises DiagnosticError FB1205 with the nearest ids."""
         return _entry(self.gateways, name, "gateway")
+
+    def telegram_gateway(self, name: str) -> TelegramGateway:
+        """The gateway of an id, if it is one for telegrams. Raises FB1205, or FB1206 if not."""
+        return _of_kind(self, name, TelegramGateway, "telegrams")
+
+    def process_data_gateway(self, name: str) -> ProcessDataGateway:
+        """The gateway of an id, if it is one for process data. Raises FB1205, or FB1206 if not."""
+        return _of_kind(self, name, ProcessDataGateway, "process data")
 
     def protocol(self, name: str) -> Protocol:
         """The protocol of an id. Raises DiagnosticError FB1205 with the nearest ids."""
@@ -175,7 +187,9 @@ def _read(path: Path, shown: str, relative: Path, layers: _Layers) -> None:
     try:
         source = read_source(path, name)
         layers.sources.append(source)
-        entry = validate(load_yaml(source), KINDS[kind])
+        document = load_yaml(source)
+        model = gateway_kind(document) if kind == "gateways" else KINDS[kind]
+        entry = validate(document, model)
     except DiagnosticError as failure:
         layers.found += failure.diagnostics
         layers.broken.add((kind, path.stem))
@@ -247,3 +261,15 @@ def _entry(entries: Mapping[str, EntryType], name: str, kind: str) -> EntryType:
     if name in entries:
         return entries[name]
     raise error("FB1205", f"there is no {kind} '{name}'", help=nearest(name, entries))
+
+
+def _of_kind(catalog: Catalog, name: str, kind: type[GatewayType], title: str) -> GatewayType:
+    gateway = catalog.gateway(name)
+    if isinstance(gateway, kind):
+        return gateway
+    others = [item.id for item in catalog.gateways.values() if isinstance(item, kind)]
+    raise error(
+        "FB1206",
+        f"the gateway '{gateway.id}' is not one for {title}",
+        help=f"gateways for {title} are {', '.join(others) or 'not in the catalogue'}",
+    )

@@ -10,7 +10,7 @@ from fbgen.catalog.named import no_duplicates, pick
 from fbgen.catalog.options import Option
 from fbgen.catalog.scalars import EntryId, Flag, HexWord, Number, Real, SnakeName, Text
 from fbgen.catalog.settings import Setting, Switch
-from fbgen.catalog.sourced import Duration, Sourced
+from fbgen.catalog.sourced import Duration, Sourced, unknown_fields
 from fbgen.catalog.words import Word
 from fbgen.diagnostics import Diagnostic, error
 from fbgen.nearest import nearest
@@ -83,14 +83,7 @@ class ComNo(Sourced):
     def problems(self) -> Iterable[Diagnostic]:
         """FB1103 no source; FB1105 an unverified field that is none; FB1108 contradictory range."""
         yield from super().problems()
-        for name in self.unverified:
-            if name not in ComNo.model_fields:
-                yield Diagnostic(
-                    "FB1105",
-                    f"a ComNo has no field '{name}'",
-                    self.span_of("unverified"),
-                    nearest(name, ComNo.model_fields),
-                )
+        yield from unknown_fields(self, self.unverified)
         if not 0 <= self.minimum_word <= self.maximum_word <= 0xFFFF:
             yield Diagnostic(
                 "FB1108",

@@ -1,4 +1,8 @@
-"""A fieldbus gateway: its cyclic layouts, words, handshake, status codes, times and lamps."""
+"""What every fieldbus gateway has: its PROFIBUS side, cyclic layouts, words, lamps, options.
+
+There are two kinds, which say in `kind` what their cyclic data carry: telegrams of the inverters'
+protocol (`telegram_gateways`), or process data (`process_data_gateways`).
+"""
 
 from collections.abc import Iterable
 from typing import Literal
@@ -9,9 +13,9 @@ from fbgen.catalog.layouts import Layout
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
 from fbgen.catalog.options import Option
-from fbgen.catalog.scalars import Count, EntryId, Flag, HexByte, HexWord, SnakeName, Text
+from fbgen.catalog.scalars import Count, EntryId, Flag, HexWord, SnakeName, Text
 from fbgen.catalog.settings import Switch
-from fbgen.catalog.sourced import Duration, Sourced
+from fbgen.catalog.sourced import Sourced
 from fbgen.catalog.words import Word
 from fbgen.diagnostics import Diagnostic
 from fbgen.nearest import nearest
@@ -20,83 +24,25 @@ from fbgen.nearest import nearest
 class Profibus(Sourced):
     """The gateway as a PROFIBUS DP slave. Addresses are those the switches can set."""
 
-    ident_number: HexWord
-    gsd_file: Text
     minimum_address: Count
     maximum_address: Count
-    default_address: Count
+    default_address: Count | None = None
     sync: Flag
     freeze: Flag
-    fail_safe: Flag
     auto_baud: Flag
     set_slave_address: Flag
+
+
+class PublishedProfibus(Profibus):
+    """A slave whose GSD file is public: what only that file tells."""
+
+    ident_number: HexWord
+    gsd_file: Text
+    default_address: Count
+    fail_safe: Flag
     max_diagnosis_bytes: Count
     min_slave_interval_us: Count
     max_tsdr_bits: dict[str, Count]
-
-
-class SubNetwork(Sourced):
-    """The serial line towards the drives. `wires`: 4 separates the directions, 2 does not."""
-
-    baud: Count
-    data_bits: Literal[7, 8]
-    parity: Literal["none", "even", "odd"]
-    stop_bits: Literal[1, 2]
-    wires: Literal[2, 4]
-    typical_drives: Count
-
-    @property
-    def character_bits(self) -> int:
-        """Bits of one character on the line, start bit included."""
-        return 1 + self.data_bits + (self.parity != "none") + self.stop_bits
-
-
-class Trigger(Sourced):
-    """The byte whose change makes the gateway send. The PLC counts `first` .. `last`, `first`."""
-
-    field: SnakeName
-    power_on: HexByte
-    first: HexByte
-    last: HexByte
-
-
-class Handshake(Sourced):
-    """Which bits of control and status word answer each other, by the bits' names.
-
-    The gateway toggles `status_changed` (status word) for new status information; the PLC copies
-    it to `status_taken` (control word). The PLC toggles `command_new` (control word) for a new
-    control command; the gateway copies it to `command_done` (status word).
-    """
-
-    status_changed: SnakeName
-    status_taken: SnakeName
-    command_new: SnakeName
-    command_done: SnakeName
-
-
-class StatusCode(Sourced):
-    """A value of the status word's code field. `data` says what the data field then holds."""
-
-    code: HexByte
-    name: SnakeName
-    kind: Literal["none", "warning", "error"]
-    title: Text
-    data: Text | None = None
-
-
-class GatewayTimes(Located):
-    """The times of a gateway, in milliseconds.
-
-    `processing`: in each direction. `heartbeat`: period of the safety telegram. `trigger_poll`:
-    period at which the trigger byte is looked at where that option is on. `total_min` and
-    `total_max`: from sending on PROFIBUS to the answer, as the manual sums it up.
-    """
-
-    processing: Duration
-    heartbeat: Duration
-    trigger_poll: Duration
-    total_min: Duration
-    total_max: Duration
 
 
 class LedState(Sourced):
@@ -121,7 +67,7 @@ class Led(Located):
 
 
 class Gateway(Sourced):
-    """One type of gateway. The words `control` and `status` lie at the start of the frames."""
+    """One type of gateway, of whatever kind."""
 
     version: Literal[1]
     id: EntryId
@@ -131,15 +77,9 @@ class Gateway(Sourced):
     protocol: EntryId
     series: tuple[EntryId, ...]
     profibus: Profibus
-    subnetwork: SubNetwork
     default_layout: EntryId
     layouts: tuple[Layout, ...] = Field(min_length=1)
     words: tuple[Word, ...]
-    power_on_status: HexWord
-    trigger: Trigger
-    handshake: Handshake
-    status_codes: tuple[StatusCode, ...]
-    times: GatewayTimes
     leds: tuple[Led, ...]
     options: tuple[Option, ...]
     switches: tuple[Switch, ...] = ()
@@ -152,16 +92,6 @@ class Gateway(Sourced):
         """The word of a name. Raises DiagnosticError FB1201 with the nearest names."""
         return pick(self.words, name, "FB1201", f"'{self.id}' has no word '{name}'")
 
-    @property
-    def control(self) -> Word:
-        """The bit table of the control word, which the PLC writes."""
-        return self.word("control")
-
-    @property
-    def status_word(self) -> Word:
-        """The bit table of the status word, which the gateway writes."""
-        return self.word("status")
-
     def option(self, name: str) -> Option:
         """The option of an id. Raises KeyError for an id that the catalogue does not know."""
         return next(option for option in self.options if option.id == name)
@@ -173,25 +103,13 @@ class Gateway(Sourced):
         yield from no_duplicates(self.words, "name", lambda item: item.name, "word")
         yield from no_duplicates(self.options, "id", lambda item: item.id, "option")
         yield from no_duplicates(self.leds, "name", lambda item: item.name, "LED")
-        codes = self.status_codes
-        yield from no_duplicates(codes, "code", lambda item: f"{item.code:02X}", "status code")
-        yield from _known(self, "default_layout", self.default_layout, self.layouts)
-        words = {word.name: word for word in self.words}
-        if missing := [name for name in ("control", "status") if name not in words]:
-            yield Diagnostic(
-                "FB1105", f"a gateway needs the word '{missing[0]}'", self.key_span_of("words")
-            )
-            return
-        shake = self.handshake
-        for bit in ("status_changed", "command_done"):
-            yield from _known(shake, bit, getattr(shake, bit), words["status"].bits)
-        for bit in ("status_taken", "command_new"):
-            yield from _known(shake, bit, getattr(shake, bit), words["control"].bits)
-        for layout in self.layouts:
-            yield from _known(self.trigger, "field", self.trigger.field, layout.output)
+        yield from unknown_name(self, "default_layout", self.default_layout, self.layouts)
 
 
-def _known(owner: Located, field: str, name: str, items: Iterable[object]) -> Iterable[Diagnostic]:
+def unknown_name(
+    owner: Located, field: str, name: str, items: Iterable[object]
+) -> Iterable[Diagnostic]:
+    """FB1105: a field that names none of the items."""
     known = [str(getattr(item, "name", "")) for item in items]
     if name not in known:
         yield Diagnostic(

@@ -8,7 +8,7 @@ from typing import Literal
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
 from fbgen.catalog.scalars import Count, EntryId, Flag, Octets, SnakeName, Text
-from fbgen.catalog.sourced import Sourced
+from fbgen.catalog.sourced import Sourced, unknown_fields
 from fbgen.diagnostics import Diagnostic
 from fbgen.wire.profibus import (
     Consistency,
@@ -57,12 +57,16 @@ class CyclicField(Located):
 
 
 class Layout(Sourced):
-    """One reading of the cyclic data. `invented` marks a module that no real GSD file offers."""
+    """One reading of the cyclic data. `invented` marks a module that no real GSD file offers.
+
+    `unverified` lists those fields that rest on no document although the module itself does.
+    """
 
     name: EntryId
     title: Text
     identifiers: Octets
     invented: Flag = False
+    unverified: tuple[SnakeName, ...] = ()
     output: tuple[CyclicField, ...]
     input: tuple[CyclicField, ...]
 
@@ -105,6 +109,7 @@ class Layout(Sourced):
     def problems(self) -> Iterable[Diagnostic]:
         """FB1103 no source; FB1106 identifiers and fields that do not agree."""
         yield from super().problems()
+        yield from unknown_fields(self, self.unverified)
         try:
             decoded = decode_identifiers(self.identifiers)
         except IdentifierError as wrong:

@@ -35,19 +35,29 @@ class Setting(Sourced):
 
 
 class Switch(Sourced):
-    """A switch of a device: where it is and how it stands, or which digit of the address it shows.
+    """A switch of a device: where it is and how it stands, or its part in the PROFIBUS address.
 
-    `shows` is for rotary switches: `ones` and `tens` of the PROFIBUS address.
+    `shows` is for rotary switches: `ones` and `tens` of the address. `adds` is for switches that
+    are on or off: what an ON one adds to the address.
     """
 
     name: Text
     where: Text
     stands: Text | None = None
     shows: Literal["ones", "tens"] | None = None
+    adds: Literal[1, 2, 4, 8, 16, 32, 64] | None = None
+
+    def position(self, address: int) -> str:
+        """How it stands for an address."""
+        if self.adds is not None:
+            return "ON" if address & self.adds else "OFF"
+        if self.shows is not None:
+            return str(address % 10 if self.shows == "ones" else address // 10)
+        return self.stands or ""
 
     def problems(self) -> Iterable[Diagnostic]:
-        """FB1107: neither a position nor a digit, or both."""
+        """FB1107: neither a position nor a part of the address, or more than one of them."""
         yield from super().problems()
-        if (self.stands is None) == (self.shows is None):
-            message = f"the switch {self.name} needs either a position or a digit of the address"
-            yield Diagnostic("FB1107", message, self.span, "give stands: or shows:")
+        if [self.stands, self.shows, self.adds].count(None) != 2:
+            message = f"the switch {self.name} needs either a position or a part of the address"
+            yield Diagnostic("FB1107", message, self.span, "give one of stands:, shows: and adds:")

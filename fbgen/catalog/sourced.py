@@ -8,6 +8,7 @@ from pydantic import Field
 from fbgen.catalog.located import Located
 from fbgen.catalog.scalars import Real, Text
 from fbgen.diagnostics import Diagnostic
+from fbgen.nearest import nearest
 
 Status = Literal["verified", "unverified"]
 
@@ -29,6 +30,19 @@ class Sourced(Located):
                 "this entry names no source",
                 self.span,
                 "add source: with document and section, or status: unverified",
+            )
+
+
+def unknown_fields(owner: Located, names: Iterable[str]) -> Iterable[Diagnostic]:
+    """FB1105: names in `unverified` that are no fields of the entry."""
+    fields = type(owner).model_fields
+    for name in names:
+        if name not in fields:
+            yield Diagnostic(
+                "FB1105",
+                f"a {type(owner).__name__} has no field '{name}'",
+                owner.span_of("unverified"),
+                nearest(name, fields),
             )
 
 

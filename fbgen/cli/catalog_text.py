@@ -9,11 +9,13 @@ from fbgen.catalog import (
     Condition,
     Drive,
     Gateway,
+    ProcessDataGateway,
     Protocol,
     ReadStep,
     RepeatStep,
     Step,
     Switch,
+    TelegramGateway,
     WaitStep,
     Word,
     WriteStep,
@@ -133,11 +135,14 @@ def _settings(drive: Drive, sources: _Sources) -> list[str]:
 
 
 def _switches(switches: tuple[Switch, ...], sources: _Sources) -> list[str]:
-    rows = [
-        [item.name, item.where, item.stands or f"{item.shows} of the address", sources.of(item)]
-        for item in switches
-    ]
+    rows = [[item.name, item.where, _position(item), sources.of(item)] for item in switches]
     return [table(["switch", "where", "position", "source"], rows)] if rows else []
+
+
+def _position(switch: Switch) -> str:
+    if switch.adds is not None:
+        return f"ON adds {switch.adds} to the address"
+    return switch.stands or f"{switch.shows} of the address"
 
 
 def _gateway(gateway: Gateway, sources: _Sources) -> list[str]:
@@ -154,7 +159,6 @@ def _gateway(gateway: Gateway, sources: _Sources) -> list[str]:
         for item in gateway.layouts
     ]
     words = [[f"{gateway.id}.{word.name}", sources.of(word), word.title] for word in gateway.words]
-    codes = [[f"{item.code:02X}", sources.of(item), item.title] for item in gateway.status_codes]
     lamps = [
         [
             str(led.number),
@@ -171,11 +175,61 @@ def _gateway(gateway: Gateway, sources: _Sources) -> list[str]:
         f"Inverter series: {', '.join(gateway.series)}",
         table(headings, layouts),
         table(["word", "source", "title"], words),
-        table(["status code", "source", "title"], codes),
+        *_of_the_kind(gateway, sources),
         table(["LED", "name", "light (* normal)", "source", "meaning"], lamps),
         *_switches(gateway.switches, sources),
         *_options(gateway.options, sources),
     ]
+
+
+def _of_the_kind(gateway: Gateway, sources: _Sources) -> list[str]:
+    """What only one kind of gateway has."""
+    match gateway:
+        case TelegramGateway():
+            codes = [
+                [f"{item.code:02X}", sources.of(item), item.title] for item in gateway.status_codes
+            ]
+            return [table(["status code", "source", "title"], codes)]
+        case ProcessDataGateway():
+            return _process_data(gateway, sources)
+        case _:
+            return []
+
+
+def _process_data(gateway: ProcessDataGateway, sources: _Sources) -> list[str]:
+    access = gateway.parameter_channel
+    cyclic = [
+        [way, item.field, f"{item.comno:04X}", sources.of(item), item.title]
+        for way, items in (("out", gateway.outputs), ("in", gateway.inputs))
+        for item in items
+    ]
+    codes = [
+        [kind, f"{item.code:02b}", item.name, sources.of(item), item.title]
+        for kind, items in (("request", access.requests), ("response", access.responses))
+        for item in items
+    ]
+    errors = [
+        [f"{item.code:04X}", item.name, sources.of(item), item.title] for item in access.errors
+    ]
+    local = [
+        [f"{item.number:04X}", item.name, sources.of(item), item.title] for item in access.local
+    ]
+    times = [
+        [name, f"{time.ms:g} ms", sources.of(time)]
+        for name, time in ((name, getattr(gateway.times, name)) for name in _PROCESS_DATA_TIMES)
+    ]
+    return [
+        table(["way", "field of each channel", "ComNo", "source", "title"], cyclic),
+        table(["parameter channel", "code", "name", "source", "title"], codes),
+        table(["access error", "name", "source", "title"], errors),
+        table(["local parameter", "name", "source", "title"], local),
+        table(["time", "value", "source"], times),
+    ]
+
+
+_PROCESS_DATA_TIMES = (
+    *("processing", "reply_timeout", "parameter_min", "parameter_max", "heartbeat"),
+)
 
 
 def _protocol(protocol: Protocol, sources: _Sources) -> list[str]:

@@ -37,7 +37,8 @@ def schemas(
 
 def schema_texts() -> dict[str, str]:
     """The schemas by file name, each generated from the model that reads such a file."""
-    from fbgen.catalog import Drive, Gateway, Protocol, Sequence
+    from fbgen.catalog import Drive, Protocol, Sequence
+    from fbgen.catalog.gateway_kinds import GatewayFile
     from fbgen.catalog.schema import schema_text
     from fbgen.cli.check_report import CheckReport
     from fbgen.plant import Plant
@@ -46,7 +47,7 @@ def schema_texts() -> dict[str, str]:
 
     models: dict[str, type[BaseModel]] = {
         "catalog-drive": Drive,
-        "catalog-gateway": Gateway,
+        "catalog-gateway": GatewayFile,
         "catalog-protocol": Protocol,
         "catalog-sequence": Sequence,
         "check-report": CheckReport,

@@ -7,7 +7,7 @@ printed page 105.
 from functools import partial
 from typing import Literal
 
-from fbgen.catalog import Gateway
+from fbgen.catalog import TelegramGateway
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 from harness.faults.holding import Event
 from harness.installation import Installation
@@ -22,11 +22,11 @@ class ReportSettings(FaultSettings):
 def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
     assert isinstance(settings, ReportSettings)
     entry = next(entry for entry in plant.plan.gateways if entry.name == on)
-    code = _code(plant.catalog.gateway(entry.type), settings.code)
+    code = _code(plant.catalog.telegram_gateway(entry.type), settings.code)
     return Event(partial(plant.gateways[on].report, code))
 
 
-def _code(gateway: Gateway, name: str) -> int:
+def _code(gateway: TelegramGateway, name: str) -> int:
     return next(entry.code for entry in gateway.status_codes if entry.name == name)
 
 

@@ -116,7 +116,7 @@ def _one_master(plan: Plant) -> None:
 
 
 def _topology(catalog: Catalog, entry: PlantGateway) -> Topology:
-    wires = catalog.gateway(entry.type).subnetwork.wires
+    wires = catalog.telegram_gateway(entry.type).subnetwork.wires
     return Topology.FOUR_WIRE if wires == 4 else Topology.TWO_WIRE
 
 
@@ -128,7 +128,7 @@ def _gateway(kernel: Kernel, catalog: Catalog, entry: PlantGateway, line: Line) 
             entry.span_of("type"),
             "the harness has the tospbdp001",
         )
-    known = catalog.gateway(entry.type)
+    known = catalog.telegram_gateway(entry.type)
     settings = tospbdp001_settings(known, known.layout(entry.layout), entry.options)
     return Tospbdp001(kernel, settings, line, entry.profibus_address, entry.name)
 

@@ -199,7 +199,7 @@ def _line_log(plant: Installation, gateway: str) -> LineLog:
 def _longest_way_ns(plant: Installation, gateway: str) -> int:
     """From the PLC to the line; in the process image the trigger leaves a cycle behind its data."""
     entry = next(item for item in plant.plan.gateways if item.name == gateway)
-    device = plant.catalog.gateway(entry.type)
+    device = plant.catalog.telegram_gateway(entry.type)
     times, wire = device.times, device.subnetwork
     heartbeat_ms = 1000 * HEARTBEAT_CHARACTERS * wire.character_bits / wire.baud
     way_ms = 2 * plant.plan.cycle_time_ms + LONGEST_BUS_CYCLE_MS + heartbeat_ms

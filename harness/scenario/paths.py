@@ -191,7 +191,7 @@ class Paths:
         _one_of(item, (*GATEWAY_ITEMS, "led"), "property of a gateway", span)
         if item == "status":
             entry = next(entry for entry in self._plant.plan.gateways if entry.name == gateway.name)
-            word = self._catalog.gateway(entry.type).status_word
+            word = self._catalog.telegram_gateway(entry.type).status_word
             return Readable(word_kind(word), lambda: gateway.status.word)
         if item == "outputs":
             length = gateway.settings.layout.output_length

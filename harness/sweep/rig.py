@@ -109,7 +109,7 @@ class Rig:
         self._plant = plant = build_plant(plan, catalog, setup)
         (entry,) = plan.gateways
         self._gateway = plant.gateways[entry.name]
-        self._poll_ns = catalog.gateway(entry.type).times.trigger_poll.ns
+        self._poll_ns = catalog.telegram_gateway(entry.type).times.trigger_poll.ns
         line = plant.lines[entry.name]
         for inverter in plant.drives.values():
             inverter.power_off()

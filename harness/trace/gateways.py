@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from fbgen.catalog import Gateway
+from fbgen.catalog import TelegramGateway
 from harness.gateways.tospbdp001 import Tospbdp001
 from harness.kernel import Kernel
 from harness.line import Spacing
@@ -26,7 +26,7 @@ class GatewayWatch:
         log: ChangeLog,
         kernel: Kernel,
         gateway: Tospbdp001,
-        known: Gateway,
+        known: TelegramGateway,
         spacing: Spacing,
         *,
         writer: Callable[[int], int | None],

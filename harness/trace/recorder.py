@@ -60,7 +60,7 @@ class Recorder:
                 self._log,
                 plant.kernel,
                 plant.gateways[entry.name],
-                plant.catalog.gateway(entry.type),
+                plant.catalog.telegram_gateway(entry.type),
                 plant.spacing[entry.name],
                 writer=partial(self._output_writer, plant.stations[entry.name]),
             )

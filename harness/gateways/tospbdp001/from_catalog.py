@@ -2,9 +2,9 @@
 
 from collections.abc import Mapping
 
-from fbgen.catalog.gateways import Gateway, SubNetwork
 from fbgen.catalog.layouts import Layout
 from fbgen.catalog.options import OptionValue
+from fbgen.catalog.telegram_gateways import SubNetwork, TelegramGateway
 from harness.gateways.tospbdp001.settings import (
     CyclicLayout,
     ErrorCode,
@@ -23,7 +23,7 @@ _PARITY = {"none": Parity.NONE, "even": Parity.EVEN, "odd": Parity.ODD}
 
 
 def tospbdp001_settings(
-    gateway: Gateway, layout: Layout, options: Mapping[str, OptionValue]
+    gateway: TelegramGateway, layout: Layout, options: Mapping[str, OptionValue]
 ) -> TosSettings:
     """The settings of one gateway; options that are not given have the catalogue's default.
 

@@ -6,7 +6,7 @@ heartbeats, in ASCII, belong to no test.
 
 from collections.abc import Iterator, Mapping
 
-from fbgen.catalog import ComNo, Drive, Gateway, Word
+from fbgen.catalog import ComNo, Drive, TelegramGateway, Word
 from fbgen.lang.types import Scalar
 from fbgen.source import Span
 from fbgen.wire import toshiba_binary
@@ -43,7 +43,7 @@ def watch(plant: Installation, coverage: CatalogueCoverage) -> None:
     """Look on at a plant from now on."""
     for entry in plant.plan.gateways:
         gateway = plant.gateways[entry.name]
-        known = plant.catalog.gateway(entry.type)
+        known = plant.catalog.telegram_gateway(entry.type)
         control_at = gateway.settings.layout.control_offset
         _GatewayWatch(coverage, plant.master, known, plant.stations[entry.name], control_at)
         series = {one.inv_no: plant.catalog.drive(one.series) for one in entry.drives}
@@ -67,7 +67,7 @@ class _GatewayWatch:
         self,
         coverage: CatalogueCoverage,
         master: DpMaster,
-        known: Gateway,
+        known: TelegramGateway,
         station: Station,
         control_at: int,
     ) -> None:

@@ -25,7 +25,7 @@ def written(sequence: Sequence) -> list[str]:
 
 def test_the_shipped_entries_are_there() -> None:
     assert set(CATALOG.drives) == {"vf-s11"}
-    assert set(CATALOG.gateways) == {"tospbdp001"}
+    assert set(CATALOG.gateways) == {"pbdp110", "tospbdp001"}
     assert set(CATALOG.protocols) == {"toshiba"}
     assert set(CATALOG.sequences) == {
         "start_forward",

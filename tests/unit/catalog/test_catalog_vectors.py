@@ -14,7 +14,7 @@ from fbgen.catalog import WriteStep, load_catalog
 
 VECTORS = Path(__file__).parents[2] / "vectors"
 CATALOG = load_catalog()
-GATEWAY = CATALOG.gateway("tospbdp001")
+GATEWAY = CATALOG.telegram_gateway("tospbdp001")
 DRIVE = CATALOG.drive("vf-s11")
 PROTOCOL = CATALOG.protocol("toshiba")
 

@@ -5,14 +5,15 @@ import json
 import pytest
 from pydantic import BaseModel
 
-from fbgen.catalog import Drive, Gateway, Protocol, Sequence
+from fbgen.catalog import Drive, Protocol, Sequence
+from fbgen.catalog.gateway_kinds import GatewayFile
 from fbgen.catalog.schema import schema_text
 from fbgen.plant import Plant
 from fbgen.resources import shipped
 
 SCHEMAS: dict[str, type[BaseModel]] = {
     "catalog-drive": Drive,
-    "catalog-gateway": Gateway,
+    "catalog-gateway": GatewayFile,
     "catalog-protocol": Protocol,
     "catalog-sequence": Sequence,
     "plant": Plant,

@@ -67,7 +67,7 @@ def test_a_head_names_the_parameters_as_they_are_declared() -> None:
 
 def test_a_head_names_the_documents_behind_its_values() -> None:
     known = heads()
-    trigger = CATALOG.gateway("tospbdp001").trigger
+    trigger = CATALOG.telegram_gateway("tospbdp001").trigger
     assert f"// Facts: {trigger.source}\n" in known["TOS_TriggerCounter.scl"]
     assert all(head.count("// Facts: ") for name, head in known.items() if "Telegram" in name)
 
