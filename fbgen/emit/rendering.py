@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 
-from fbgen.blocks.plan import BlockPlan, BlockSpec
+from fbgen.blocks.plan import BlockPlan
+from fbgen.blocks.specs import BlockSpec
 from fbgen.emit.environment import TemplateRenderer
 from fbgen.emit.heading import with_head
 from fbgen.lang import ast

@@ -1,0 +1,260 @@
+"""The blocks for gateways with a serial line (TOSPBDP001): telegrams, the line, its drives."""
+
+from collections.abc import Iterator, Sequence
+
+from fbgen.blocks.alarms import LINE_ALARMS, drive_alarms, that_can_come
+from fbgen.blocks.family import FamilyPlan
+from fbgen.blocks.line_gateways import LineGatewayView, line_gateway_view, missing_fields
+from fbgen.blocks.literals import SclText, byte, comno, milliseconds, one_line, source_text, word
+from fbgen.blocks.poll_cycle import slow_polls
+from fbgen.blocks.sequences import SequenceView, sequence_view
+from fbgen.blocks.specs import BlockSpec, block, data_block, data_type
+from fbgen.blocks.texts import Texts
+from fbgen.blocks.words import WordView, bits_origin
+from fbgen.catalog import Catalog, Drive, TelegramGateway, Trip, WriteStep, origin
+from fbgen.catalog.sourced import Duration
+from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
+from fbgen.plant import Plant, PlantGateway
+
+SERIAL_COMMANDS = "serial communication"
+"""What the value of a command source is called in the catalogue that stands for the network."""
+_LONGEST_TRIP_TEXT = 40
+_COMMANDS_IN_A_ROW = 8
+"""Telegrams of drives after which the status poll has its turn, while more of them wait."""
+_EMERGENCY_STOP = ("network_command", "network_frequency", "emergency_stop")
+"""The bits of the command word that stop a drive at once."""
+
+
+def line_problems(chosen: Sequence[PlantGateway], catalog: Catalog) -> Iterator[Diagnostic]:
+    """FB5008 layouts that the blocks do not know, FB5009 gateways of several types."""
+    yield from missing_fields(chosen, catalog)
+    yield from _other_types(chosen)
+
+
+def line_family(
+    plant: Plant, chosen: Sequence[PlantGateway], catalog: Catalog, texts: Texts
+) -> FamilyPlan:
+    """What the gateways with a line need; there is at least one.
+
+    Raises DiagnosticError FB5001.
+    """
+    drives = _series(chosen, catalog)
+    sequences = tuple(_sequence(name, drives, catalog, texts) for name in plant.sequences)
+    gateways = tuple(line_gateway_view(plant, item, catalog) for item in chosen)
+    first = gateways[0]
+    context: dict[str, object] = {
+        "most_drives": max(len(item.drives) for item in gateways),
+        "sequences": sequences,
+        "alarms": {
+            "line": that_can_come(LINE_ALARMS, chosen),
+            "drive": that_can_come(drive_alarms([item.id for item in sequences]), chosen),
+        },
+        "times": {"timeout": first.timeout, "gap": first.gap, "apart": first.apart},
+        "line": _line_context(drives[0], gateways, texts),
+    }
+    context |= _gateway_context(catalog.telegram_gateway(chosen[0].type))
+    context |= _drive_context(drives[0], catalog)
+    return FamilyPlan(
+        gateways,
+        types=_types(gateways, sequences),
+        blocks=_blocks(gateways, sequences),
+        data=[
+            data_block(f"TOS_Gateway_{item.name}_DB", "TOS_Gateway_DB", {"gateway": item})
+            for item in gateways
+        ],
+        context=context,
+        warnings=(*_eeprom_writes(plant, catalog), *slow_polls(plant, catalog)),
+    )
+
+
+def _other_types(chosen: Sequence[PlantGateway]) -> Iterator[Diagnostic]:
+    """The TOS blocks carry the words and the trigger of one type of gateway."""
+    first = chosen[0]
+    for gateway in chosen:
+        if gateway.type != first.type:
+            yield Diagnostic(
+                "FB5009",
+                f"the gateway '{gateway.name}' is a {gateway.type}, '{first.name}' a {first.type}, "
+                "and the blocks of one plant are made for one type",
+                gateway.span_of("type"),
+                "make a plant file of its own for each type",
+            )
+
+
+def _types(
+    gateways: tuple[LineGatewayView, ...], sequences: tuple[SequenceView, ...]
+) -> list[BlockSpec]:
+    line = ("Input", "Output", "Request", "Reply", "Channel", "Line")
+    plain = (*line, "Control", "State", "Polled", "LineParam", "DriveParam")
+    specs = [data_type(f"typeTos{name}") for name in plain]
+    specs += [
+        data_type(f"typeTos_{item.id}", "typeTosSeq", {"sequence": item}) for item in sequences
+    ]
+    specs.append(data_type("typeTosDrive"))
+    specs += [
+        data_type(f"{name}_{item.name}", name, {"gateway": item})
+        for item in gateways
+        for name in ("typeTosGateway", "typeTosParam")
+    ]
+    return specs
+
+
+def _blocks(
+    gateways: tuple[LineGatewayView, ...], sequences: tuple[SequenceView, ...]
+) -> list[BlockSpec]:
+    names = ["TOS_TriggerCounter", "TOS_Handshake", "TOS_Telegram", "TOS_Line", "TOS_Drive"]
+    if any(item.status_poll for item in gateways):
+        names += ["TOS_StatusPoll", "TOS_TripText"]
+    specs = [block(name) for name in names]
+    specs += [block(f"TOS_Seq_{item.id}", "TOS_Seq", {"sequence": item}) for item in sequences]
+    if sequences:
+        specs.append(block("TOS_Sequences"))
+    specs.append(block("TOS_Alarms"))
+    for name in ("TOS_ConsistentIo", "TOS_Gateway"):
+        specs += [block(f"{name}_{item.name}", name, {"gateway": item}) for item in gateways]
+    return specs
+
+
+def _series(chosen: Sequence[PlantGateway], catalog: Catalog) -> list[Drive]:
+    names = dict.fromkeys(drive.series for gateway in chosen for drive in gateway.drives)
+    return [catalog.drive(name) for name in names]
+
+
+def _sequence(name: str, drives: list[Drive], catalog: Catalog, texts: Texts) -> SequenceView:
+    sequence = catalog.sequence(name)
+    views = [sequence_view(sequence, drive, catalog, texts) for drive in drives]
+    for drive, view in zip(drives[1:], views[1:], strict=True):
+        if str(view) != str(views[0]):
+            raise DiagnosticError(
+                [
+                    Diagnostic(
+                        "FB5001",
+                        f"the sequence '{name}' sends other telegrams to '{drive.id}' than to "
+                        f"'{drives[0].id}', and one block cannot do both",
+                        sequence.span,
+                        "make a sequence of its own for each series",
+                    )
+                ]
+            )
+    return views[0]
+
+
+def _eeprom_writes(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
+    """A cell lasts about 10,000 writes (TOSPBDP001 manual v1.1, 8 D)."""
+    for name in plant.sequences:
+        for step in catalog.sequence(name).steps:
+            if isinstance(step, WriteStep) and step.memory == "eeprom":
+                yield Diagnostic(
+                    "FB5005",
+                    f"the sequence '{name}' writes {step.write} into the EEPROM",
+                    step.span_of("memory"),
+                    "a cell lasts about 10,000 writes: never run it cyclically, or use the RAM",
+                    severity=Severity.WARNING,
+                )
+
+
+def _gateway_context(gateway: TelegramGateway) -> dict[str, object]:
+    shake, trigger = gateway.handshake, gateway.trigger
+    status = WordView(gateway.status_word, gateway.id)
+    place = origin("trigger", trigger)
+    return {
+        "control": WordView(gateway.control, gateway.id),
+        "status": status,
+        "shake": shake,
+        "undisturbed": status.masked(
+            gateway.power_on_status, shake.status_changed, shake.command_done
+        ),
+        "gateway_type": {
+            "trigger_source": source_text(trigger, trigger.source),
+            "handshake_source": source_text(shake, shake.source),
+            "trigger_first": SclText(str(trigger.first), place),
+            "trigger_last": SclText(str(trigger.last), place),
+            "processing_comment": SclText(
+                f"{gateway.times.processing.ms:g} ms",
+                origin(
+                    "processing", gateway.times.processing, gateway.times.processing.source or ""
+                ),
+            ),
+        },
+    }
+
+
+def _drive_context(drive: Drive, catalog: Catalog) -> dict[str, object]:
+    protocol = catalog.protocol(drive.protocol)
+    numbers = protocol.inv_numbers["binary"]
+    read = protocol.command("read_padded")
+    lower_case = (read.tripped_reply_code or 0) ^ (read.reply_code or 0)
+    trip = drive.comno(drive.link.trip)
+    status = drive.comno(drive.link.status)
+    return {
+        "protocol": {
+            "broadcast": byte(int(numbers.broadcast, 16), origin("broadcast", numbers)),
+            "inv_no_max": SclText(str(numbers.maximum), origin("inverter numbers", numbers)),
+            "lower_case": byte(lower_case, origin("command G", read)),
+        },
+        "command": {
+            item.name: byte(item.code, origin(f"command {item.letter}", item, item.source or ""))
+            for item in protocol.commands
+        },
+        "comno": {
+            "trip": comno(trip),
+            "status_word": comno(status),
+            "setpoint": comno(drive.comno(drive.link.setpoint)),
+            "command_word": comno(drive.comno(drive.link.command)),
+            "output_frequency": comno(drive.comno(drive.link.output_frequency)),
+            "output_current": comno(drive.comno(drive.link.output_current)),
+            "trip_source": source_text(trip, trip.source),
+            "command_source": _command_source(drive),
+        },
+        "drive_command": WordView(drive.command_word, drive.id),
+        "drive_status": WordView(drive.word(drive.comno(drive.link.status).word or ""), drive.id),
+        "reset_silence": _duration(drive.times.reset_silence, f"{drive.id} reset_silence"),
+        "trips": [_trip(trip) for trip in drive.trips],
+        "spacer": {
+            "first": comno(trip),
+            "second": comno(status),
+            "third": comno(drive.comno(drive.link.output_frequency)),
+        },
+    }
+
+
+def _duration(time: Duration, name: str) -> SclText:
+    return milliseconds(time.ms, origin(name, time, time.source or ""))
+
+
+def _command_source(drive: Drive) -> dict[str, SclText] | None:
+    """The ComNo that says who commands, and its value for the network; None if there is none."""
+    if drive.link.command_source is None:
+        return None
+    source = drive.comno(drive.link.command_source)
+    values = [value for value, text in source.values.items() if text == SERIAL_COMMANDS]
+    if not values:
+        return None
+    place = origin(f"ComNo {source.hex}", source, source.source or "")
+    return {"number": comno(source), "network": word(int(values[0]), place)}
+
+
+def _trip(trip: Trip) -> dict[str, SclText]:
+    """A trip code and its text of at most 40 characters, as literals."""
+    place = origin(f"trip {trip.display}", trip, trip.source or "")
+    words = one_line(f"{trip.display}: {trip.meaning}")[:_LONGEST_TRIP_TEXT]
+    quoted = words.replace("$", "$$").replace("'", "$'")
+    return {"code": SclText(str(trip.code), place), "text": SclText(f"'{quoted}'", place)}
+
+
+def _line_context(
+    drive: Drive, gateways: tuple[LineGatewayView, ...], texts: Texts
+) -> dict[str, object]:
+    bits = drive.command_word
+    place = bits_origin(drive.id, bits, _EMERGENCY_STOP)
+    reply = drive.times.reply_max
+    wait_ms = max(item.times.wait_ms for item in gateways)
+    stop_ms = max(item.times.emergency_stop_ms for item in gateways)
+    times = gateways[0].timeout.origin
+    return {
+        "commands_in_a_row": _COMMANDS_IN_A_ROW,
+        "emergency_stop": word(bits.encode(_EMERGENCY_STOP), place),
+        "longest_wait_comment": SclText(texts("{time} ms at most", time=f"{wait_ms:.0f}"), times),
+        "longest_stop_comment": SclText(texts("{time} ms at most", time=f"{stop_ms:.0f}"), times),
+        "apart_source": source_text(reply, (reply.source or "").split(";")[0]),
+    }

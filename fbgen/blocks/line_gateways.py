@@ -1,0 +1,136 @@
+"""A gateway with a serial line as its templates see it: telegrams one by one, drives by INV-NO."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from fbgen.blocks.frames import frame_view
+from fbgen.blocks.gateways import FirstValue, GatewayView, gateway_place
+from fbgen.blocks.line_times import LineTimes, line_times
+from fbgen.blocks.literals import SclText, byte, milliseconds, real
+from fbgen.catalog import Catalog, Drive, TelegramGateway, origin
+from fbgen.diagnostics import Diagnostic
+from fbgen.plant import Plant, PlantDrive, PlantGateway
+from fbgen.source import Origin
+
+_MEMBERS = {
+    "control": "control",
+    "trigger": "trigger",
+    "status": "gatewayStatus",
+    "inv_no": "invNo",
+    "cmd": "cmd",
+    "comno": "comNo",
+    "data": "data",
+}
+"""Field of the catalogue's layout -> member of typeTosOutput and typeTosInput."""
+
+_TELEGRAM = {"inv_no": 1, "cmd": 1, "comno": 2, "data": 2}
+_OUTPUTS = {"control": 2, "trigger": 1, **_TELEGRAM}
+_INPUTS = {"status": 2, **_TELEGRAM}
+"""The fields of both directions with their lengths in bytes, as the members are declared."""
+
+
+@dataclass(frozen=True, slots=True)
+class DriveView:
+    """A drive behind the gateway."""
+
+    name: str
+    series: str
+    inv_no: int
+    inv_no_byte: SclText
+
+
+@dataclass(frozen=True, slots=True)
+class LineGatewayView(GatewayView):
+    """A gateway with everything its blocks need."""
+
+    handshake: SclText
+    status_poll: bool
+    timeout: SclText
+    retries: SclText
+    gap: SclText
+    apart: SclText
+    times: LineTimes
+    drives: tuple[DriveView, ...]
+
+
+def line_gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> LineGatewayView:
+    """What the templates of one gateway are told."""
+    entry = catalog.telegram_gateway(gateway.type)
+    place = origin(f"gateway {gateway.name}", gateway)
+    series = [catalog.drive(drive.series) for drive in gateway.drives]
+    chosen = gateway.parameters.timeout_ms
+    limits = line_times(plant, gateway, catalog)
+    times = origin(f"gateway {gateway.name}", gateway, inputs=_times_of_the_line(entry, series))
+    address, station = gateway_place(plant, gateway)
+    timeout = milliseconds(limits.timeout_ms, times if chosen is None else place)
+    retries = SclText(str(gateway.parameters.retries), place)
+    of_drives = (value for drive in gateway.drives for value in _first_values(drive))
+    return LineGatewayView(
+        name=gateway.name,
+        profibus_address=address,
+        station=station,
+        frame=frame_view(plant, gateway, entry.layout(gateway.layout), _MEMBERS, "trigger"),
+        block=f"TOS_Gateway_{gateway.name}",
+        drives_type=f"typeTosGateway_{gateway.name}",
+        params_type=f"typeTosParam_{gateway.name}",
+        first_values=(
+            FirstValue("line.timeout", timeout),
+            FirstValue("line.retries", retries),
+            *of_drives,
+        ),
+        handshake=SclText("TRUE" if gateway.options.get("handshake", True) else "FALSE", place),
+        status_poll=gateway.status_poll,
+        timeout=timeout,
+        retries=retries,
+        gap=milliseconds(limits.gap_ms, times),
+        apart=milliseconds(limits.apart_ms, times),
+        times=limits,
+        drives=tuple(_drive(item) for item in gateway.drives),
+    )
+
+
+def missing_fields(chosen: Iterable[PlantGateway], catalog: Catalog) -> Iterator[Diagnostic]:
+    """FB5008: layouts whose fields are not those that the blocks know, each with its length."""
+    layouts = {
+        (item.type, item.layout): catalog.gateway(item.type).layout(item.layout) for item in chosen
+    }
+    for layout in layouts.values():
+        for area, fields, wanted in (
+            ("output", layout.output, _OUTPUTS),
+            ("input", layout.input, _INPUTS),
+        ):
+            found = {item.name: item.length for item in fields if not item.pad}
+            if found != wanted:
+                listed = ", ".join(f"{name} ({size})" for name, size in wanted.items())
+                yield Diagnostic(
+                    "FB5008",
+                    f"the {area} fields of layout '{layout.name}' are not those of TOS_Telegram",
+                    layout.span_of(area),
+                    f"the fields, with their lengths in bytes, are {listed}; all else is a pad",
+                )
+
+
+def _times_of_the_line(entry: TelegramGateway, series: Iterable[Drive]) -> Iterator[Origin | None]:
+    """The entries that times of a line are worked out from."""
+    for name in ("processing", "trigger_poll"):
+        time = getattr(entry.times, name)
+        yield origin(f"{entry.id} {name}", time, time.source or "")
+    yield origin(f"{entry.id} subnetwork", entry.subnetwork, entry.subnetwork.source or "")
+    for drive in series:
+        limit = drive.times.reply_max
+        yield origin(f"{drive.id} reply_max", limit, limit.source or "")
+
+
+def _first_values(drive: PlantDrive) -> Iterator[FirstValue]:
+    """What the parameters of a drive behind a line begin with."""
+    place = origin(f"drive {drive.name}", drive)
+    own = drive.parameters
+    yield FirstValue(f"{drive.name}.minFrequency", real(own.min_frequency_hz, place))
+    yield FirstValue(f"{drive.name}.maxFrequency", real(drive.max_frequency_hz, place))
+    yield FirstValue(f"{drive.name}.atSetpoint", real(own.at_setpoint_hz, place))
+    yield FirstValue(f"{drive.name}.errorPause", milliseconds(own.error_pause_ms, place))
+
+
+def _drive(drive: PlantDrive) -> DriveView:
+    place = origin(f"drive {drive.name}", drive)
+    return DriveView(drive.name, drive.series, drive.inv_no, byte(drive.inv_no, place))
