@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fbgen.blocks.frames import frame_view
 from fbgen.blocks.gateways import FirstValue, GatewayView, gateway_place
 from fbgen.blocks.line_times import LineTimes, line_times
-from fbgen.blocks.literals import SclText, byte, milliseconds, real
+from fbgen.blocks.literals import SclText, byte, milliseconds, real, truth
 from fbgen.catalog import Catalog, Drive, TelegramGateway, origin
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import Plant, PlantDrive, PlantGateway
@@ -78,7 +78,7 @@ def line_gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> 
             FirstValue("line.retries", retries),
             *of_drives,
         ),
-        handshake=SclText("TRUE" if gateway.options.get("handshake", True) else "FALSE", place),
+        handshake=truth(bool(gateway.options.get("handshake", True)), place),
         status_poll=gateway.status_poll,
         timeout=timeout,
         retries=retries,
@@ -129,6 +129,8 @@ def _first_values(drive: PlantDrive) -> Iterator[FirstValue]:
     yield FirstValue(f"{drive.name}.maxFrequency", real(drive.max_frequency_hz, place))
     yield FirstValue(f"{drive.name}.atSetpoint", real(own.at_setpoint_hz, place))
     yield FirstValue(f"{drive.name}.errorPause", milliseconds(own.error_pause_ms, place))
+    yield FirstValue(f"{drive.name}.localInhibits", truth(own.local_inhibits, place))
+    yield FirstValue(f"{drive.name}.interlockInhibits", truth(own.interlock_inhibits, place))
 
 
 def _drive(drive: PlantDrive) -> DriveView:

@@ -52,6 +52,11 @@ def real(value: float, source: Origin | None = None) -> SclText:
     return SclText(text if "e" not in text else f"{value:.9f}".rstrip("0"), source)
 
 
+def truth(value: bool, source: Origin | None = None) -> SclText:
+    """`TRUE` or `FALSE`."""
+    return SclText("TRUE" if value else "FALSE", source)
+
+
 def milliseconds(value: float, source: Origin | None = None) -> SclText:
     """`T#100ms`, rounded up to whole milliseconds."""
     return SclText(f"T#{-int(-value // 1)}ms", source)

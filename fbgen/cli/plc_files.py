@@ -45,12 +45,20 @@ def expand(arguments: Iterable[Path]) -> list[Path]:
 
 
 def _is_plc_text(item: Path, folder: Path) -> bool:
-    """A PLC text that lies in no hidden folder; an .xml may be anything, so it has to be named."""
+    """A PLC text that lies in no hidden folder; an .xml may be anything, so it is looked into."""
     from fbgen.lang.containers import SUFFIXES
 
     hidden = any(part.startswith(".") for part in item.relative_to(folder).parts)
     suffix = item.suffix.lower()
-    return suffix in SUFFIXES and suffix != ".xml" and not hidden and item.is_file()
+    if suffix not in SUFFIXES or hidden or not item.is_file():
+        return False
+    return suffix != ".xml" or _is_plcopen(item)
+
+
+def _is_plcopen(item: Path) -> bool:
+    """A project of PLCopen XML says so at its beginning."""
+    with item.open("rb") as file:
+        return b"plcopen.org/xml/tc6" in file.read(2000)
 
 
 def _matches(pattern: Path) -> list[Path]:

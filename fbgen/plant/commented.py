@@ -134,6 +134,8 @@ gateways:
           min_frequency_hz: 0    # a lower set-point is raised to it
           at_setpoint_hz: 0.5    # so far off it counts as at set-point
           error_pause_ms: 1000   # before a command without acknowledgement is tried again
+          local_inhibits: true   # one that obeys its panel or terminals is not told to run
+          interlock_inhibits: true   # its interlock back, it waits for a new run
       - name: outfeed
         inv_no: 2
         series: vf-s11

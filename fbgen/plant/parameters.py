@@ -10,7 +10,7 @@ from typing import Annotated
 from pydantic import Field
 
 from fbgen.catalog import Located
-from fbgen.catalog.scalars import Real, Whole
+from fbgen.catalog.scalars import Flag, Real, Whole
 
 
 class DriveParameters(Located):
@@ -18,12 +18,16 @@ class DriveParameters(Located):
 
     `min_frequency_hz`: a lower set-point is raised to it. `at_setpoint_hz`: how far the frequency
     may be off while the drive counts as at set-point. `error_pause_ms`: after a command without
-    acknowledgement, before the same one is tried again.
+    acknowledgement, before the same one is tried again. `local_inhibits`: a drive that obeys its
+    panel or terminals is not told to run. `interlock_inhibits`: where the interlock was missing, a
+    new run is needed.
     """
 
     min_frequency_hz: Annotated[Real, Field(ge=0, le=655.35)] = 0
     at_setpoint_hz: Annotated[Real, Field(gt=0, le=655.35)] = 0.5
     error_pause_ms: Annotated[Whole, Field(ge=0, le=3_600_000)] = 1000
+    local_inhibits: Flag = True
+    interlock_inhibits: Flag = True
 
 
 class LineParameters(Located):

@@ -18,7 +18,11 @@ class CalledInstance:
 
 @dataclass(slots=True)
 class BlockFacts:
-    """Variables by what the block does to them, and its calls, in the order of the text."""
+    """Variables by what the block does to them, and its calls, in the order of the text.
+
+    `kept` are the calls of functions whose result a variable gets, `always_true` counts how often
+    the block sets its own result to TRUE.
+    """
 
     block: Block
     read: set[Variable] = field(default_factory=set)
@@ -29,4 +33,6 @@ class BlockFacts:
     addresses_written: list[AddressRef] = field(default_factory=list)
     instances: list[CalledInstance] = field(default_factory=list)
     dropped: list[FunctionCall] = field(default_factory=list)
+    kept: list[tuple[Variable, FunctionCall]] = field(default_factory=list)
+    always_true: int = 0
     uses_outside: bool = False

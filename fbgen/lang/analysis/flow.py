@@ -123,6 +123,12 @@ class Flow:
         statements.check_assignment(self.report, node)
         if type(node.value) in _COPIES:
             self.copied.copy(node.target.span.text, node.value.span.text)
+        if isinstance(node.target, VariableRef):
+            variable, value = node.target.variable, node.value
+            if isinstance(value, checked.FunctionCall):
+                self.facts.kept.append((variable, value))
+            elif variable is self.block.result and isinstance(value, Constant):
+                self.facts.always_true += value.value is True
         self._settle()
 
     def _evaluate(self, node: checked.Evaluate) -> None:

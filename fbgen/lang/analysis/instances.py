@@ -37,6 +37,23 @@ def resets(call: InstanceCall) -> bool:
     return False
 
 
+def starts_anew(call: InstanceCall) -> bool:
+    """True for a call after which the block is as if nobody had called it yet.
+
+    TOF and TP go on for their time after IN, a counter keeps its count, TONR its time.
+    """
+    kind = call.block.name.partition("_")[0]
+    begins = ("IN",) if kind == "TON" else ("CLK",) if kind == "R" else ()
+    return any(
+        isinstance(value, Constant)
+        and (
+            (variable.name.upper() in begins and value.value is False)
+            or (variable.name.upper() in _RESETS and value.value is True)
+        )
+        for variable, value in call.inputs
+    )
+
+
 def check_own_end(
     report: Report, node: InstanceCall, key: PlaceKey, read_before: Sequence[FieldRef]
 ) -> None:
@@ -101,7 +118,9 @@ class InstanceTracker:
                 notes=(Note("the first call is here", calls[0][0].span),) if calls else (),
             )
         calls.append((node, flow.depth))
-        if not resets(node):
+        if starts_anew(node):
+            flow.may &= ~bit
+        elif not resets(node):
             flow.may |= bit
 
     def report_conditional(self) -> None:

@@ -11,6 +11,7 @@ from fbgen.lang.analysis.program_rules import (
     check_shared_instances,
     check_timer_kinds,
     check_uncalled,
+    functions_that_say_nothing,
     written_from_outside,
 )
 from fbgen.lang.analysis.usage import check_results, check_usage
@@ -44,15 +45,16 @@ def analyse(program: Program, library: "Library", findings: "Findings") -> None:
         vague = vague_variables(ctx, block.syntax, inside) if unclear else frozenset()
         flows.append(follow(block, body, program, vague))
     members_written = written_from_outside(flows)
+    silent = functions_that_say_nothing(flows)
     for flow in flows:
         ctx = library.context_of(flow.block)
-        check_usage(flow, ctx, members_written)
+        check_usage(flow, ctx, members_written, silent)
         check_results(flow)
         check_names(flow, ctx)
     check_uncalled(flows)
     check_shared_instances(flows)
     check_timer_kinds(flows)
-    check_dropped_results(flows)
+    check_dropped_results(flows, silent)
     check_outputs(flows)
     for flow in flows:
         for warned in flow.report.found:

@@ -1,6 +1,6 @@
 """Rules over all blocks: instances that several blocks call or nobody calls, dropped results."""
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 
 from fbgen.diagnostics import Note
 from fbgen.lang.analysis.effects import PlaceKey, root_of
@@ -100,7 +100,19 @@ def check_timer_kinds(flows: Sequence[Flow]) -> None:
                 )
 
 
-def check_dropped_results(flows: Sequence[Flow]) -> None:
+def functions_that_say_nothing(flows: Sequence[Flow]) -> set[Block]:
+    """Functions with a BOOL for form's sake: nothing sets it, or it is TRUE and nothing else."""
+    return {
+        flow.block
+        for flow in flows
+        if flow.block.result is not None
+        and flow.block.result.type == BOOL
+        and flow.facts.always_true
+        == sum(1 for variable, _, _ in flow.writes if variable is flow.block.result)
+    }
+
+
+def check_dropped_results(flows: Sequence[Flow], silent: Set[Block]) -> None:
     """FB4234 and FB4235: a function is called and its result goes nowhere."""
     by_block = {flow.block: flow for flow in flows}
     for flow in flows:
@@ -116,11 +128,7 @@ def check_dropped_results(flows: Sequence[Flow]) -> None:
                     call.span,
                     f"use the result: x := {call.function.name}(...);",
                 )
-            elif (
-                call.type == BOOL
-                and result in callee.facts.written
-                and not is_method(call.function)
-            ):
+            elif call.type == BOOL and call.function not in silent and not is_method(call.function):
                 flow.report.warning(
                     "FB4235",
                     f"the answer of {call.function.name} is dropped",

@@ -1,12 +1,14 @@
 """Temporaries, results and outputs of functions that are read before anything has set them.
 
 On S7 these hold whatever was in the memory before: TIA Portal help, "Temporary local data". IEC
-61131-3 gives them their defaults, so only the S7 dialects are looked at.
+61131-3 gives them their defaults, so only the S7 dialects are looked at. The start
+information of an organization block is there before it runs.
 """
 
 from fbgen.lang.analysis.report import Report
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Block, Program, Variable, VariableKind
+from fbgen.lang.start_information import start_places
 from fbgen.lang.types import AnyType, BlockType
 from fbgen.source import Span
 
@@ -20,10 +22,12 @@ def tracked_variables(block: Block, program: Program) -> dict[Variable, int]:
     kinds = {VariableKind.TEMP, VariableKind.RESULT}
     if block.kind is BlockKind.FUNCTION:
         kinds.add(VariableKind.OUTPUT)
+    handed = {variable for variable, _ in start_places(block)}
     tracked = [
         variable
         for variable in block.variables
         if variable.kind in kinds
+        and variable not in handed
         and variable.initial is None
         and variable not in program.byte_memory
         and not isinstance(variable.type, BlockType | AnyType)

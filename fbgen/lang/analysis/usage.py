@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING
 
 from fbgen.lang.analysis.flow import Flow
 from fbgen.lang.ast import BlockKind
-from fbgen.lang.checked import IN_OUTS, Variable, VariableKind
+from fbgen.lang.checked import IN_OUTS, Block, Variable, VariableKind
 from fbgen.lang.life_cycle import is_life_cycle, is_method
+from fbgen.lang.start_information import start_places
 from fbgen.lang.types import BOOL, Elementary, StringType
 
 if TYPE_CHECKING:
@@ -18,12 +19,15 @@ _RESULTS = (VariableKind.RESULT, VariableKind.OUTPUT)
 _PARAMETERS = (VariableKind.INPUT, *IN_OUTS)
 
 
-def check_usage(flow: Flow, ctx: "Context", members_written: Set[tuple[str, str]]) -> None:
+def check_usage(
+    flow: Flow, ctx: "Context", members_written: Set[tuple[str, str]], silent: Set[Block]
+) -> None:
     """FB4101, FB4201, FB4202, FB4203, FB4205 for one block.
 
     The temporaries and inputs of an organization block are what the controller hands to it.
 
-    `members_written` are (block, variable) that somebody writes from outside, casefolded.
+    `members_written` are (block, variable) that somebody writes from outside, casefolded; `silent`
+    are functions whose result says nothing.
     """
     if is_action(flow, ctx):
         return  # it has the names of its block
@@ -39,7 +43,7 @@ def check_usage(flow: Flow, ctx: "Context", members_written: Set[tuple[str, str]
                 _unused(flow, "constant", entry)
         elif entry.kind in _INNER:
             if entry in ctx.used or entry.address is not None:
-                _one_way(flow, ctx, entry, members_written)
+                _one_way(flow, ctx, entry, members_written, silent)
             elif flow.block.kind is not BlockKind.ORGANIZATION_BLOCK and (
                 entry.overlay is not None or entry not in flow.program.byte_memory
             ):
@@ -97,18 +101,26 @@ def _parameter(flow: Flow, ctx: "Context", entry: Variable) -> None:
 
 
 def _one_way(
-    flow: Flow, ctx: "Context", entry: Variable, members_written: Set[tuple[str, str]]
+    flow: Flow,
+    ctx: "Context",
+    entry: Variable,
+    members_written: Set[tuple[str, str]],
+    silent: Set[Block],
 ) -> None:
     facts = flow.facts
     if entry in facts.touched or entry.address is not None or ctx.is_read_only(entry):
         return
     if entry in flow.program.byte_memory:
         return
+    if any(entry is handed for handed, _ in start_places(flow.block)):
+        return
     written, read = entry in facts.written, entry in facts.read
     hidden = entry.kind is VariableKind.TEMP or (
         not ctx.rules.statics_visible and flow.block.kind is BlockKind.FUNCTION_BLOCK
     )
     if written and not read and hidden:
+        if _takes_what_says_nothing(flow, entry, silent):
+            return
         flow.report.warning(
             "FB4203",
             f"variable '{entry.name}' of {flow.block.name} gets a value that nobody reads",
@@ -131,6 +143,13 @@ def _one_way(
             "assign it, give it an initial value, or make it an input",
             about=entry,
         )
+
+
+def _takes_what_says_nothing(flow: Flow, entry: Variable, silent: Set[Block]) -> bool:
+    """IEC 61131-3 calls functions in expressions only: what says nothing has to go somewhere."""
+    taken = [call for variable, call in flow.facts.kept if variable is entry]
+    written = sum(1 for variable, _, _ in flow.writes if variable is entry)
+    return len(taken) == written and all(call.function in silent for call in taken)
 
 
 def check_results(flow: Flow) -> None:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from fbgen.lang.checked import Block, Statement, Variable, VariableKind, VariableRef
 from fbgen.lang.layout import holds_blocks
+from fbgen.lang.start_information import start_places
 from fbgen.lang.types import ArrayType, StructInitial, StructType
 from harness.engine.compiled import (
     attempts,
@@ -32,7 +33,6 @@ from harness.engine.compiled.statements import write_long
 from harness.engine.compiled.temporaries import read_unfilled
 from harness.engine.interface import Value
 from harness.engine.layout import S7
-from harness.engine.start_information import start_places
 
 for module in (
     *(places, references, operators, standard_functions, calls, attempts, local_errors),

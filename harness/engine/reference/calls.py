@@ -13,6 +13,7 @@ from fbgen.lang.checked import (
     Variable,
     VariableKind,
 )
+from fbgen.lang.start_information import start_places
 from fbgen.lang.types import VOID, AnyType, OpenArrayType
 from fbgen.source import Span
 from harness.engine.faults import nesting_too_deep
@@ -30,7 +31,6 @@ from harness.engine.reference.statements import Statements, Watchdog
 from harness.engine.reference.storage import InstanceStorage, Storage
 from harness.engine.reference.timers import Timer, control_timer
 from harness.engine.reference.unmodelled import Unmodelled, keep_inputs
-from harness.engine.start_information import start_places
 from harness.engine.stub_calls import with_eno
 from harness.engine.stubs import StubState
 

@@ -83,7 +83,7 @@ def test_a_drive_that_is_new_has_no_values_in_it(dialect: str, tmp_path: Path) -
 def test_a_drive_that_is_gone_is_told_at_its_lines(dialect: str, tmp_path: Path) -> None:
     path = written(tmp_path, dialect)
     gone = found(tmp_path, dialect, WITHOUT_FAN)
-    assert len(gone) == 4
+    assert len(gone) == 6
     assert {item.code for item in gone} == {"FB5023"}
     first = gone[0].span
     assert first is not None
@@ -91,6 +91,22 @@ def test_a_drive_that_is_gone_is_told_at_its_lines(dialect: str, tmp_path: Path)
     text = path.read_text("utf-8").splitlines()[line - 1]
     assert "minFrequency" in text
     assert "south.fan.minFrequency does not exist any more" in gone[0].message
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_a_parameter_that_an_older_file_does_not_have_is_told_and_has_its_safe_default(
+    dialect: str, tmp_path: Path
+) -> None:
+    path = written(tmp_path, dialect)
+    line = rb".*interlockInhibits.*\n" if dialect != "twincat" else rb",\s*interlockInhibits := \w+"
+    older, taken_out = re.subn(line, b"", path.read_bytes())
+    assert taken_out == 3
+    path.write_bytes(older)
+    (misfit,) = found(tmp_path, dialect)
+    assert "north.infeed.interlockInhibits" in misfit.message
+    names = [file.name for file in generated(TWO_GATEWAYS, dialect).files if file.is_program]
+    program = load_program([tmp_path / name for name in names], dialect=dialect)
+    assert program.globals.TOS_Parameters.north.infeed.interlockInhibits
 
 
 def test_a_file_that_cannot_be_read_is_told(tmp_path: Path) -> None:

@@ -105,6 +105,12 @@ def test_a_loop_needs_a_way_out(statements: str, expected: list[str]) -> None:
         ("IF #c THEN #t1(IN := #a, PT := T#1s); ELSE #t1(IN := FALSE); END_IF;", []),
         ("#t1(IN := #a, PT := T#1s); #t1(IN := #c, PT := T#1s);", ["FB4221"]),
         ("#t1(IN := FALSE); #t1(IN := #c, PT := T#1s);", []),
+        ("#t1(IN := #a, PT := T#1s); #t1(IN := FALSE); #t1(IN := TRUE, PT := T#1s);", []),
+        (
+            "#t1(IN := #a, PT := T#1s); IF #c THEN #t1(IN := FALSE); END_IF; #t1(IN := #c);",
+            ["FB4221"],
+        ),
+        ("#r1(CLK := #a); #r1(CLK := FALSE); #r1(CLK := #c);", []),
         ("FOR #i := 0 TO 3 DO #t1(IN := #a, PT := T#1s); END_FOR;", ["FB4221"]),
         ("CASE #n OF 1: #t1(IN := #a); 2: #t1(IN := #c); END_CASE;", []),
         ("IF #a THEN #t1(IN := #a); END_IF; #t1(IN := #c);", ["FB4221"]),
@@ -226,3 +232,61 @@ def test_a_timer_that_resets_itself_is_warned_of_where_its_end_is_never_seen(
     plain = text.replace("#", "").replace('"F"', "F").replace("BEGIN\n", "")
     plain = plain.replace("TON_TIME", "TON")
     assert "FB4225" not in [one.code for one in findings_of(plain, "iec")]
+
+
+_OB = """ORGANIZATION_BLOCK "OB86"
+VAR_TEMP
+  what : BYTE;
+  others : ARRAY[1..{others}] OF BYTE;
+  behind : BYTE;
+END_VAR
+BEGIN
+  "seen".x := #what = #behind;
+END_ORGANIZATION_BLOCK
+DATA_BLOCK "seen"
+STRUCT x : BOOL; END_STRUCT;
+BEGIN
+END_DATA_BLOCK
+"""
+
+
+@pytest.mark.parametrize("dialect", ["tia", "step7"])
+@pytest.mark.parametrize(("others", "unset"), [(16, []), (18, ["behind"])])
+def test_the_start_information_of_an_organization_block_is_20_bytes(
+    dialect: str, others: int, unset: list[str]
+) -> None:
+    found = findings_of(_OB.replace("{others}", str(others)), dialect)
+    assert [one.span.text.strip("#") for one in found if one.span] == unset
+    assert {one.code for one in found} <= {"FB4206"}
+
+
+_FOR_FORM = """FUNCTION Text : BOOL
+VAR_INPUT code : INT; END_VAR
+VAR_OUTPUT letter : INT; END_VAR
+Text := {answer};
+letter := code + 1;
+END_FUNCTION
+FUNCTION_BLOCK Panel
+VAR_INPUT code : INT; END_VAR
+VAR_OUTPUT letter : INT; END_VAR
+VAR unused : BOOL; END_VAR
+unused := {called}(code := code, letter => letter);
+END_FUNCTION_BLOCK
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "codes"),
+    [
+        ("TRUE", []),
+        ("code > 0", ["FB4203"]),
+        ("FALSE", ["FB4203"]),
+        ("TRUE; Text := FALSE", ["FB4203"]),
+    ],
+)
+def test_a_result_that_says_nothing_may_go_nowhere(answer: str, codes: list[str]) -> None:
+    text = _FOR_FORM.replace("{answer}", answer).replace("{called}", "Text")
+    assert [one.code for one in findings_of(text, "iec")] == codes
+    dropped = text.replace("unused := ", "").replace("VAR unused : BOOL; END_VAR\n", "")
+    wanted = ["FB4235"] if codes else []
+    assert [one.code for one in findings_of(dropped, "twincat")] == wanted

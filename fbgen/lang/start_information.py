@@ -8,8 +8,7 @@ Source: TIA Portal help, "Organization blocks (S7-300, S7-400)", tables of local
 
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Block, Variable, VariableKind
-from fbgen.lang.layout import holds_blocks, holds_values
-from harness.engine.layout import S7
+from fbgen.lang.layout import S7_SIZES, holds_blocks, holds_values
 
 START_BYTES = 20
 
@@ -28,9 +27,9 @@ def start_places(block: Block) -> tuple[tuple[Variable, int], ...]:
             continue
         if not holds_values(variable.type) or holds_blocks(variable.type):
             break
-        bit = S7.aligned(end, variable.type)
-        end = bit + S7.size_bits(variable.type)
-        if bit + S7.used_bits(variable.type) > 8 * START_BYTES:
+        bit = S7_SIZES.aligned(end, variable.type)
+        end = bit + S7_SIZES.size_bits(variable.type)
+        if bit + S7_SIZES.used_bits(variable.type) > 8 * START_BYTES:
             break
         places.append((variable, bit))
     return tuple(places)
