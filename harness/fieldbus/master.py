@@ -10,8 +10,9 @@ from collections.abc import Callable
 from enum import Enum
 
 from fbgen.diagnostics import error
+from fbgen.wire.dp import ControlCommand
 from harness.fieldbus.cycle import CycleGrid, CycleTimes
-from harness.fieldbus.slave import ControlCommand, DpSlave
+from harness.fieldbus.slave import DpSlave
 from harness.fieldbus.station import Station, StationSettings, Transfer
 from harness.kernel import Event, Kernel
 

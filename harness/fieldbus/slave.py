@@ -2,19 +2,32 @@
 
     WAIT_PRM --Set_Prm, ident right--> WAIT_CFG --Chk_Cfg, identifiers equal--> DATA_EXCHANGE
        ^                                  |  wrong configuration                     |
-       +----------------------------------+----------- watchdog expired -------------+
+       +----------------------------------+----- watchdog expired, unlocked ---------+
 
-EN 50170 volume 2. The master calls the slave's services; nobody calls it cycle by cycle. As long as
-nothing is changed on either side a poll changes nothing either, so a poll that tells nothing new is
-not simulated, and the master says when it stops polling (`polling_ended`). From there the watchdog
-runs. With WD_On = 0 the slave never notices that it is alone.
+EN 50170 volume 2. The master calls the slave's services; a service that the slave does not offer in
+its state, or not to that master, says so (None or False: "no service activated"). The simulated
+master calls them itself, a real one through telegrams (`responder`). Nobody calls cycle by cycle:
+as long as nothing is changed on either side a poll changes nothing either, so a poll that tells
+nothing new is not simulated, and the master says when it stops polling (`polling_ended`). From
+there the watchdog runs. With WD_On = 0 the slave never notices that it is alone.
+
+Recalled, and found in no document: outputs of a wrong length end data exchange; RD_Inp and RD_Outp
+are answered in data exchange only.
 """
 
 from collections.abc import Callable
-from enum import Enum, IntFlag
+from enum import Enum
 from typing import Protocol
 
-from harness.fieldbus.parameters import Parameters, SlaveType
+from fbgen.wire.dp import (
+    DIAGNOSIS_BYTES,
+    DIAGNOSIS_OVERFLOW,
+    ControlCommand,
+    DiagnosisMode,
+    DiagnosisStatus,
+)
+from fbgen.wire.profibus import decode_identifiers, output_length
+from harness.fieldbus.parameters import Lock, Parameters, SlaveType
 from harness.kernel import Event, Kernel
 
 
@@ -28,16 +41,6 @@ class SlaveState(Enum):
 
 _DATA_EXCHANGE = SlaveState.DATA_EXCHANGE
 """By a name of its own: Python looks a member of an Enum up slowly, and polls are many."""
-
-
-class ControlCommand(IntFlag):
-    """Bits of the first byte of Global_Control. Unsync and Unfreeze win over Sync and Freeze."""
-
-    CLEAR_DATA = 0x02
-    UNFREEZE = 0x04
-    FREEZE = 0x08
-    UNSYNC = 0x10
-    SYNC = 0x20
 
 
 class DpDevice(Protocol):
@@ -57,16 +60,19 @@ class DpDevice(Protocol):
 
 
 NO_MASTER = 0xFF
-_NOT_READY, _CFG_FAULT, _EXT_DIAG, _PRM_FAULT = 0x02, 0x04, 0x08, 0x40
-_PRM_REQ, _ALWAYS_1, _WD_ON, _FREEZE_MODE, _SYNC_MODE = 0x01, 0x04, 0x08, 0x10, 0x20
 
 
 class DpSlave:
-    """The PROFIBUS side of a device. Inputs and outputs are seen from the PLC."""
+    """The PROFIBUS side of a device. Inputs and outputs are seen from the PLC.
+
+    `configuration` is what the master has chosen of what the slave accepts. `diagnosis_waiting` is
+    True while the slave asks its master to fetch Slave_Diag. `power_ons` counts.
+    """
 
     __slots__ = (
         "_attention",
         "_device",
+        "_extended",
         "_held",
         "_inputs",
         "_kernel",
@@ -74,6 +80,8 @@ class DpSlave:
         "_zeros",
         "address",
         "cfg_fault",
+        "configuration",
+        "diagnosis_waiting",
         "ext_diag",
         "freeze",
         "inputs",
@@ -81,6 +89,7 @@ class DpSlave:
         "online",
         "outputs",
         "parameters",
+        "power_ons",
         "powered",
         "prm_fault",
         "state",
@@ -96,7 +105,7 @@ class DpSlave:
         address: int,
         sizes: tuple[int, int],
     ) -> None:
-        """`sizes` are the bytes of outputs and inputs that the configuration carries."""
+        """`sizes` are the bytes of outputs and inputs that the type's configuration carries."""
         self._kernel = kernel
         self._device = device
         self._attention: Callable[[], None] | None = None
@@ -104,7 +113,10 @@ class DpSlave:
         self._zeros = bytes(sizes[0])
         self.type = type
         self.address = address
-        self.powered = self.online = self.ext_diag = False
+        self.powered = self.online = self.ext_diag = self.diagnosis_waiting = False
+        self.power_ons = 0
+        self.configuration = type.configuration
+        self._extended = b""
         self._inputs = self.inputs = bytes(sizes[1])
         self._forget()
 
@@ -113,7 +125,7 @@ class DpSlave:
         self.parameters: Parameters | None = None
         self.master_address = NO_MASTER
         self.prm_fault = self.cfg_fault = False
-        self.sync = self.freeze = False
+        self._end_holding()
         self.outputs = self._held = self._zeros
 
     # --- the device's side ------------------------------------------------------------------
@@ -126,6 +138,7 @@ class DpSlave:
         """Supply comes; the address switches are read now and not again."""
         self.address = address
         self.powered = True
+        self.power_ons += 1
         self._notify()
 
     def power_off(self) -> None:
@@ -139,6 +152,7 @@ class DpSlave:
         """Stand there as a slave of another type, as after the device was exchanged."""
         self.type = type
         self._leave_exchange()
+        self._choose(type.configuration)
         self._forget()
         self._notify()
 
@@ -157,61 +171,107 @@ class DpSlave:
                 if self._attention is not None:
                     self._attention()
 
-    def set_ext_diag(self, reported: bool) -> None:
-        """Report a diagnosis of the device, or that it is over."""
-        if reported is not self.ext_diag:
+    def set_ext_diag(self, reported: bool, extended: bytes = b"") -> None:
+        """Report a diagnosis of the device, or that it is over.
+
+        `extended` are the bytes behind the six standard ones, with their header.
+        """
+        if reported is not self.ext_diag or extended != self._extended:
             self.ext_diag = reported
+            self._extended = extended
+            self.diagnosis_waiting = True
             self._notify()
 
     # --- the bus's side ---------------------------------------------------------------------
 
     def slave_diag(self) -> bytes:
-        """The six standard bytes of Slave_Diag."""
-        exchanging = self.state is SlaveState.DATA_EXCHANGE
-        first = (
-            (0 if exchanging else _NOT_READY)
-            | (_CFG_FAULT if self.cfg_fault else 0)
-            | (_EXT_DIAG if self.ext_diag else 0)
-            | (_PRM_FAULT if self.prm_fault else 0)
-        )
-        watched = self.parameters is not None and self.parameters.watchdog_factors is not None
-        second = (
-            _ALWAYS_1
-            | (_PRM_REQ if self.state is SlaveState.WAIT_PRM else 0)
-            | (_WD_ON if watched else 0)
-            | (_FREEZE_MODE if self.freeze else 0)
-            | (_SYNC_MODE if self.sync else 0)
-        )
-        ident = self.type.ident_number.to_bytes(2, "big")
-        return bytes((first, second, 0, self.master_address)) + ident
+        """Slave_Diag: the six standard bytes, and those of the device behind them."""
+        status, mode = DiagnosisStatus(0), DiagnosisMode.ALWAYS_1
+        if self.state is not SlaveState.DATA_EXCHANGE:
+            status |= DiagnosisStatus.NOT_READY
+        if self.state is SlaveState.WAIT_PRM:
+            mode |= DiagnosisMode.PRM_REQ
+        if self.cfg_fault:
+            status |= DiagnosisStatus.CFG_FAULT
+        if self.prm_fault:
+            status |= DiagnosisStatus.PRM_FAULT
+        if self.ext_diag:
+            status |= DiagnosisStatus.EXT_DIAG
+        if self.parameters is not None and self.parameters.watchdog_factors is not None:
+            mode |= DiagnosisMode.WD_ON
+        if self.freeze:
+            mode |= DiagnosisMode.FREEZE_MODE
+        if self.sync:
+            mode |= DiagnosisMode.SYNC_MODE
+        extended = self._extended[: self.type.max_diagnosis_bytes - DIAGNOSIS_BYTES]
+        overflow = DIAGNOSIS_OVERFLOW if extended != self._extended else 0
+        head = bytes((status, mode, overflow, self.master_address))
+        return head + self.type.ident_number.to_bytes(2, "big") + extended
 
-    def set_prm(self, parameters: Parameters, master_address: int) -> None:
-        """Set_Prm: from every state; a wrong ident number or user data leave the slave waiting."""
+    def diagnosis_fetched(self) -> None:
+        """The master of this slave has Slave_Diag as it is now: nothing more to ask for."""
+        self.diagnosis_waiting = False
+
+    def set_prm(self, parameters: Parameters | None, master_address: int) -> bool:
+        """Set_Prm: from every state; a wrong ident number or user data leave the slave waiting.
+
+        None are contents that cannot be read. False: the slave belongs to another master.
+        """
+        if not self.open_to(master_address):
+            return False
+        if parameters is not None and parameters.lock is Lock.NEITHER:
+            return True  # only the delay of answers may change, which nothing here depends on
         self._leave_exchange()
         self._forget()
-        if (
-            parameters.ident_number != self.type.ident_number
-            or len(parameters.user_data) != self.type.user_parameter_bytes
-        ):
+        if parameters is None or not self._suits(parameters):
             self.prm_fault = True
-            return
-        self.parameters = parameters
-        self.master_address = master_address
-        self.state = SlaveState.WAIT_CFG
+        elif parameters.lock is Lock.LOCK:
+            self.parameters = parameters
+            self.master_address = master_address
+            self.state = SlaveState.WAIT_CFG
+        return True
 
-    def chk_cfg(self, configuration: bytes) -> None:
-        """Chk_Cfg: the identifiers must be the slave's own, byte by byte."""
-        if self.state is not SlaveState.WAIT_CFG:
-            return
-        if configuration != self.type.configuration:
+    def chk_cfg(self, configuration: bytes) -> bool:
+        """Chk_Cfg: the identifiers must be the slave's own, byte by byte.
+
+        False: the slave has no parameters yet.
+        """
+        if self.state is SlaveState.WAIT_PRM:
+            return False
+        if not self.type.accepts(configuration):
+            self._leave_exchange()
             self._forget()
             self.cfg_fault = True
-            return
+            return True
+        if configuration != self.configuration:
+            self._leave_exchange()
+            self._choose(configuration)
         self.state = SlaveState.DATA_EXCHANGE
+        return True
+
+    def get_cfg(self) -> bytes:
+        """Get_Cfg: the identifiers as they are, in every state, for every master."""
+        return self.configuration
+
+    def rd_inp(self) -> bytes | None:
+        """RD_Inp: the inputs as the slave's own master gets them, for every master."""
+        return self.inputs if self.state is _DATA_EXCHANGE else None
+
+    def rd_outp(self) -> bytes | None:
+        """RD_Outp: the outputs as they are put out, for every master."""
+        return self.outputs if self.state is _DATA_EXCHANGE else None
+
+    def open_to(self, master_address: int) -> bool:
+        """Whether this master may give parameters: it has done so before, or nobody has."""
+        return self.master_address in (NO_MASTER, master_address)
 
     def data_exchange(self, outputs: bytes) -> bytes | None:
         """Take outputs and give the inputs; None (service not activated) in another state."""
         if self.state is not _DATA_EXCHANGE:
+            return None
+        if len(outputs) != len(self._zeros):
+            self._leave_exchange()
+            self._forget()
             return None
         if self._watchdog is not None:
             self._stop_watchdog()
@@ -238,11 +298,12 @@ class DpSlave:
         if command & ControlCommand.UNSYNC:
             self.sync = False
             self._apply(self._held)
-        elif command & ControlCommand.SYNC:
+        elif command & ControlCommand.SYNC and self.parameters.sync:
             self.sync = True
             self._apply(self._held)
-        if command & (ControlCommand.UNFREEZE | ControlCommand.FREEZE):
-            self.freeze = not command & ControlCommand.UNFREEZE
+        unfreeze = command & ControlCommand.UNFREEZE
+        if unfreeze or (command & ControlCommand.FREEZE and self.parameters.freeze):
+            self.freeze = not unfreeze
             if self.inputs != self._inputs:
                 self.inputs = self._inputs
                 self._notify()
@@ -254,6 +315,25 @@ class DpSlave:
             self._watchdog = self._kernel.at(last_poll_ns + watchdog_ns, self._watchdog_expired)
 
     # --- inside -----------------------------------------------------------------------------
+
+    def _end_holding(self) -> None:
+        self.sync = self.freeze = False
+        self.inputs = self._inputs
+
+    def _choose(self, configuration: bytes) -> None:
+        if configuration != self.configuration:
+            self.configuration = configuration
+            self._zeros = bytes(output_length(decode_identifiers(configuration)))
+            self._end_holding()
+            self.outputs = self._held = self._zeros
+
+    def _suits(self, parameters: Parameters) -> bool:
+        factors = parameters.watchdog_factors
+        return (
+            parameters.ident_number == self.type.ident_number
+            and len(parameters.user_data) == self.type.user_parameter_bytes
+            and (factors is None or 0 not in factors)
+        )
 
     def _apply(self, outputs: bytes) -> None:
         if outputs != self.outputs:

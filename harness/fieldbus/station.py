@@ -13,6 +13,7 @@ from functools import partial
 from typing import NamedTuple, Protocol
 
 from fbgen.diagnostics import error
+from fbgen.wire.dp import DiagnosisStatus
 from fbgen.wire.profibus import (
     IdentifierError,
     Slot,
@@ -24,7 +25,7 @@ from fbgen.wire.profibus import (
 from harness.fieldbus.parameters import Parameters
 from harness.fieldbus.slave import DpSlave
 
-_FAULTS = 0x04 | 0x40
+_FAULTS = DiagnosisStatus.CFG_FAULT | DiagnosisStatus.PRM_FAULT
 
 
 class StationState(Enum):
@@ -263,6 +264,7 @@ class Station:
         reporting = self.slave.ext_diag  # told by the priority of the answer
         if self.transfers == 1 or reporting is not self.reporting:
             self.reporting = reporting
+            self.slave.diagnosis_fetched()
             master.report(self)
 
     def _drop(self, state: StationState) -> None:
