@@ -22,6 +22,7 @@ from fbgen.cli import (
     mutate,
     run,
     schemas,
+    sim,
     test,
 )
 from fbgen.cli.examples import examples
@@ -81,3 +82,4 @@ for _module in (
 ):
     _module.register(program)
 catalog.register(program)
+sim.register(program)

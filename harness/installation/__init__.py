@@ -9,14 +9,17 @@ Switched on, two seconds later:
 """
 
 from harness.installation.building import build_plant, plant
+from harness.installation.devices import FieldDevices, build_devices
 from harness.installation.plant import Installation
 from harness.installation.programs import generated_program, generated_sources
 from harness.installation.setup import DriveConditions, PlantSetup
 
 __all__ = [
     "DriveConditions",
+    "FieldDevices",
     "Installation",
     "PlantSetup",
+    "build_devices",
     "build_plant",
     "generated_program",
     "generated_sources",

@@ -69,6 +69,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | PLANT
     | {"fbgen.columns", "harness.faults", "harness.results", "harness.scenario", "harness.verify"},
     "harness.results": BASE,
+    "harness.serial": BASE | TEXT | PLANT,
     "harness.scenario": BASE
     | TEXT
     | PLANT

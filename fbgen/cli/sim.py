@@ -1,0 +1,194 @@
+"""`fbgen sim`: simulated devices on a real port, for a PLC or a master that is none of ours."""
+
+import sys
+from pathlib import Path
+from time import monotonic
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from fbgen.cli.examples import examples
+from fbgen.cli.layers import CatalogOption
+from fbgen.cli.output import on_error_terminal, result, say
+
+if TYPE_CHECKING:
+    from fbgen.catalog import Catalog
+    from fbgen.plant import Plant, PlantGateway
+    from harness.serial import Port, ServedGateways
+
+_SHOWN_EVERY_S = 0.5
+_EXAMPLES = {"tospbdp001": "manual_example"}
+"""The shipped example plant with a gateway of each type that can be served."""
+
+commands = typer.Typer(help="Serve simulated devices on a real port.", no_args_is_help=True)
+
+
+def register(program: typer.Typer) -> None:
+    """Add the commands to the program."""
+    program.add_typer(
+        commands,
+        name="sim",
+        epilog=examples("fbgen sim gateway --pty", "fbgen sim gateway --port /dev/ttyUSB0"),
+    )
+
+
+@commands.callback()
+def _sim() -> None:
+    """Serve simulated devices on a real port, in real time."""
+
+
+@commands.command(
+    "gateway",
+    epilog=examples(
+        "fbgen sim gateway --port /dev/ttyUSB0              the manual's example: drive 11",
+        "fbgen sim gateway --port COM3 --baud 93750 plant.yaml",
+        "fbgen sim gateway --port socket://192.168.0.9:4001 --address 7 --layout doc9",
+        "fbgen sim gateway --pty                            prints the pseudo terminal's name",
+    ),
+)
+def gateway(
+    plant: Annotated[
+        Path | None,
+        typer.Argument(
+            metavar="[PLANT]", help="Plant file with gateways and drives; else the example plant."
+        ),
+    ] = None,
+    port: Annotated[
+        str | None,
+        typer.Option("--port", metavar="P", help="COM3, /dev/ttyUSB0, or an address of pyserial."),
+    ] = None,
+    pty: Annotated[
+        bool, typer.Option("--pty", help="Make a pseudo terminal and print its name (Linux).")
+    ] = False,
+    baud: Annotated[
+        int, typer.Option("--baud", metavar="N", help="Speed of the port, in bit/s.")
+    ] = 19_200,
+    kind: Annotated[
+        str | None,
+        typer.Option("--type", metavar="T", help="Gateway of the example plant: tospbdp001."),
+    ] = None,
+    layout: Annotated[
+        str | None,
+        typer.Option("--layout", metavar="L", help="gsd10, doc9, ...: instead of the plant's."),
+    ] = None,
+    address: Annotated[
+        int | None,
+        typer.Option("--address", metavar="N", help="PROFIBUS address instead of the plant's."),
+    ] = None,
+    catalog: CatalogOption = None,
+) -> None:
+    """Serve gateways with their inverters as PROFIBUS DP slaves, until Ctrl-C.
+
+    A real master sees the slaves that the simulated PLC sees. Answers come at once, not after the
+    delays that PROFIBUS asks for; a pseudo terminal keeps neither speed nor parity.
+    """
+    from fbgen.catalog import load_catalog
+    from harness.serial import gateways_to_serve
+
+    known = load_catalog(catalog or ())
+    _check_port(port, pty)
+    plan = _plant(plant, kind, layout, address, known)
+    served = gateways_to_serve(plan, known)
+    opened = _open(port, baud)
+    try:
+        if pty:
+            result(opened.name)
+        _serve(served, opened)
+    finally:
+        opened.close()
+
+
+def _check_port(port: str | None, pty: bool) -> None:
+    from fbgen.diagnostics import error
+
+    if (port is None) is not pty:
+        message = "--port and --pty at once" if pty else "it is not said where the gateway shall be"
+        raise error("FB9030", message, None, "give --port NAME, or --pty on Linux")
+
+
+def _plant(
+    path: Path | None, kind: str | None, layout: str | None, address: int | None, known: "Catalog"
+) -> "Plant":
+    from fbgen.diagnostics import error
+    from fbgen.nearest import nearest
+    from fbgen.plant import changed, load_plant
+    from fbgen.resources import shipped
+
+    if path is not None and kind is not None:
+        raise error(
+            "FB9030", "--type is for the example plant", None, f"{path.as_posix()} has the types"
+        )
+    wanted = kind or "tospbdp001"
+    if wanted not in _EXAMPLES:
+        raise error(
+            "FB9034", f"there is no gateway '{wanted}' to serve", None, nearest(wanted, _EXAMPLES)
+        )
+    plan = load_plant(path or shipped("examples") / _EXAMPLES[wanted] / "plant.yaml", known)
+    if layout is None and address is None:
+        return plan
+    if len(plan.gateways) != 1:
+        raise error(
+            "FB9030",
+            f"--layout and --address are for one gateway, and there are {len(plan.gateways)}",
+            None,
+            "set them in the plant file",
+        )
+    return changed(plan, known, gateways=(_other(plan.gateways[0], layout, address),))
+
+
+def _other(entry: "PlantGateway", layout: str | None, address: int | None) -> "PlantGateway":
+    return entry.model_copy(
+        update={
+            "layout": entry.layout if layout is None else layout,
+            "profibus_address": entry.profibus_address if address is None else address,
+        }
+    )
+
+
+def _open(port: str | None, baud: int) -> "Port":
+    from harness.serial import PseudoTerminal, profibus_port
+
+    return PseudoTerminal() if port is None else profibus_port(port, baud)
+
+
+def _serve(served: "ServedGateways", port: "Port") -> None:
+    from harness.serial import Server
+
+    display = _Display(served)
+    addresses = ", ".join(
+        f"{entry.name} at address {entry.profibus_address}, {entry.layout}"
+        for entry in served.plan.gateways
+    )
+    say(f"{port.name}: {addresses}; Ctrl-C ends")
+    try:
+        Server(served.kernel, served.segment, port).serve(display.look)
+    except KeyboardInterrupt:
+        pass
+    finally:
+        display.end()
+    segment = served.segment
+    say(f"{segment.requests} telegrams, {segment.answers} answers, {segment.skipped} bytes skipped")
+
+
+class _Display:
+    """One line on a terminal: what the devices do."""
+
+    def __init__(self, served: "ServedGateways") -> None:
+        self._served = served
+        self._shown_s = 0.0
+        self._is_shown = on_error_terminal()
+
+    def look(self) -> bool:
+        """Show the line anew if it is time to; serving always goes on."""
+        now_s = monotonic()
+        if self._is_shown and now_s - self._shown_s > _SHOWN_EVERY_S:
+            self._shown_s = now_s
+            sys.stderr.write(f"\r\x1b[K{self._served.state}")
+            sys.stderr.flush()
+        return True
+
+    def end(self) -> None:
+        """Clear the line."""
+        if self._is_shown:
+            sys.stderr.write("\r\x1b[K")
+            sys.stderr.flush()
