@@ -27,6 +27,8 @@ COMMANDS = [
         ("catalog",),
         ("catalog", "list"),
         ("catalog", "show"),
+        ("sim",),
+        ("sim", "gateway"),
     ],
 ]
 
