@@ -66,11 +66,14 @@ def _coverage(report: "ScenarioReport") -> "Iterator[Table]":
             yield Table("Coverage of the catalogue", CATALOGUE_HEADINGS, exercised)
 
 
-def asked_for(seed: int | None, select: str, dialect: str | None) -> tuple[str, ...]:
+def asked_for(
+    seed: int | None, select: str, dialect: str | None, temporaries: str | None
+) -> tuple[str, ...]:
     """What narrows or changes the session, as the report says it."""
     said = [
         f"seed {seed} for all" if seed is not None else "",
         f"dialect {dialect} for all" if dialect is not None else "",
+        f"temporaries {temporaries} for all" if temporaries is not None else "",
         f"only {select}" if select else "",
     ]
     return tuple(text for text in said if text)

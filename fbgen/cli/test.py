@@ -6,7 +6,7 @@ makes the writer; here it is only named.
 
 from contextlib import nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -49,6 +49,7 @@ def register(program: typer.Typer) -> None:
             "fbgen test scenarios -k 'start and not reverse' -j 4",
             "fbgen test scenarios --dialect step7",
             "fbgen test scenarios --seed 7 --json",
+            "fbgen test scenarios --temporaries undefined",
             "fbgen test scenarios --junit results.xml --annotations github",
             "fbgen test scenarios --html report.html",
             "fbgen test scenarios --trace runs.jsonl --vcd waves",
@@ -83,6 +84,14 @@ def run_scenarios(
         typer.Option("-j", "--jobs", metavar="N", min=1, help="Processes: one scenario each."),
     ] = 1,
     dialect: PlantDialectOption = None,
+    temporaries: Annotated[
+        Literal["initial", "undefined"] | None,
+        typer.Option(
+            "--temporaries",
+            help="What temporary variables hold before they are written, whatever the files say: "
+            "their defaults, or anything, as on an S7.",
+        ),
+    ] = None,
     junit: JunitOption = None,
     html: HtmlOption = None,
     annotations: AnnotationsOption = None,
@@ -104,7 +113,7 @@ def run_scenarios(
         raise typer.BadParameter("--json and --annotations github both print on standard output")
     asked: list[ReportWriter | None] = [
         JunitWriter(junit) if junit else None,
-        HtmlWriter(html, asked_for(seed, select, dialect)) if html else None,
+        HtmlWriter(html, asked_for(seed, select, dialect, temporaries)) if html else None,
         AnnotationWriter(annotations) if annotations else None,
         coverage_writer(coverage, fail_under, prints=not as_json),
     ]
@@ -115,7 +124,7 @@ def run_scenarios(
     with going_on_unread() if writers else nullcontext(Unread()) as unread:
         done = run_paths(
             paths or [Path()],
-            RunOptions(seed, select, dialect, jobs, observers),
+            RunOptions(seed, select, dialect, jobs, observers, temporaries),
             planned=session.planned,
             finished=session.counted if as_json else session.shown,
         )

@@ -61,6 +61,7 @@ def load_program(
     cycle_ms: float = 10,
     obs: ObSettings | None = None,
     probes: "Sequence[ProbeMaker]" = (),
+    leftovers: int | None = None,
 ) -> "LoadedProgram":
     """Read, check and load PLC text on a controller without hardware.
 
@@ -72,6 +73,8 @@ def load_program(
     `harness.engine.stubs`. `cycle_ms` is the time from one program cycle to the next, `obs` has the
     numbers and periods of organization blocks; both matter to `start`, `scan` and `run_for` only.
     `probes` look on while the program runs, such as a `Coverage`; only "compiled" takes any.
+    With `leftovers`, a seed, temporary variables hold anything before they are written, where the
+    controller does not clear them; without they begin with their defaults.
 
     Raises one `DiagnosticError` with everything that is wrong in them.
     """
@@ -79,6 +82,7 @@ def load_program(
     program = read_program(sources, dialect, db_numbers, constants, tags, stubbed=tuple(stubs))
     kernel = Kernel()
     environment = StandaloneEnvironment(kernel)
+    environment.services.leftovers = leftovers
     loaded = LoadedProgram(factory(program, environment, limits or Limits()), Clock(kernel))
     loaded.schedule(cycle_ms, obs)
     for name, stub in stubs.items():

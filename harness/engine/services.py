@@ -10,10 +10,16 @@ CALENDAR_START_NS = 1_325_376_000 * 1_000_000_000
 
 
 class Services:
-    """One per controller. `calendar_ns` is what the calendar clock shows at instant 0."""
+    """One per controller. `calendar_ns` is what the calendar clock shows at instant 0.
 
-    __slots__ = ("calendar_ns", "stubs")
+    `leftovers` is the seed of what temporary variables hold before they are written, see
+    `harness.engine.leftovers`; None where they begin with their defaults. It is set before a
+    program is loaded.
+    """
+
+    __slots__ = ("calendar_ns", "leftovers", "stubs")
 
     def __init__(self) -> None:
         self.calendar_ns = CALENDAR_START_NS
+        self.leftovers: int | None = None
         self.stubs = Stubs()

@@ -43,6 +43,7 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     kernel = Kernel(setup.seed)
     master = DpMaster(kernel, setup.bus)
     cpu = Cpu(kernel, _cpu_settings(plan, setup.cpu), master)
+    cpu.services.leftovers = setup.leftovers
     devices = build_devices(plan, catalog, kernel, setup.drives)
     stations: dict[str, Station] = {}
     for entry in plan.gateways:

@@ -42,7 +42,8 @@ class PlantSetup:
     is the DP watchdog of every gateway, None for none. The PLC starts `start_after_ns` later than
     the gateways and the bus. `probes` look on while the program runs; only the compiled engine
     takes them. `program` is what `sources` have been read to already, and `factory` loads it
-    instead of the engine that is named.
+    instead of the engine that is named. `leftovers` is the seed of what temporary variables hold
+    before they are written; None where they begin with their defaults.
     """
 
     seed: int = 0
@@ -57,3 +58,4 @@ class PlantSetup:
     probes: "Sequence[ProbeMaker]" = ()
     program: Program | None = None
     factory: EngineFactory | None = None
+    leftovers: int | None = None

@@ -14,7 +14,8 @@ Kind = TypeVar("Kind")
 class ScenarioResult:
     """One run of one scenario. `virtual_ns` is how long it took in the plant's own time.
 
-    `changes` is what the variation changes, in brackets; `dialect` what was asked for beside it.
+    `changes` is what the variation changes, in brackets; `dialect` and `temporaries` what was asked
+    for beside it.
     `plant` is the plant file, `ran_dialect` the dialect of the text that ran: empty if none did,
     because something was wrong in the files. `warnings` say what a run that has passed does not
     show. With an `expected_failure`, the reason for it, a scenario passes by having failures.
@@ -35,6 +36,7 @@ class ScenarioResult:
     warnings: tuple[Diagnostic, ...] = ()
     expected_failure: str | None = None
     observations: tuple[object, ...] = ()
+    temporaries: str = ""
 
     def observed(self, kind: type[Kind]) -> Kind | None:
         """The observation of this kind, `result.observed(Trace)`; None if nobody has made one."""
@@ -46,6 +48,8 @@ class ScenarioResult:
         command = ["fbgen", "test", self.file, "--seed", str(self.seed)]
         if self.dialect is not None:
             command += ["--dialect", self.dialect]
+        if self.temporaries:
+            command += ["--temporaries", self.temporaries]
         if self.changes:
             command += ["-k", f'"{self.changes}"']
         return shlex.join(command)

@@ -12,6 +12,7 @@ from harness.scenario.model import Scenario, Variation
 from harness.scenario.observers import Observer, ObserverMaker
 from harness.scenario.runner import ScenarioRun
 from harness.scenario.staging import Staging
+from harness.scenario.temporaries import Temporaries
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +21,7 @@ class ScenarioCase:
 
     `dialect` takes the place of that of the variation and of the plant file. `row` names the row
     of the table of cases that is filled in, `repeats` tells that the scenario runs with more seeds
-    than this one.
+    than this one. `temporaries` were asked for beside the file, and stand in the scenario.
     """
 
     path: Path
@@ -30,6 +31,7 @@ class ScenarioCase:
     row: str = ""
     seed: int = 0
     repeats: bool = False
+    temporaries: Temporaries | None = None
 
     @property
     def changes(self) -> str:
@@ -83,6 +85,7 @@ def run_case(
         dialect=case.dialect,
         plant=case.plant.as_posix() if case.plant is not None else "",
         expected_failure=case.scenario.expect_failure,
+        temporaries=case.temporaries or "",
     )
     watching = [make(case) for make in observers]
     try:

@@ -43,19 +43,26 @@ def find_scenarios(paths: Sequence[Path]) -> tuple[Path, ...]:
 def scenario_cases(path: Path, options: RunOptions | None = None) -> tuple[ScenarioCase, ...]:
     """A file's scenario once for each row of its table, each of its variations and each seed.
 
-    `options` may give another seed and dialect.
+    `options` may give another seed, dialect, and start of temporary variables.
 
     Raises DiagnosticError FB1001 to FB1008, FB8002, FB8008, FB8015 to FB8018.
     """
     options = options or RunOptions()
     cases: list[ScenarioCase] = []
+    temporaries = options.temporaries
     for row, scenario in filled_in(load_yaml(read_source(path, path.as_posix()))):
+        if temporaries is not None:
+            scenario = scenario.model_copy(update={"temporaries": temporaries})
         seeds = seeds_of(scenario.seed, scenario.seeds)
         if options.seed is not None:
             seeds = (options.seed,)
         dialect = options.dialect if scenario.plant is not None else None
         cases += [
-            ScenarioCase(path, scenario, variation, dialect, row, seed, repeats=len(seeds) > 1)
+            ScenarioCase(
+                *(path, scenario, variation, dialect, row, seed),
+                repeats=len(seeds) > 1,
+                temporaries=temporaries,
+            )
             for variation in scenario.variations or (Variation(),)
             for seed in seeds
         ]

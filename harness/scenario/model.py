@@ -37,6 +37,7 @@ from harness.scenario.schema_places import with_places
 from harness.scenario.seeds import Seeds
 from harness.scenario.start_model import GatewaySetup, PlantTimes
 from harness.scenario.stub_tables import StubValue
+from harness.scenario.temporaries import Temporaries
 
 RuleName = Annotated[Text, WithJsonSchema({"enum": ["all", *sorted(RULES)]})]
 """A rule of the plant; which ones there are is checked with the plant at hand."""
@@ -264,6 +265,11 @@ class Scenario(Located):
     seed: Count = Field(default=0, description="Seed of everything random, such as reply times")
     engine: Literal["compiled", "reference"] = Field(
         default="compiled", description="How the PLC text is run; both give the same"
+    )
+    temporaries: Temporaries = Field(
+        default="initial",
+        description="What temporary variables hold before they are written: their defaults, or "
+        "anything, where the controller does not clear them",
     )
     variations: tuple[Variation, ...] = Field(default=(), description="Run once for each of these")
     drives: dict[str, DriveSetup] = Field(

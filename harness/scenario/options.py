@@ -3,16 +3,17 @@
 from dataclasses import dataclass
 
 from harness.scenario.observers import ObserverMaker
+from harness.scenario.temporaries import Temporaries
 
 
 @dataclass(frozen=True, slots=True)
 class RunOptions:
     """What is asked for beside the files.
 
-    `seed` and `dialect` take the place of those of the files. `select` is an expression over
-    titles, files, variations and tags, see `harness.scenario.selection`. `jobs` processes run
-    scenarios at the same time; the results are the same, in the same order. `observers` look on at
-    each run.
+    `seed`, `dialect` and `temporaries` take the place of those of the files. `select` is an
+    expression over titles, files, variations and tags, see `harness.scenario.selection`. `jobs`
+    processes run scenarios at the same time; the results are the same, in the same order.
+    `observers` look on at each run.
     """
 
     seed: int | None = None
@@ -20,3 +21,4 @@ class RunOptions:
     dialect: str | None = None
     jobs: int = 1
     observers: tuple[ObserverMaker, ...] = ()
+    temporaries: Temporaries | None = None

@@ -27,6 +27,7 @@ from harness.scenario.plant_stage import PlantStage
 from harness.scenario.scalars import Scalar
 from harness.scenario.stage import Stage
 from harness.scenario.stub_tables import stub_of
+from harness.scenario.temporaries import leftovers_of
 from harness.trial import subject_named
 
 
@@ -83,8 +84,11 @@ class Staging:
     def build(self, planned: Planned, seed: int, factory: EngineFactory) -> Stage:
         """Plant or block with a program loaded by `factory`. Raises DiagnosticError."""
         if planned.plan is None or self._scenario.block is not None:
-            return self._block(planned, factory)
+            return self._block(planned, seed, factory)
         return self._plant(planned.plan, planned, seed, factory)
+
+    def _leftovers(self, seed: int) -> int | None:
+        return leftovers_of(self._scenario.temporaries, seed)
 
     def _plant(
         self, plan: Plant, planned: Planned, seed: int, factory: EngineFactory
@@ -100,13 +104,16 @@ class Staging:
             start_after_ns=scenario.times.start,
             program=planned.program,
             factory=factory,
+            leftovers=self._leftovers(seed),
         )
         return PlantStage(build_plant(plan, planned.catalog, setup), planned.catalog)
 
-    def _block(self, planned: Planned, factory: EngineFactory) -> BlockStage:
+    def _block(self, planned: Planned, seed: int, factory: EngineFactory) -> BlockStage:
         scenario = self._scenario
         kernel = Kernel()
-        engine = factory(planned.program, StandaloneEnvironment(kernel), Limits())
+        environment = StandaloneEnvironment(kernel)
+        environment.services.leftovers = self._leftovers(seed)
+        engine = factory(planned.program, environment, Limits())
         loaded = LoadedProgram(engine, Clock(kernel))
         for name, outputs in scenario.stubs.items():
             loaded.stub(name, stub_of(outputs, _value, lambda: kernel.now_ns))

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from fbgen.lang.checked import Block, Statement, Variable, VariableKind, VariableRef
 from fbgen.lang.layout import holds_blocks
@@ -33,6 +34,7 @@ from harness.engine.compiled.statements import write_long
 from harness.engine.compiled.temporaries import read_unfilled
 from harness.engine.interface import Value
 from harness.engine.layout import S7
+from harness.engine.leftovers import left_over, values_left
 
 for module in (
     *(places, references, operators, standard_functions, calls, attempts, local_errors),
@@ -149,6 +151,14 @@ def _head(procedure: Procedure, parameters: Sequence[Variable], body: Sequence[S
             if procedure.has_cell(variable):
                 text = f"{target} = _ValueCell({text.removeprefix(f'{target} = ')})"
             procedure.line(text)
+    if context.shapes.leaves:
+        left = [
+            variable
+            for variable in left_over(context.block, context.model.program.dialect)
+            if variable not in filled_first or variable in placement.bits
+        ]
+        if left:
+            _leftovers(procedure, left)
     used = [
         (variable, bit)
         for variable, bit in start_places(context.block)
@@ -156,6 +166,25 @@ def _head(procedure: Procedure, parameters: Sequence[Variable], body: Sequence[S
     ]
     if used:
         _start_information(procedure, used)
+
+
+def _leftovers(procedure: Procedure, variables: Sequence[Variable]) -> None:
+    """Write what gives temporary variables the values that were left in their places."""
+    context = procedure.context
+    draw = context.table("left", partial(values_left, context.block, tuple(variables)))
+    values = procedure.temporary()
+    procedure.line(f"{values} = {draw}(_environment)")
+    for number, variable in enumerate(variables):
+        _fill(procedure, variable, f"{values}[{number}]")
+
+
+def _fill(procedure: Procedure, variable: Variable, value: str, indent: str = "") -> None:
+    """Write what gives a variable a whole value that was made outside of the program."""
+    if is_scalar(variable.type):
+        procedure.line(f"{indent}{procedure.text_of(variable)} = {value}")
+        return
+    node = procedure.context.table("filled", VariableRef(variable.span, variable, variable.type))
+    procedure.line(f"{indent}_fill({node}, {procedure.storage(variable)}, {value})")
 
 
 def _start_information(procedure: Procedure, places: Sequence[tuple[Variable, int]]) -> None:
@@ -170,11 +199,7 @@ def _start_information(procedure: Procedure, places: Sequence[tuple[Variable, in
     procedure.line("if _cpu.start:")
     procedure.line(f"    {values} = {context.table('start', read)}(_cpu.start)")
     for number, (variable, _) in enumerate(places):
-        if is_scalar(variable.type):
-            procedure.line(f"    {procedure.text_of(variable)} = {values}[{number}]")
-        else:
-            node = context.table("filled", VariableRef(variable.span, variable, variable.type))
-            procedure.line(f"    _fill({node}, {procedure.storage(variable)}, {values}[{number}])")
+        _fill(procedure, variable, f"{values}[{number}]", "    ")
 
 
 def _function(context: BlockContext, body: Sequence[Statement]) -> Listing:

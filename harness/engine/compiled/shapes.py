@@ -34,15 +34,17 @@ def frame_kinds(block: Block) -> tuple[VariableKind, ...]:
 class Shapes:
     """The layout of all that lies in bytes.
 
-    `image_sizes` has the bytes of the areas I, Q and M of the controllers that it is for.
+    `image_sizes` has the bytes of the areas I, Q and M of the controllers that it is for. With
+    `leaves` these leave in temporary variables what stands there, see `harness.engine.leftovers`.
     """
 
-    __slots__ = ("_codecs", "image_sizes", "layout", "model")
+    __slots__ = ("_codecs", "image_sizes", "layout", "leaves", "model")
 
-    def __init__(self, model: Model, image_sizes: Mapping[str, int]) -> None:
+    def __init__(self, model: Model, image_sizes: Mapping[str, int], *, leaves: bool) -> None:
         self.model = model
         self.layout = model.layout
         self.image_sizes = image_sizes
+        self.leaves = leaves
         self._codecs: dict[Type, Codec] = {}
 
     def frame(self, block: Block) -> Placement:

@@ -54,6 +54,7 @@ class _Kind(NamedTuple):
 
     image_sizes: tuple[int, int, int]
     classic: bool
+    leaves: bool
     call_depth: int
     loop_passes: int
 
@@ -78,6 +79,7 @@ def translation_of(
     inputs, outputs, markers = map(len, areas)
     kind = _Kind(
         *((inputs, outputs, markers), environment.classic),
+        environment.services.leftovers is not None,
         *(limits.call_depth, limits.loop_passes),
     )
     if probe is not None:
@@ -96,7 +98,8 @@ def _translated(
     program: Program, library: Mapping[str, type], kind: _Kind, probe: Probe | None
 ) -> Translation:
     model = Model(program, library)
-    shapes = Shapes(model, dict(zip("IQM", kind.image_sizes, strict=True)))
+    sizes = dict(zip("IQM", kind.image_sizes, strict=True))
+    shapes = Shapes(model, sizes, leaves=kind.leaves)
     facts = Facts(program, kind.call_depth)
     with room_for_generation():
         facts.counts_loops = may_exceed(program, facts, kind.loop_passes)

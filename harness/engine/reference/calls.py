@@ -19,6 +19,7 @@ from fbgen.source import Span
 from harness.engine.faults import nesting_too_deep
 from harness.engine.interface import Limits, Value
 from harness.engine.layout import S7
+from harness.engine.leftovers import left_over, values_left
 from harness.engine.reference.addresses import Addresses
 from harness.engine.reference.allocation import Allocator
 from harness.engine.reference.expressions import Expressions
@@ -99,6 +100,7 @@ class Calls:
         for variable in block.variables:
             if variable not in arguments.storages and variable.kind is not VariableKind.IN_OUT:
                 arguments.storages[variable] = self._allocator.variable(variable)
+        self._leave_over(block, arguments)
         self._run_body(block, arguments, span)
 
     def run_instance(
@@ -127,6 +129,7 @@ class Calls:
                 frame.storages[variable] = self._allocator.variable(variable)
             elif key in instance.connections:
                 frame.storages[variable] = instance.connections[key]
+        self._leave_over(block, frame)
         if start:
             for variable, bit in start_places(block):
                 frame.storages[variable].write(S7.read(start, bit, variable.type))
@@ -135,6 +138,16 @@ class Calls:
     def run_standard(self, instance: InstanceStorage, block: StandardBlock) -> None:
         """A block of the controller; its inputs have been set."""
         run_standard_block(instance, block, self._environment.now_ns)
+
+    def _leave_over(self, block: Block, frame: Frame) -> None:
+        """Give temporaries what stood in their places before, if the controller clears none."""
+        environment = self._environment
+        if environment.services.leftovers is None:
+            return
+        variables = left_over(block, self._program.dialect)
+        values = values_left(block, variables, environment)
+        for variable, value in zip(variables, values, strict=True):
+            frame.storages[variable].write(value)
 
     def _run_body(self, block: Block, frame: Frame, span: Span | None) -> None:
         if self._depth >= self._limits.call_depth:

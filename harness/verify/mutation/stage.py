@@ -88,7 +88,7 @@ class Stage:
             staging.planned(case.variation, case.dialect)
             for staging, case in zip(self._staging, cases, strict=True)
         ]
-        self._engines: dict[tuple[int, int], ReplaceableEngine] = {}
+        self._engines: dict[tuple[int, int, bool], ReplaceableEngine] = {}
         self._subjects: dict[tuple[int, str], Subject] = {}
         self._bodies: dict[Hashable, CompiledBody] = {}
         self._seen: dict[Hashable, bytearray] = {}
@@ -149,7 +149,7 @@ class Stage:
     def _engine(
         self, program: Program, environment: Environment, limits: Limits
     ) -> ReplaceableEngine:
-        key = id(program), len(environment.inputs)
+        key = id(program), len(environment.inputs), _leaves(environment)
         engine = self._engines.get(key)
         if engine is None:
             limits = replace(limits, loop_passes=min(limits.loop_passes, MOST_PASSES))
@@ -162,7 +162,8 @@ class Stage:
         """The other body for an engine; often it has been written for another engine before."""
         subject = self.subject(case, other.block)
         assert subject is not None, "only cases with the block are run"
-        shared = (subject.key, engine.text_of(subject.block.name), other.key)
+        text = engine.text_of(subject.block.name)
+        shared = (subject.key, text, _leaves(engine.environment), other.key)
         own = (id(engine), *shared)
         found = self._bodies.get(own) or self._bodies.get(shared)
         if found is None:
@@ -196,6 +197,11 @@ class Stage:
 
         ending = self.run(case, OtherBody(name, asked, make))
         return ending.failures, bytes(seen)
+
+
+def _leaves(environment: Environment) -> bool:
+    """Whether temporaries are left as they are at the start of a call: then code differs."""
+    return environment.services.leftovers is not None
 
 
 def _failures(run: ScenarioRun) -> tuple[Diagnostic, ...]:

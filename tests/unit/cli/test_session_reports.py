@@ -84,11 +84,13 @@ def test_json_and_lines_for_github_do_not_share_standard_output(fbgen: Fbgen, fo
 def test_the_html_report_has_a_diagram_of_each_run_and_says_what_was_asked(
     fbgen: Fbgen, folder: Path
 ) -> None:
-    run = fbgen("test", "stands.scenario.yaml", "--seed", "7", "--html", "out/report.html")
+    asked = ("--seed", "7", "--temporaries", "undefined")
+    run = fbgen("test", "stands.scenario.yaml", *asked, "--html", "out/report.html")
     assert run.status == 0
     page = (folder / "out" / "report.html").read_text("utf-8")
     assert page.count('<div class="diagram" data-trace=') == 2
     assert "seed 7 for all" in page
+    assert "temporaries undefined for all" in page
 
 
 def test_the_html_report_has_the_tables_of_coverage_where_it_is_asked_for(
