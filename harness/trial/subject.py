@@ -9,13 +9,16 @@ from typing import Protocol
 from fbgen.diagnostics import error
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import IN_OUTS, Block, Variable, VariableKind
+from fbgen.lang.start_information import START_BYTES, start_places
 from fbgen.lang.types import BlockType, Type
 from fbgen.nearest import nearest
 from harness.engine.compiled.last_writes import LastWrite, last_write, last_write_in
 from harness.engine.faults import unknown_name
 from harness.engine.interface import Engine, Value
+from harness.engine.layout import S7
 from harness.engine.path_types import part_type, type_at
 from harness.engine.paths import parse_path
+from harness.engine.values import accept
 
 
 class Subject(Protocol):
@@ -168,32 +171,51 @@ class FunctionSubject:
 
 
 class CyclicSubject:
-    """An organization block or PROGRAM: sees global variables, a PROGRAM also its own."""
+    """An organization block or PROGRAM: sees global variables, a PROGRAM also its own.
+
+    What the operating system tells an organization block can be set by the names that the block
+    has for it; zeros without.
+    """
 
     def __init__(self, engine: Engine, block: Block) -> None:
         self._engine = engine
         self._block = block
         kept = () if block.kind is BlockKind.ORGANIZATION_BLOCK else block.variables
         self._own = {variable.name.casefold() for variable in kept}
+        self._places = {
+            variable.name.casefold(): (variable.type, bit) for variable, bit in start_places(block)
+        }
+        self._start = bytearray(START_BYTES)
         self.name = block.name
         self.outputs = tuple(
             variable.name for variable in kept if variable.kind is not VariableKind.TEMP
         ) or tuple(variable.name for variable in engine.program.globals.values())
 
     def call(self) -> None:
-        self._engine.run_block(self._block.name)
+        self._engine.run_block(self._block.name, bytes(self._start) if self._places else b"")
 
     def type_of(self, path: str) -> Type:
+        if path.casefold() in self._places:
+            return self._places[path.casefold()][0]
         self.value(path)
         return type_at(self._engine.program, self._path(path))
 
     def value(self, path: str) -> Value:
+        if path.casefold() in self._places:
+            kind, bit = self._places[path.casefold()]
+            return S7.read(self._start, bit, kind)
         return self._engine.global_value(self._path(path))
 
     def set(self, path: str, value: Value) -> None:
+        if path.casefold() in self._places:
+            kind, bit = self._places[path.casefold()]
+            S7.write(self._start, bit, kind, accept(self._engine.program, path, kind, value))
+            return
         self._engine.set_global(self._path(path), value)
 
     def last_write(self, path: str) -> LastWrite | None:
+        if path.casefold() in self._places:
+            return None
         return last_write(self._engine, self._path(path))
 
     def _path(self, path: str) -> str:
