@@ -16,6 +16,7 @@ from typing import TypeVar
 from fbgen.catalog.drives import Drive
 from fbgen.catalog.gateway_kinds import gateway_kind
 from fbgen.catalog.gateways import Gateway
+from fbgen.catalog.kinship import with_relative
 from fbgen.catalog.located import validate
 from fbgen.catalog.process_data_gateways import ProcessDataGateway
 from fbgen.catalog.protocols import Protocol
@@ -23,7 +24,7 @@ from fbgen.catalog.references import unresolved
 from fbgen.catalog.sequences import Sequence
 from fbgen.catalog.telegram_gateways import TelegramGateway
 from fbgen.catalog.words import Word
-from fbgen.catalog.yaml_nodes import load_yaml
+from fbgen.catalog.yaml_nodes import Document, load_yaml
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
 from fbgen.nearest import nearest
 from fbgen.resources import shipped
@@ -139,7 +140,9 @@ def with_own_sequences(catalog: Catalog, folder: Path) -> Catalog:
     for kind in KINDS:
         layers.entries[kind] |= getattr(catalog, kind)
     for path in files:
-        _read(path, folder.as_posix(), path.relative_to(folder), layers)
+        file = _read(path, folder.as_posix(), path.relative_to(folder), layers)
+        if file is not None:
+            _enter(file, layers)
     layers.found += unresolved(_catalog(layers), layers.broken)
     if layers.found:
         raise DiagnosticError(layers.found)
@@ -155,6 +158,17 @@ class _Layers:
     replaced: list[Replacement] = field(default_factory=list)
     found: list[Diagnostic] = field(default_factory=list)
     broken: set[tuple[str, str]] = field(default_factory=set)
+    series: dict[str, Document] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class _File:
+    """A file that was read and is no entry yet. `shown` is the catalogue that it lies in."""
+
+    kind: str
+    path: Path
+    shown: str
+    document: Document
 
 
 def _load(folders: Row[tuple[Path, str]]) -> Catalog:
@@ -165,8 +179,13 @@ def _load(folders: Row[tuple[Path, str]]) -> Catalog:
                 Diagnostic("FB1110", f"the catalogue folder {shown} is not there", None, _STRUCTURE)
             )
             continue
-        for path in sorted(folder.rglob("*.y*ml")):
+        files = [
             _read(path, shown, path.relative_to(folder), layers)
+            for path in sorted(folder.rglob("*.y*ml"))
+        ]
+        for file in files:
+            if file is not None:
+                _enter(file, layers)
     layers.found += unresolved(_catalog(layers), layers.broken)
     if layers.found:
         raise DiagnosticError(layers.found)
@@ -176,18 +195,34 @@ def _load(folders: Row[tuple[Path, str]]) -> Catalog:
 _STRUCTURE = "a catalogue has the folders " + ", ".join(KINDS) + " with one YAML file an entry"
 
 
-def _read(path: Path, shown: str, relative: Path, layers: _Layers) -> None:
+def _read(path: Path, shown: str, relative: Path, layers: _Layers) -> _File | None:
+    """A file as YAML; None if that is wrong. Series are known from now on for those like them."""
     name = f"{shown}/{relative.as_posix()}"
     kind = relative.parts[0] if len(relative.parts) == 2 else ""
     if kind not in KINDS:
         layers.found.append(
             Diagnostic("FB1110", f"{name} lies in no folder of a catalogue", None, _STRUCTURE)
         )
-        return
+        return None
     try:
         source = read_source(path, name)
         layers.sources.append(source)
         document = load_yaml(source)
+    except DiagnosticError as failure:
+        layers.found += failure.diagnostics
+        layers.broken.add((kind, path.stem))
+        return None
+    if kind == "drives":
+        layers.series[path.stem] = document
+    return _File(kind, path, shown, document)
+
+
+def _enter(file: _File, layers: _Layers) -> None:
+    """A file as an entry, in the place of one of a lower layer if there is one."""
+    kind, path, shown, document = file.kind, file.path, file.shown, file.document
+    try:
+        if kind == "drives":
+            document = with_relative(document, layers.series)
         model = gateway_kind(document) if kind == "gateways" else KINDS[kind]
         entry = validate(document, model)
     except DiagnosticError as failure:
@@ -211,7 +246,7 @@ def _read(path: Path, shown: str, relative: Path, layers: _Layers) -> None:
             message = f"'{entry.id}' stands twice in one catalogue"
             found = Diagnostic("FB1102", message, entry.span_of("id"), "", (note,))
             layers.found.append(found)
-        layers.replaced.append(Replacement(kind, entry.id, name, below_file))
+        layers.replaced.append(Replacement(kind, entry.id, document.source.name, below_file))
     layers.entries[kind][entry.id] = entry
 
 

@@ -142,20 +142,32 @@ class CommandLink(Located):
     command_source: SnakeName | None = None
 
 
+class Confirmed(Sourced):
+    """ComNos that a series was found to have as well as the one that it is like."""
+
+    comnos: tuple[HexWord, ...]
+
+
 class Drive(Sourced):
-    """One series of inverters."""
+    """One series of inverters.
+
+    `like` names a series of which this one takes over what it does not have itself: words, ComNos,
+    trips and options. All of that is unverified, but for ComNos that are `confirmed`.
+    """
 
     version: Literal[1]
     id: EntryId
+    like: EntryId | None = None
+    confirmed: tuple[Confirmed, ...] = ()
     title: Text
     protocol: EntryId
     manuals: tuple[Text, ...] = ()
     description: Text | None = None
     link: CommandLink
     times: DriveTimes
-    words: tuple[Word, ...]
-    comnos: tuple[ComNo, ...]
-    trips: tuple[Trip, ...]
+    words: tuple[Word, ...] = ()
+    comnos: tuple[ComNo, ...] = ()
+    trips: tuple[Trip, ...] = ()
     options: tuple[Option, ...] = ()
     settings: tuple[Setting, ...] = ()
     switches: tuple[Switch, ...] = ()
@@ -196,6 +208,9 @@ class Drive(Sourced):
     def problems(self) -> Iterable[Diagnostic]:
         """FB1102 something twice; FB1105 a name of a ComNo or word that is not there."""
         yield from super().problems()
+        if self.confirmed and self.like is None:
+            message = "there is nothing to confirm: this series is like no other"
+            yield Diagnostic("FB1105", message, self.span_of("confirmed"), "add like:")
         yield from no_duplicates(self.comnos, "number", lambda item: item.hex, "ComNo")
         yield from no_duplicates(self.comnos, "name", lambda item: item.name, "ComNo")
         yield from no_duplicates(self.words, "name", lambda item: item.name, "word")

@@ -5,13 +5,21 @@ from typing import Self
 
 from fbgen.catalog import Word
 
+_NEEDED = ("network_command", "network_frequency", "fault_reset", "run", "reverse", "running")
+
 
 @dataclass(frozen=True, slots=True)
 class _Masks:
     @classmethod
     def of(cls, word: Word) -> Self:
-        """The masks of a word of the catalogue. DiagnosticError FB1202 if a bit is missing."""
-        return cls(**{field.name: word.field(field.name).mask for field in fields(cls)})
+        """The masks of a word of the catalogue; 0 for a bit that this series does not have.
+
+        DiagnosticError FB1202 for one without which no inverter can be steered or watched.
+        """
+        masks = {bit.name: bit.mask for bit in word.bits}
+        needed = (field.name for field in fields(cls) if field.name in _NEEDED)
+        masks |= {name: word.field(name).mask for name in needed}
+        return cls(**{field.name: masks.get(field.name, 0) for field in fields(cls)})
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,7 +24,8 @@ def written(sequence: Sequence) -> list[str]:
 
 
 def test_the_shipped_entries_are_there() -> None:
-    assert set(CATALOG.drives) == {"vf-s11"}
+    series = {"g7", "vf-a7", "vf-nc1", "vf-p7", "vf-s11", "vf-s7", "vf-s9"}
+    assert set(CATALOG.drives) == series
     assert set(CATALOG.gateways) == {"pbdp110", "tospbdp001"}
     assert set(CATALOG.protocols) == {"toshiba"}
     assert set(CATALOG.sequences) == {

@@ -40,7 +40,7 @@ def test_an_entry_of_the_same_id_replaces_the_shipped_one_and_is_told(tmp_path: 
 def test_a_new_entry_stands_beside_the_shipped_ones(tmp_path: Path) -> None:
     copy(tmp_path, "drives", "vf-s11", ("id: vf-s11", "id: my-drive"), to="my-drive")
     catalog = load_catalog([tmp_path])
-    assert set(catalog.drives) == {"my-drive", "vf-s11"}
+    assert set(catalog.drives) - set(load_catalog().drives) == {"my-drive"}
     assert catalog.word("my-drive.FA00").name == "command"
     assert not catalog.replaced
 
@@ -114,7 +114,7 @@ def test_the_texts_of_all_files_are_kept_for_the_hash_of_the_inputs(tmp_path: Pa
         ("gateways", "tospbdp001", ("  - name: control\n", "  - name: kontrol\n"), "FB1105"),
         ("gateways", "tospbdp001", ("command_new: command_new", "command_new: new"), "FB1105"),
         ("gateways", "tospbdp001", ("  field: trigger", "  field: triger"), "FB1105"),
-        ("gateways", "tospbdp001", ("series: [vf-s11]", "series: [vf-s9]"), "FB1105"),
+        ("gateways", "tospbdp001", ("series: [vf-s11]", "series: [vf-s8]"), "FB1105"),
         ("gateways", "tospbdp001", ("identifiers: C0 89 87", "identifiers: C0 89"), "FB1106"),
         ("gateways", "tospbdp001", ("name: comno, offset: 5", "name: comno, offset: 6"), "FB1106"),
         ("protocols", "toshiba", ("code: 0002", "code: 0001"), "FB1102"),

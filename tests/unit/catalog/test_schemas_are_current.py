@@ -29,7 +29,7 @@ def test_the_checked_in_schema_is_current(name: str) -> None:
 @pytest.mark.parametrize("name", list(SCHEMAS))
 def test_a_schema_refuses_unknown_keys_as_the_loader_does(name: str) -> None:
     schema = json.loads(schema_text(SCHEMAS[name]))
-    objects = [schema, *(item for item in schema["$defs"].values() if "properties" in item)]
+    objects = [item for item in (schema, *schema["$defs"].values()) if "properties" in item]
     assert all(item["additionalProperties"] is False for item in objects)
 
 

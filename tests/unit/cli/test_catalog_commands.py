@@ -11,11 +11,9 @@ from tests.unit.cli.running import Fbgen
 def test_list_shows_kind_id_and_title(fbgen: Fbgen) -> None:
     run = fbgen("catalog", "list", "drives")
     assert run.status == 0
-    assert run.out.splitlines()[2].split(maxsplit=2) == [
-        "drives",
-        "vf-s11",
-        "Toshiba VF-S11 inverter",
-    ]
+    rows = [line.split(maxsplit=2) for line in run.out.splitlines()[2:]]
+    assert ["drives", "vf-s11", "Toshiba VF-S11 inverter"] in rows
+    assert rows == sorted(rows)
 
 
 def test_list_names_every_entry_once(fbgen: Fbgen) -> None:
