@@ -13,7 +13,7 @@ from fbgen.cli.output import on_error_terminal, result, say
 
 if TYPE_CHECKING:
     from fbgen.catalog import Catalog
-    from fbgen.plant import Plant, PlantGateway
+    from fbgen.plant import Plant
     from harness.serial import Port, ServedGateways
 
 _SHOWN_EVERY_S = 0.5
@@ -109,9 +109,9 @@ def _check_port(port: str | None, pty: bool) -> None:
 def _plant(
     path: Path | None, kind: str | None, layout: str | None, address: int | None, known: "Catalog"
 ) -> "Plant":
-    from fbgen.diagnostics import error
+    from fbgen.diagnostics import DiagnosticError, error
     from fbgen.nearest import nearest
-    from fbgen.plant import changed, load_plant
+    from fbgen.plant import load_plant
     from fbgen.resources import shipped
 
     if path is not None and kind is not None:
@@ -133,16 +133,20 @@ def _plant(
             None,
             "set them in the plant file",
         )
-    return changed(plan, known, gateways=(_other(plan.gateways[0], layout, address),))
-
-
-def _other(entry: "PlantGateway", layout: str | None, address: int | None) -> "PlantGateway":
-    return entry.model_copy(
+    entry = plan.gateways[0]
+    ways = {item.name: item.access_ways[0] for item in known.gateway(entry.type).layouts}
+    chosen = entry.layout if layout is None else layout
+    other = entry.model_copy(
         update={
-            "layout": entry.layout if layout is None else layout,
+            "layout": chosen,
+            # How the PLC of the plant would reach the data does not matter here.
+            "access": ways.get(chosen, entry.access),
             "profibus_address": entry.profibus_address if address is None else address,
         }
     )
+    if found := list(other.problems_against(known)):
+        raise DiagnosticError(found)
+    return plan.model_copy(update={"gateways": (other,)})
 
 
 def _open(port: str | None, baud: int) -> "Port":

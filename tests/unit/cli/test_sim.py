@@ -1,19 +1,18 @@
 """`fbgen sim gateway`: what it asks for, where it serves, how it ends."""
 
-import os
 import signal
 import subprocess
 import sys
 from pathlib import Path
+from time import monotonic
 
 import pytest
 
-from fbgen.wire.fdl import decode
 from tests.unit.cli.running import Fbgen
+from tests.unit.serial.foreign_master import IDENT, PATIENCE_S, ForeignMaster
 
 ROOT = Path(__file__).parents[3]
 EXAMPLE = ROOT / "examples" / "manual_example" / "plant.yaml"
-linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux makes pseudo terminals")
 
 
 @pytest.mark.parametrize(
@@ -70,19 +69,27 @@ def test_a_speed_that_profibus_does_not_have(fbgen: Fbgen) -> None:
     assert "no speed of PROFIBUS" in run.err
 
 
-@linux
-def test_a_process_names_its_pseudo_terminal_answers_there_and_ends_with_ctrl_c() -> None:
-    command = [sys.executable, "-m", "fbgen.cli", "sim", "gateway", "--pty", "--address", "9"]
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux makes pseudo terminals")
+def test_a_foreign_master_runs_the_gateway_of_a_process_that_ends_with_ctrl_c() -> None:
+    options = ["--pty", "--layout", "whole10", "--address", "2"]
     process = subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT
+        [sys.executable, "-m", "fbgen.cli", "sim", "gateway", *options],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        cwd=ROOT,
     )
     assert process.stdout is not None
-    port = os.open(process.stdout.readline().strip(), os.O_RDWR | os.O_NOCTTY)
-    os.write(port, bytes.fromhex("10 09 01 49 53 16"))
-    assert decode(os.read(port, 100)) == decode(bytes.fromhex("10 01 09 00 0A 16"))
+    port = process.stdout.readline().strip()
+    master = ForeignMaster(port, bytes.fromhex("C08987"), (10, 8), IDENT)
+    forward = bytes.fromhex("E0 00 01 0B 50 FA 00 00 C4 00")
+    inputs, end_s = b"", monotonic() + PATIENCE_S
+    while inputs != bytes.fromhex("DF 00 0B 50 FA 00 C4 00") and monotonic() < end_s:
+        inputs = master.run(forward) or inputs
+    master.dpm.destroy()
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=30)
-    os.close(port)
+    assert inputs.hex(" ") == "df 00 0b 50 fa 00 c4 00"
     assert (process.returncode, out) == (0, "")
-    assert "gw1 at address 9, gsd10" in err
-    assert "1 telegrams, 1 answers, 0 bytes skipped" in err
+    assert f"{port}: gw1 at address 2, whole10; Ctrl-C ends" in err
+    assert "0 bytes skipped" in err
