@@ -46,11 +46,7 @@ def _misfits(file: GeneratedFile, data: bytes, path: Path, dialect: str) -> Iter
         yield _misfit(f"{path} cannot be read: {first.message}", first.span, first.help)
         return
     wanted = _values(Source(file.name, file.text), dialect)
-    spelled = {name.casefold() for name in wanted.places}
-    for name, place in theirs.places.items():
-        if name.casefold() not in spelled:
-            message = f"the parameter {name} does not exist any more"
-            yield _misfit(message, place, "take the line out; the file is yours")
+    yield from _too_much(theirs, wanted)
     given = {name.casefold() for name in theirs.places}
     missing = [name for name in wanted.places if name.casefold() not in given]
     if missing:
@@ -60,6 +56,31 @@ def _misfits(file: GeneratedFile, data: bytes, path: Path, dialect: str) -> Iter
             None,
             "add them, or delete the file and generate again: it is written anew then",
         )
+
+
+def _too_much(theirs: _Values, wanted: _Values) -> Iterator[Diagnostic]:
+    """What the plant does not have: a drive or line that is gone as a whole is told once."""
+    spelled = {name.casefold() for name in wanted.places}
+    owners = {_owner(name) for name in spelled}
+    gone: dict[str, list[str]] = {}
+    for name in theirs.places:
+        if name.casefold() not in spelled:
+            owner = _owner(name)
+            gone.setdefault(name if owner.casefold() in owners else owner, []).append(name)
+    for what, names in gone.items():
+        place = theirs.places[names[0]]
+        if names == [what]:
+            message = f"the parameter {what} does not exist any more"
+            yield _misfit(message, place, "take the line out; the file is yours")
+        else:
+            message = f"{what} does not exist any more; the first of its parameters stands here"
+            lines = f"the {len(names)} lines" if len(names) > 1 else "the line"
+            yield _misfit(message, place, f"take {lines} of {what} out; the file is yours")
+
+
+def _owner(name: str) -> str:
+    """The drive or line whose parameter it is."""
+    return name.rpartition(".")[0]
 
 
 def _misfit(message: str, place: Span | None, help_text: str) -> Diagnostic:

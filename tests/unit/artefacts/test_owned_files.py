@@ -80,17 +80,24 @@ def test_a_drive_that_is_new_has_no_values_in_it(dialect: str, tmp_path: Path) -
 
 
 @pytest.mark.parametrize("dialect", DIALECTS)
-def test_a_drive_that_is_gone_is_told_at_its_lines(dialect: str, tmp_path: Path) -> None:
+def test_a_drive_that_is_gone_is_told_once_at_its_first_line(dialect: str, tmp_path: Path) -> None:
     path = written(tmp_path, dialect)
-    gone = found(tmp_path, dialect, WITHOUT_FAN)
-    assert len(gone) == 6
-    assert {item.code for item in gone} == {"FB5023"}
-    first = gone[0].span
-    assert first is not None
-    line, _ = first.source.line_column(first.start)
+    (gone,) = found(tmp_path, dialect, WITHOUT_FAN)
+    assert gone.code == "FB5023"
+    assert gone.span is not None
+    line, _ = gone.span.source.line_column(gone.span.start)
     text = path.read_text("utf-8").splitlines()[line - 1]
     assert "minFrequency" in text
-    assert "south.fan.minFrequency does not exist any more" in gone[0].message
+    assert "south.fan does not exist any more" in gone.message
+    assert "the 6 lines of south.fan" in (gone.help or "")
+
+
+def test_one_parameter_that_is_unknown_is_told_by_its_name(tmp_path: Path) -> None:
+    path = written(tmp_path, "tia")
+    text = path.read_text("ascii")
+    path.write_text(text.replace("END_DATA", "   south.fan.ramp := 1.0;\nEND_DATA"), "ascii")
+    (unknown,) = found(tmp_path, "tia")
+    assert unknown.message == "the parameter south.fan.ramp does not exist any more"
 
 
 @pytest.mark.parametrize("dialect", DIALECTS)
