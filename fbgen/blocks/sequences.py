@@ -33,11 +33,11 @@ _SCL_TYPES = {"BOOL": "Bool", "INT": "Int", "WORD": "Word", "REAL": "Real", "TIM
 
 @dataclass(frozen=True, slots=True)
 class ParameterView:
-    """An input or output of a sequence block. `initial` is "" or ` := value`."""
+    """An input or output of a sequence block. `initial` is nothing or ` := value`."""
 
     name: str
     type: str
-    initial: str
+    initial: SclText
     comment: SclText
 
 
@@ -196,18 +196,20 @@ class _Steps:
         checks = [step for step in self.sequence.steps if isinstance(step, CheckStep)]
         if not checks:
             return
-        yield ParameterView("deviations", "Int", "", SclText(self.texts("how many ComNos deviate")))
         yield ParameterView(
-            "deviant", "Word", "", SclText(self.texts("the first of them, 0000 for none"))
+            "deviations", "Int", NOTHING, SclText(self.texts("how many ComNos deviate"))
+        )
+        yield ParameterView(
+            "deviant", "Word", NOTHING, SclText(self.texts("the first of them, 0000 for none"))
         )
         for step in checks:
             comno_ = self.drive.comno(step.check)
             place = origin(f"ComNo {comno_.hex}", comno_, comno_.source or "")
             display = f"{comno_.display}, " if comno_.display else ""
             title = one_line(f"{display}{comno_.title}")
-            yield ParameterView(f"expected_{comno_.hex}", "Word", "", SclText(title, place))
+            yield ParameterView(f"expected_{comno_.hex}", "Word", NOTHING, SclText(title, place))
             read = SclText(self.texts("what was read"), place)
-            yield ParameterView(f"found_{comno_.hex}", "Word", "", read)
+            yield ParameterView(f"found_{comno_.hex}", "Word", NOTHING, read)
 
     def _check(self, number: int, step: CheckStep) -> StepView:
         target = self.drive.comno(step.check)
@@ -421,12 +423,13 @@ def _comment(step: Step, fallback: str) -> SclText:
 
 def _parameter(item: Parameter | Result, texts: Texts) -> ParameterView:
     default = item.default if isinstance(item, Parameter) else None
+    place = origin(f"parameter {item.name}", item)
     unit = f" {texts('in {unit}', unit=item.unit)}" if item.unit else ""
     return ParameterView(
         item.name,
         _SCL_TYPES[item.type],
-        f" := {default}" if default is not None else "",
-        SclText(one_line(item.title + unit), origin(f"parameter {item.name}", item)),
+        SclText(f" := {default}", place) if default is not None else NOTHING,
+        SclText(one_line(item.title + unit), place),
     )
 
 

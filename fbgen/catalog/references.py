@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from fbgen.catalog.drives import ComNo, Drive
 from fbgen.catalog.located import Located
 from fbgen.catalog.sequences import Parameter, Result, Sequence
+from fbgen.catalog.step_values import read_value, written_value
 from fbgen.catalog.steps import CheckStep, Condition, ReadStep, WaitStep, WriteStep
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.nearest import nearest
@@ -59,8 +60,10 @@ def _sequence(sequence: Sequence, drive: Drive) -> Iterator[Diagnostic]:
         if isinstance(step, WriteStep):
             yield from _comno(step, "write", step.write, drive, "w")
             yield from _bits(step, drive)
+            yield from written_value(sequence, step, drive)
         elif isinstance(step, ReadStep):
             yield from _comno(step, "read", step.read, drive, "r")
+            yield from read_value(sequence, step, drive)
         elif isinstance(step, CheckStep):
             yield from _comno(step, "check", step.check, drive, "r")
             yield from _expected(step, drive, checked)

@@ -19,6 +19,8 @@ from fbgen.diagnostics import Diagnostic
 from fbgen.nearest import nearest
 
 ValueType = Literal["BOOL", "INT", "WORD", "REAL", "TIME"]
+_NUMBERS: tuple[ValueType, ...] = ("INT", "WORD", "REAL")
+"""What the word of a telegram can be."""
 _DEFAULTS: dict[ValueType, str] = {
     "BOOL": r"true|false",
     "INT": r"-?[0-9]{1,5}",
@@ -189,7 +191,9 @@ class Sequence(Sourced):
                 yield Diagnostic("FB1107", message, step.span_of("to"), advice)
             if isinstance(step, RepeatStep) and labels.get(step.repeat, at) >= at:
                 message = f"there is no label '{step.repeat}' in front of this step"
-                advice = nearest(step.repeat, labels)
+                behind = "a repetition goes back: put it behind the step with the label"
+                before = [label for label, place in labels.items() if place < at]
+                advice = behind if step.repeat in labels else nearest(step.repeat, before)
                 yield Diagnostic("FB1107", message, step.span_of("repeat"), advice)
 
     def position(self, label: str) -> int:
@@ -199,13 +203,20 @@ class Sequence(Sourced):
         return next(at for at, step in enumerate(self.steps, start=1) if step.label == label)
 
     def _result(self, step: ReadStep) -> Iterable[Diagnostic]:
-        names = [result.name for result in self.results]
-        if step.into not in names:
+        types = {result.name: result.type for result in self.results}
+        if step.into not in types:
             yield Diagnostic(
                 "FB1107",
                 f"there is no result '{step.into}'",
                 step.span_of("into"),
-                nearest(step.into, names),
+                nearest(step.into, types),
+            )
+        elif types[step.into] not in _NUMBERS:
+            yield Diagnostic(
+                "FB1107",
+                f"the result '{step.into}' is of type {types[step.into]}, "
+                f"a read gives {' or '.join(_NUMBERS)}",
+                step.span_of("into"),
             )
 
 
@@ -225,7 +236,7 @@ def _parameters(step: Step) -> Iterable[tuple[str, tuple[ValueType, ...], str]]:
     """Names of the parameters that a step uses, the types that fit, and the field that says so."""
     if isinstance(step, WriteStep):
         if step.parameter is not None:
-            yield step.parameter, ("INT", "WORD", "REAL"), "parameter"
+            yield step.parameter, _NUMBERS, "parameter"
         for name in step.bits_from.values():
             yield name, ("BOOL",), "bits_from"
     elif isinstance(step, DelayStep) and step.delay.parameter is not None:

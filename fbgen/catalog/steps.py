@@ -5,6 +5,7 @@ bits are named as in the drive series for which the sequence is made.
 """
 
 from collections.abc import Iterable, Mapping
+from math import inf
 from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag
@@ -137,13 +138,24 @@ class Condition(Located):
         return {name: value for name, value in given.items() if value is not None}
 
     def problems(self) -> Iterable[Diagnostic]:
-        """FB1107: nothing to compare, or numbers and bits together."""
+        """FB1107: nothing to compare, numbers and bits together, numbers that nothing meets."""
         if bool(self.numbers) == bool(self.bits):
             yield Diagnostic(
                 "FB1107",
                 "a condition has numbers and bits" if self.bits else "a condition asks for nothing",
                 self.span,
                 "give equals, at_least, at_most or both of these, or bits: {running: 1}",
+            )
+        least, most = (
+            max([-inf, *(v for v in (self.equals, self.at_least) if v is not None)]),
+            min([inf, *(v for v in (self.equals, self.at_most) if v is not None)]),
+        )
+        if least > most:
+            yield Diagnostic(
+                "FB1107",
+                f"nothing is at least {least:g} and at most {most:g}",
+                self.span,
+                "exchange the two numbers, or take one of them out",
             )
 
 

@@ -72,6 +72,8 @@ WARNINGS = {
         "watchdog must be on",
         "With the PLC in STOP the drives go on running",
         "a drive that has lost its gateway runs on for ever",
+        "Stop the drives first",
+        "`run` has to be FALSE once",
     ),
     "de": (
         "Keiner dieser Bausteine ist eine Sicherheitsfunktion",
@@ -79,6 +81,8 @@ WARNINGS = {
         "Watchdog",
         "Mit der Steuerung in STOP laufen die Antriebe weiter",
         "läuft ein Antrieb, der sein Gateway verloren hat, immer weiter",
+        "Zuerst die Antriebe anhalten",
+        "muss `run` einmal FALSE sein",
     ),
 }
 

@@ -24,6 +24,24 @@ OWN = (ROOT / "tests" / "unit" / "blocks" / "own_sequence.yaml").read_text("utf-
         (("{bits: {running: 1, tripped: 0}}", "{bits: {runing: 1}}"), "FB1105", "1", "'running'"),
         (("wait: output_frequency", "wait: output_freq"), "FB1105", "output_freq", "did you"),
         (("at_most: 10.5", "at_most: 1000.0"), "FB1107", "1000.0", "use 0 to 655.35 Hz"),
+        (("repeat: start", "repeat: reading"), "FB1107", "reading", "a repetition goes back"),
+        (("at_least: 9.5", "at_least: 11.0"), "FB1107", None, "exchange the two numbers"),
+        (("name: trip, type: WORD", "name: trip, type: BOOL"), "FB1107", "trip", ""),
+        (
+            ("scaled_by: frequency_setpoint", "scaled_by: acceleration_time"),
+            *("FB1107", "frequency", "say scaled_by: frequency_setpoint"),
+        ),
+        (
+            ("scaled_by: output_current_held", "scaled_by: output_frequency"),
+            *("FB1107", "current", "say scaled_by: output_current_held"),
+        ),
+        (
+            (
+                "  - wait: status\n",
+                "  - {write: '0011', literal: C351, note: x}\n  - wait: status\n",
+            ),
+            *("FB1107", "C351", "use 0BB8 to C350, 30 to 500 Hz"),
+        ),
         (("times: 3", "times: 1"), "FB1007", "1", ""),
         (("    limit_ms: 1000\n", ""), "FB1006", None, ""),
     ],
