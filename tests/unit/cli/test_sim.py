@@ -69,6 +69,52 @@ def test_a_speed_that_profibus_does_not_have(fbgen: Fbgen) -> None:
     assert "no speed of PROFIBUS" in run.err
 
 
+class OneRequest:
+    """A port at which one request comes, and then Ctrl-C."""
+
+    name = "COM3"
+
+    def __init__(self) -> None:
+        self.sent = b""
+        self.closed = False
+        self._come = [bytes.fromhex("10 02 01 49 4C 16"), b"\x99"]
+
+    def read(self) -> bytes:
+        if not self._come:
+            raise KeyboardInterrupt
+        return self._come.pop(0)
+
+    def write(self, data: bytes) -> None:
+        self.sent += data
+
+    def close(self) -> None:
+        self.closed = True
+
+
+def test_ctrl_c_ends_with_a_summary_and_gives_the_port_back(
+    fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    port = OneRequest()
+    monkeypatch.setattr("fbgen.cli.sim._open", lambda name, baud: port)
+    run = fbgen("sim", "gateway", "--port", "COM3")
+    assert (run.status, run.out) == (0, "")
+    assert run.err.splitlines() == [
+        "COM3: gw1 at address 2, gsd10; Ctrl-C ends",
+        "1 telegrams, 1 answers, 1 bytes skipped",
+    ]
+    assert port.sent == bytes.fromhex("10 01 02 00 03 16")
+    assert port.closed
+
+
+def test_a_terminal_shows_what_the_devices_do(
+    fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("fbgen.cli.sim._open", lambda name, baud: OneRequest())
+    monkeypatch.setattr("fbgen.cli.sim.on_error_terminal", lambda: True)
+    run = fbgen("sim", "gateway", "--port", "COM3")
+    assert "gw1 (address 2) waiting for parameters, no master; drive11 stopped" in run.err
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux makes pseudo terminals")
 def test_a_foreign_master_runs_the_gateway_of_a_process_that_ends_with_ctrl_c() -> None:
     options = ["--pty", "--layout", "whole10", "--address", "2"]

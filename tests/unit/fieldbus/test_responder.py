@@ -10,6 +10,7 @@ from fbgen.wire.fdl import (
     RequestFunction,
     ShortAcknowledgement,
     Token,
+    encode,
     first_request_control,
     request_control,
 )
@@ -39,6 +40,7 @@ def running() -> WireBench:
     return WireBench().running()
 
 
+@pytest.mark.fact("dp.sap")
 def test_the_bytes_from_power_on_to_data_exchange(slave):
     talk = {
         "10 07 01 49 51 16": "10 01 07 00 08 16",
@@ -53,6 +55,7 @@ def test_the_bytes_from_power_on_to_data_exchange(slave):
     assert slave.device.told == ["started", "0102030405"]
 
 
+@pytest.mark.fact("dp.prm")
 def test_set_prm_is_decoded_and_encoded():
     data = bytes.fromhex("B8 02 64 0B 12 34 05 AA BB")
     parameters = decode_parameters(data)
@@ -152,6 +155,23 @@ def test_silence(running, telegram):
 def test_a_slave_without_supply_is_silent(running):
     running.slave.power_off()
     assert running.telegram(DataTelegram(7, 1, 0x49)) is None
+
+
+@pytest.mark.parametrize("sap", [None, 56, 57, 58, 59, 60, 61, 62])
+def test_every_bit_that_is_wrong_and_every_byte_that_is_missing_gets_silence(running, sap):
+    contents = {None: b"\x01" * 5, 58: b"\x02\x00", 61: UNLOCK.encode(), 62: b"\x30"}
+    control = request_control(RequestFunction.SDN_HIGH if sap == 58 else RequestFunction.SRD_HIGH)
+    source_sap = None if sap is None else 62
+    whole = encode(DataTelegram(7, 1, control, contents.get(sap, b""), sap, source_sap))
+    broken = [whole[:length] for length in range(len(whole))]
+    for bit in range(len(whole) * 8):
+        damaged = bytearray(whole)
+        damaged[bit // 8] ^= 1 << bit % 8
+        broken.append(bytes(damaged))
+    for data in broken:
+        assert running.octets(data) + running.segment.silence() == b""
+    assert running.device.told == []
+    assert running.slave.state is SlaveState.DATA_EXCHANGE
 
 
 # --- masters ----------------------------------------------------------------------------------

@@ -5,7 +5,7 @@ moves the slave's clock alone, so that a watchdog expires without waiting.
 """
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from time import monotonic, monotonic_ns
 
 from pyprofibus.dp import (
@@ -23,13 +23,14 @@ from pyprofibus.phy_serial import CpPhySerial
 from fbgen.catalog import load_catalog
 from fbgen.plant import load_plant
 from fbgen.resources import shipped
-from harness.fieldbus import DpSlave
+from harness.fieldbus import DpSlave, Segment
 from harness.gateways.tospbdp001 import CyclicLayout, Tospbdp001
-from harness.kernel import NS_PER_MS
+from harness.kernel import NS_PER_MS, Kernel
 from harness.serial import PseudoTerminal, Server, gateways_to_serve
 
 IDENT = 0x1803
-PATIENCE_S = 5.0
+PATIENCE_S = 20.0
+"""Far longer than anything takes, on a machine that has much else to do."""
 MASTER, SLAVE = 1, 2
 
 
@@ -71,41 +72,30 @@ class ForeignMaster:
 
 
 class Interplay:
-    """The master, the server, and the gateway with its inverter."""
+    """The master and the server with a slave, `sizes` being its outputs and inputs."""
 
-    def __init__(self, layout: str, configuration: bytes | None, ident: int) -> None:
-        catalog = load_catalog()
-        plan = load_plant(shipped("examples") / "manual_example" / "plant.yaml", catalog)
-        entry = plan.gateways[0].model_copy(update={"layout": layout})
-        plan = plan.model_copy(update={"gateways": (entry,)})
-        self.served = gateways_to_serve(plan, catalog)
-        gateway = self.served.devices.gateways[entry.name]
-        assert isinstance(gateway, Tospbdp001)
-        self.gateway = gateway
+    def __init__(
+        self,
+        kernel: Kernel,
+        slave: DpSlave,
+        configuration: bytes,
+        sizes: tuple[int, int],
+        ident: int,
+    ) -> None:
+        self.slave = slave
+        self.segment = Segment(kernel, [slave])
         self.skipped_ns = 0
         self.port = PseudoTerminal()
         self.server = Server(
-            self.served.kernel,
-            self.served.segment,
-            self.port,
-            lambda: monotonic_ns() + self.skipped_ns,
+            kernel, self.segment, self.port, lambda: monotonic_ns() + self.skipped_ns
         )
-        self.outputs = bytes(self.layout.output_length)
+        self.outputs = bytes(sizes[0])
         self.inputs = b""
-        self.master = ForeignMaster(
-            self.port.name,
-            configuration or self.layout.configuration,
-            (self.layout.output_length, self.layout.input_length),
-            ident,
-        )
+        self.master = ForeignMaster(self.port.name, configuration, sizes, ident)
 
-    @property
-    def layout(self) -> CyclicLayout:
-        return self.gateway.settings.layout
-
-    @property
-    def slave(self) -> DpSlave:
-        return self.gateway.slave
+    def close(self) -> None:
+        self.master.dpm.destroy()
+        self.port.close()
 
     def skip_ms(self, milliseconds: int) -> None:
         self.skipped_ns += milliseconds * NS_PER_MS
@@ -115,7 +105,7 @@ class Interplay:
         """Run until this is so for the latest inputs; an AssertionError if it never is."""
         end_s = monotonic() + PATIENCE_S
         while not reached(self.inputs):
-            assert monotonic() < end_s, f"inputs {self.inputs.hex()}, {self.served.state}"
+            assert monotonic() < end_s, f"inputs {self.inputs.hex()}, {self.slave.state}"
             self.inputs = self.master.run(self.outputs) or self.inputs
             self.server.step()
 
@@ -137,9 +127,27 @@ class Interplay:
         answered = 0
         end_s = monotonic() + PATIENCE_S
         while answered < count:
-            assert monotonic() < end_s, self.served.state
+            assert monotonic() < end_s, self.slave.state
             answered += self.master.run(self.outputs) is not None
             self.server.step()
+
+
+class GatewayInterplay(Interplay):
+    """The TOSPBDP001 of the manual's example with its inverter, as it is served."""
+
+    def __init__(self, layout: str, configuration: bytes | None, ident: int) -> None:
+        catalog = load_catalog()
+        plan = load_plant(shipped("examples") / "manual_example" / "plant.yaml", catalog)
+        entry = plan.gateways[0].model_copy(update={"layout": layout})
+        served = gateways_to_serve(plan.model_copy(update={"gateways": (entry,)}), catalog)
+        gateway = served.devices.gateways[entry.name]
+        assert isinstance(gateway, Tospbdp001)
+        self.gateway = gateway
+        self.drive = served.devices.drives["drive11"]
+        self.layout: CyclicLayout = gateway.settings.layout
+        sizes = (self.layout.output_length, self.layout.input_length)
+        configuration = configuration or self.layout.configuration
+        super().__init__(served.kernel, gateway.slave, configuration, sizes, ident)
 
     def telegram(self, text: str) -> None:
         """The nine bytes of the manual into the outputs, in the layout's places."""
@@ -154,11 +162,7 @@ class Interplay:
 @contextmanager
 def interplay(
     layout: str = "gsd10", configuration: bytes | None = None, ident: int = IDENT
-) -> Iterator[Interplay]:
+) -> Iterator[GatewayInterplay]:
     """Both sides, closed afterwards."""
-    both = Interplay(layout, configuration, ident)
-    try:
+    with closing(GatewayInterplay(layout, configuration, ident)) as both:
         yield both
-    finally:
-        both.master.dpm.destroy()
-        both.port.close()

@@ -33,10 +33,10 @@ def test_the_manuals_example_by_a_foreign_master(layout):
             wanted = bytes.fromhex(row["receive"])
             told = 6 if number == CURRENT else 8
             both.until(lambda inputs, wanted=wanted, told=told: inputs[:told] == wanted[:told])
-        drive = both.served.devices.drives["drive11"]
+        drive = both.drive
         assert drive.set_point_hz == 50.0
         assert not drive.tripped
-        assert both.served.segment.skipped == 0
+        assert both.segment.skipped == 0
 
 
 def test_a_foreign_master_syncs_freezes_and_clears():
