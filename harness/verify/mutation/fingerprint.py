@@ -15,6 +15,11 @@ def fingerprint(block: Block, body: Sequence[Statement]) -> str:
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
 
 
+def text_of(item: object) -> str:
+    """The same for two statements exactly if they do the same with the same variables."""
+    return "\n".join(_written(item))
+
+
 def _variables(block: Block) -> Iterator[str]:
     for variable in block.variables:
         yield f"{variable.name} {variable.kind.value} {variable.type} {variable.initial}"

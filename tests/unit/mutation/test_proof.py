@@ -108,6 +108,18 @@ def _moved(program: Program, other: Program, body: tuple[object, ...]) -> tuple:
         ("IF #a THEN RETURN; END_IF;\n#n := 1;", "IF NOT #a THEN #n := 1; END_IF;"),
         ("#out := ABS(#r) > 1.0;", "#out := #r > 1.0 OR #r < -1.0;"),
         ('#n := "Half"(x := #i);', '#t := #i;\n#n := "Half"(x := #t);'),
+        (
+            "WHILE #n < #i DO #n := #n + 1; END_WHILE;\n#m := INT_TO_DINT(#n);\n#out := #a AND #b;",
+            "WHILE #n < #i DO #n := #n + 1; END_WHILE;\n#m := INT_TO_DINT(#n);\n#out := #b AND #a;",
+        ),
+        (
+            "FOR #k := 0 TO #i DO #list[#k] := #j; END_FOR;\n#n := #k + #j;",
+            "FOR #k := 0 TO #i DO #list[#k] := #j; END_FOR;\n#n := #j + #k;",
+        ),
+        (
+            "IF #a THEN REPEAT #n := #n - #j; UNTIL #n < 0 END_REPEAT; END_IF;",
+            "IF NOT #a THEN ; ELSE REPEAT #n := #n - #j; UNTIL #n < 0 END_REPEAT; END_IF;",
+        ),
         ("#other(x := #i, y => #n);", "#t := #i;\n#other(x := #t);\n#n := #other.y;"),
     ],
 )
@@ -137,6 +149,20 @@ def test_the_same_in_other_words_is_proved(first: str, second: str) -> None:
         ("#m := REAL_TO_DINT(#r);", "#m := TRUNC(#r);"),
         ("#list[0] := 1;", "#list[1] := 1;"),
         ("IF #a THEN RETURN; END_IF;\n#n := 1;", "#n := 1;"),
+        ("WHILE #n < #i DO #n := #n + 1; END_WHILE;", "WHILE #n <= #i DO #n := #n + 1; END_WHILE;"),
+        ("WHILE #n < #i DO #n := #n + 1; END_WHILE;", ";"),
+        (
+            "#n := 1;\nWHILE #n < #i DO #n := #n + 2; END_WHILE;",
+            "#n := 2;\nWHILE #n < #i DO #n := #n + 2; END_WHILE;",
+        ),
+        (
+            "FOR #k := 0 TO #i DO #list[#k] := #j; END_FOR;",
+            "IF #i < 4 THEN FOR #k := 0 TO #i DO #list[#k] := #j; END_FOR; END_IF;",
+        ),
+        (
+            "FOR #k := 0 TO #i DO #list[0] := #j; END_FOR;\n#n := #k;",
+            "FOR #k := 0 TO #i DO #list[0] := #j; END_FOR;\n#n := #i;",
+        ),
         (
             "FOR #k := 0 TO 3 DO IF #a THEN EXIT; END_IF; #list[#k] := 1; END_FOR;",
             "FOR #k := 0 TO 3 DO IF #a THEN CONTINUE; END_IF; #list[#k] := 1; END_FOR;\n"
@@ -148,8 +174,15 @@ def test_what_makes_a_difference_is_never_proved(first: str, second: str) -> Non
     assert answer(first, second) is not Answer.EQUIVALENT
 
 
-def test_an_unknown_statement_is_no_proof() -> None:
-    loop = "WHILE #n < 3 DO #n := #n + 1; END_WHILE;"
+@pytest.mark.parametrize(
+    "loop",
+    [
+        "WHILE #n < 3 DO #other(x := #n);\n#n := #other.y; END_WHILE;",
+        "WHILE NOT #timer.Q DO #n := #n + 1; END_WHILE;",
+        "REPEAT #n := #n + 1; IF #a THEN RETURN; END_IF; UNTIL #n > #i END_REPEAT;",
+    ],
+)
+def test_a_loop_that_does_more_than_calculate_is_no_proof(loop: str) -> None:
     assert answer(loop, loop) is Answer.UNKNOWN
 
 

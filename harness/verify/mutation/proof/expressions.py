@@ -72,13 +72,14 @@ class Reader:
     def find(self, place: Place) -> tuple[Key, tuple[Term, ...]]:
         """The variable and names of a place, and its indices, which are evaluated."""
         variable, names, elements = steps(place)
-        self._check(variable)
+        self.check(variable)
         indices: list[Term] = []
         for element in elements:
             indices += self._indices(element)
         return (variable, names), tuple(indices)
 
-    def _check(self, variable: Variable) -> None:
+    def check(self, variable: Variable) -> None:
+        """Raises UnknownError for a variable that is more than its own value."""
         if variable.address is not None or variable.overlay is not None:
             raise UnknownError(f"{variable.name} has an address")
         if variable in self.program.byte_memory:
@@ -163,7 +164,7 @@ class Reader:
     def happen(self, what: str, instance: Place, values: tuple[Term, ...]) -> None:
         """A standard block does something: all of its instance may be another one then."""
         parts = self.parts(instance)
-        called = _event(what, *(value for _, _, value in parts), *values, self.memory.world)
+        called = event(what, *(value for _, _, value in parts), *values, self.memory.world)
         for number, (key, indices, value) in enumerate(parts):
             self.write_at(key, indices, apply(f"{what}: part {number}", value.sort(), called))
 
@@ -191,12 +192,12 @@ class Reader:
     def call(self, name: str, block: Block, values: list[Term]) -> Term:
         """A block of the user does something with these values; what it reaches besides changes."""
         if is_pure(self.program, block):
-            called = _event(name, *values)
+            called = event(name, *values)
             self.stop(apply(f"{name}: stops", z3.BoolSort(), called))
             return called
         memory = self.memory
         reached = [key for key in memory.values if key[0].kind is VariableKind.GLOBAL]
-        called = _event(name, *values, memory.world, *(memory.values[key] for key in reached))
+        called = event(name, *values, memory.world, *(memory.values[key] for key in reached))
         self.stop(apply(f"{name}: stops", z3.BoolSort(), called))
         for key in reached:
             label = f"{name}: {key[0].name}.{'.'.join(key[1])}"
@@ -338,7 +339,7 @@ def apply(name: str, sort: Sort, *values: Term) -> Term:
     return z3.Function(label, *sorts, sort)(*values)
 
 
-def _event(name: str, *values: Term) -> Term:
+def event(name: str, *values: Term) -> Term:
     """Something that happens with these values, as one value for all that comes of it."""
     sort = z3.DeclareSort("Event")
     return apply(name, sort, *values) if values else z3.Const(name, sort)
@@ -355,13 +356,14 @@ def is_pure(program: Program, block: Block) -> bool:
         if isinstance(node, FunctionCall):
             if node.function is block or not is_pure(program, node.function):
                 return False
-        elif type(node).__name__ not in _CALCULATING:
+        elif type(node).__name__ not in CALCULATING:
             return False
     return True
 
 
-_CALCULATING = (
+CALCULATING = (
     *("Assignment", "If", "Branch", "Case", "CaseArm", "For", "Return", "Exit", "Continue"),
     *("Evaluate", "Constant", "VariableRef", "FieldRef", "IndexRef", "Unary", "Binary"),
     *("Convert", "StandardCall"),
 )
+"""The kinds of nodes that only calculate."""

@@ -19,16 +19,19 @@ from fbgen.lang.checked import (
     If,
     IndexRef,
     InstanceCall,
+    Repeat,
     Return,
     StandardBlock,
     Statement,
     VariableKind,
     VariableRef,
+    While,
 )
 from fbgen.lang.types import StringType
 from harness.engine.compiled.walk import every_node, root_of, written_places
 from harness.verify.mutation.proof import terms
 from harness.verify.mutation.proof.expressions import Part, Reader, apply
+from harness.verify.mutation.proof.loops import run_loop
 from harness.verify.mutation.proof.terms import Term, UnknownError, is_single
 
 _MOST_PASSES = 128
@@ -54,6 +57,8 @@ class Execution(Reader):
                 self._case(self.value(statement.selector), statement, 0)
             case For():
                 self._for(statement)
+            case While() | Repeat():
+                run_loop(self, statement)
             case InstanceCall():
                 self._instance(statement)
             case Evaluate() if isinstance(statement.call, FunctionCall):
@@ -123,11 +128,13 @@ class Execution(Reader):
         numbers = [int(end.value) for end in ends if isinstance(end, Constant)]
         place = statement.variable
         if len(numbers) < len(ends) or not numbers[2] or not isinstance(place, VariableRef):
-            raise UnknownError("a FOR without fixed ends")
+            run_loop(self, statement)
+            return
         first, last, step = numbers
         passes = range(first, last + (1 if step > 0 else -1), step)
         if len(passes) > _MOST_PASSES or self._writes(statement.body, place):
-            raise UnknownError("a FOR with many passes, or that changes its variable")
+            run_loop(self, statement)
+            return
         memory = self.memory
         kept = memory.left, memory.next, memory.held
         memory.held = z3.Or(memory.held, memory.left, memory.next)
