@@ -31,6 +31,7 @@ class BlockPaths:
     def __init__(self, program: LoadedProgram, subject: Subject) -> None:
         self._engine = program.engine
         self._subject = subject
+        self._kinds: dict[tuple[str, str], ValueKind] = {}
 
     def readable(self, path: str, span: Span | None) -> Readable:
         """What a path gives. Raises DiagnosticError FB8003."""
@@ -63,18 +64,25 @@ class BlockPaths:
         return lambda value: self._subject.set(path, no_bytes(value))
 
     def _kind(self, path: str, span: Span | None) -> ValueKind:
-        try:
-            kind = self._subject.type_of(path)
-        except DiagnosticError as wrong:
-            raise _unknown(wrong, "in the block", span) from None
-        return kind_of_type(self._engine.program, path, kind)
+        known = self._kinds.get(("block", path))
+        if known is None:
+            try:
+                kind = self._subject.type_of(path)
+            except DiagnosticError as wrong:
+                raise _unknown(wrong, "in the block", span) from None
+            known = kind_of_type(self._engine.program, path, kind)
+            self._kinds["block", path] = known
+        return known
 
     def _kind_of_global(self, path: str, span: Span | None) -> ValueKind:
-        try:
-            self._engine.global_value(path)
-        except DiagnosticError as wrong:
-            raise _unknown(wrong, "in the PLC", span) from None
-        return variable_kind(self._engine.program, path)
+        known = self._kinds.get(("plc", path))
+        if known is None:
+            try:
+                self._engine.global_value(path)
+            except DiagnosticError as wrong:
+                raise _unknown(wrong, "in the PLC", span) from None
+            known = self._kinds["plc", path] = variable_kind(self._engine.program, path)
+        return known
 
 
 def _split(path: str, span: Span | None) -> tuple[str, str]:

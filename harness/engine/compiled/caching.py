@@ -39,7 +39,7 @@ from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.model import is_scalar, may_be_unconnected
 from harness.engine.compiled.paths import Path, fields_to, worth_naming
 from harness.engine.compiled.ranges import is_counted
-from harness.engine.compiled.walk import Node, children, every_node, root_of
+from harness.engine.compiled.walk import Node, children, every_node, nodes_of, root_of
 
 _LOOP_WEIGHT = 6.0
 _BRANCH_WEIGHT = 0.4
@@ -51,6 +51,10 @@ _KEPT_KINDS = (*LIVING, VariableKind.IN_OUT)
 
 
 _NOBODY = Variable(Span(Source("", ""), 0, 0), "", VariableKind.TEMP, VOID)
+
+
+_WEIGHED = frozenset((VariableRef, FieldRef, For, While, Repeat, If, Case))
+"""The nodes that count for more or less than what is in them. All others are passed over fast."""
 
 
 class _Uses:
@@ -79,6 +83,9 @@ def _uses(body: Iterable[Statement]) -> tuple[dict[Variable, _Uses], dict[Path, 
     stack: list[tuple[Node, float, object]] = [(statement, 1.0, None) for statement in body]
     while stack:
         node, weight, arm = stack.pop()
+        if type(node) not in _WEIGHED:
+            stack.extend((child, weight, arm) for child in children(node))
+            continue
         match node:
             case VariableRef():
                 if node.variable.kind in _KEPT_KINDS:
@@ -117,6 +124,9 @@ def _uses(body: Iterable[Statement]) -> tuple[dict[Variable, _Uses], dict[Path, 
     return found, structures
 
 
+_VARIABLES = frozenset((VariableRef,))
+
+
 def _written_first(body: Sequence[Statement]) -> set[Variable]:
     """The variables that get a value before anybody reads them."""
     first: set[Variable] = set()
@@ -127,7 +137,7 @@ def _written_first(body: Sequence[Statement]) -> set[Variable]:
         if isinstance(statement, Assignment) and isinstance(target, VariableRef):
             # A composite one is not bound anew, it is copied into: that reads it.
             inside = [statement.value] if is_scalar(target.type) else [statement]
-        seen.update(one.variable for one in every_node(inside) if isinstance(one, VariableRef))
+        seen.update(one.variable for one in nodes_of(_VARIABLES, inside))
         if not isinstance(target, VariableRef) or not is_scalar(target.type):
             continue
         if target.variable not in seen:
@@ -149,14 +159,19 @@ class Kept(NamedTuple):
 def worth_keeping(body: Sequence[Statement], block: Block, facts: Facts) -> Kept:
     """What these statements should keep in locals; what one branch uses alone is left to that."""
     found, structures = _uses(body)
-    written_first = _written_first(body)
-    wanted = [
+    often = [
         variable
         for variable, uses in found.items()
-        if uses.weight >= (_WORTH_IF_WRITTEN if variable in written_first else _WORTH)
+        if uses.weight >= _WORTH_IF_WRITTEN
         and not uses.in_one_branch
         and variable.address is None
         and not may_be_unconnected(variable, block)
+    ]
+    written_first = _written_first(body) if often else set()
+    wanted = [
+        variable
+        for variable in often
+        if variable in written_first or found[variable].weight >= _WORTH
     ]
     singles = {variable for variable in wanted if is_scalar(variable.type)}
     kept = facts.private(singles, block, body) if singles else set()

@@ -48,7 +48,22 @@ from fbgen.lang.types import (
 )
 from harness.engine.compiled.instructions import areas
 from harness.engine.compiled.model import has_memory, is_scalar
-from harness.engine.compiled.walk import Node, every_node, root_of, written_places
+from harness.engine.compiled.walk import (
+    WRITING,
+    Node,
+    every_node,
+    nodes_of,
+    root_of,
+    written_places,
+)
+
+_CALLS = frozenset((FunctionCall, InstanceCall))
+_WRITERS = _CALLS | {RoutineCall, Attempt, Substituted, TakenError, Guarded, SystemCall}
+"""What may write variables beside assignments and loops."""
+
+
+_TOLD = WRITING | {VariableRef, While, Repeat, Goto, ReferenceTo}
+"""What says something about the whole program."""
 
 
 @dataclass(slots=True)
@@ -170,7 +185,9 @@ class Facts:
         if self.instances_referenced:
             return set()
         private = variables - self.cells - self.referenced - self._in_bytes
-        for node in every_node(body):
+        if not private:
+            return private
+        for node in nodes_of(_WRITERS, body):
             if _hands_on_this(node):
                 return set()
             touched = [one for callee in _callees(node) for one in self._found[callee].globals]
@@ -208,7 +225,7 @@ class Facts:
     def _look(self, block: Block, body: tuple[Statement, ...]) -> list[_Site]:
         found = self._found[block]
         sites: list[_Site] = []
-        for node in every_node(body):
+        for node in nodes_of(_TOLD, body):
             for place in written_places(node):
                 root = root_of(place)
                 if root is not None:

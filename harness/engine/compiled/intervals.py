@@ -22,7 +22,7 @@ from fbgen.lang.checked import (
 )
 from fbgen.lang.types import BOOL
 from harness.engine.compiled.ranges import is_counted, limits
-from harness.engine.compiled.walk import every_node, root_of, written_places
+from harness.engine.compiled.walk import WRITING, every_node, nodes_of, root_of, written_places
 
 Intervals: TypeAlias = Mapping[Variable, tuple[int, int]]
 
@@ -83,4 +83,4 @@ def written_inside(statement: Statement) -> set[Variable | None]:
     roots: Iterable[Statement | Expression] = (
         (statement.value,) if isinstance(statement, Assignment) else (statement,)
     )
-    return {root_of(place) for node in every_node(roots) for place in written_places(node)}
+    return {root_of(place) for node in nodes_of(WRITING, roots) for place in written_places(node)}

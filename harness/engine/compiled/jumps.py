@@ -27,15 +27,18 @@ from harness.engine.compiled.loops import Counting, count_passes
 from harness.engine.compiled.probes import Moment, Probed
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.selection import arm_condition, write_case, write_if
-from harness.engine.compiled.walk import Node, children, every_node
+from harness.engine.compiled.walk import Node, children, nodes_of
 
 DEEPEST_IN_PLACE = 40
 """Nodes inside each other up to which a branch with jumps is written in its place."""
 
 
+_JUMPS = frozenset((Label, Goto))
+
+
 def has_jumps(body: Sequence[Statement]) -> bool:
     """True if there is a label or a GOTO anywhere inside."""
-    return any(isinstance(node, Label | Goto) for node in every_node(body))
+    return next(nodes_of(_JUMPS, body), None) is not None
 
 
 def _stays(statement: If | Case) -> bool:

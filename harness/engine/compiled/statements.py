@@ -46,7 +46,7 @@ from harness.engine.compiled.probes import Moment, Probed
 from harness.engine.compiled.procedure import DEEPEST_INDENT, DEEPEST_LOOPS, Procedure
 from harness.engine.compiled.routines import routine_statement
 from harness.engine.compiled.selection import write_case, write_if
-from harness.engine.compiled.walk import every_node, root_of, written_places
+from harness.engine.compiled.walk import WRITING, nodes_of, root_of, written_places
 
 _GOES_ON, _RETURN, _EXIT, _CONTINUE = 0, 1, 2, 3
 DEEPEST_LOCALS = 20
@@ -282,7 +282,7 @@ def _split(procedure: Procedure, body: Sequence[Statement]) -> None:
 def _refresh(procedure: Procedure, body: Sequence[Statement]) -> None:
     """Fill the locals again whose variables another function has written."""
     if procedure.aliases:
-        places = (place for node in every_node(body) for place in written_places(node))
+        places = (place for node in nodes_of(WRITING, body) for place in written_places(node))
         written = {root_of(place) for place in places}
         for variable, name in procedure.aliases.items():
             if variable in written:

@@ -17,9 +17,10 @@ from fbgen.lang.checked import (
     While,
 )
 from harness.engine.compiled.model import is_scalar
-from harness.engine.compiled.walk import Node, every_node
+from harness.engine.compiled.walk import Node, nodes_of
 
 _DEEPEST = 20
+_VARIABLES = frozenset((VariableRef,))
 
 
 def read_unfilled(body: Sequence[Statement]) -> set[Variable]:
@@ -71,6 +72,6 @@ def _choose(
 
 
 def _read(nodes: Iterable[Node], filled: set[Variable], found: set[Variable]) -> None:
-    for node in every_node(nodes):
-        if isinstance(node, VariableRef) and node.variable not in filled:
-            found.add(node.variable)
+    found.update(
+        node.variable for node in nodes_of(_VARIABLES, nodes) if node.variable not in filled
+    )

@@ -1,6 +1,6 @@
 """Every node of a checked tree, without recursion: trees may be very deep."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from typing import Any, TypeAlias
 
 from fbgen.lang.checked import (
@@ -119,6 +119,19 @@ def every_node(roots: Iterable[Node]) -> Iterator[Node]:
             stack.extend(inner(node))
 
 
+def nodes_of(kinds: Collection[type], roots: Iterable[Node]) -> Iterator[Any]:
+    """All nodes of some types in and under `roots`: faster than to look at each of `every_node`."""
+    stack = list(roots)
+    while stack:
+        node = stack.pop()
+        kind = type(node)
+        if kind in kinds:
+            yield node
+        inner = _CHILDREN.get(kind)
+        if inner is not None:
+            stack.extend(inner(node))
+
+
 def root_of(place: Place) -> Variable | None:
     """The variable that a place is a part of.
 
@@ -148,6 +161,10 @@ _WRITTEN: dict[type, Callable[[Any], list[Place]]] = {
     **dict.fromkeys((Substituted, TakenError, Guarded), lambda node: [node.memory]),
     Try: lambda node: [] if node.exception is None else [node.exception],
 }
+
+
+WRITING = frozenset(_WRITTEN)
+"""The nodes that write anything."""
 
 
 def written_places(node: Node) -> Sequence[Place]:

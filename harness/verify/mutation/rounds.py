@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.workers import Workers
 from harness.verify.mutation.log import Known, Log
-from harness.verify.mutation.order import cheapest_first
+from harness.verify.mutation.order import Order, cheapest_first
 from harness.verify.mutation.stage import Stage
 from harness.verify.mutation.subjects import Target, contents_of
 from harness.verify.mutation.verdict import Fate, Verdict
@@ -49,28 +49,34 @@ class Rounds:
 
         `proofs` are asked for behind the cheaper half: the other one takes longer than a proof.
         """
-        order = cheapest_first(self.stage.cases, self.target.cases)
-        self._take_what_is_known(order)
-        half = (len(order) + 1) // 2
-        self._play(order[:half], began, finished)
+        self._take_what_is_known(cheapest_first(self.stage.cases, self.target.cases))
+        order = Order(self.stage.cases, self.target.cases, self._has_noticed)
+        half = len(order) // 2
+        self._play(order, len(order) - half, began, finished)
         for number, why in proofs(sorted(self.live)).items():
             self.live.discard(number)
             self.settled[number] = Verdict(self.target.id_of(number), Fate.PROVED, why=why)
-        self._play(order[half:], began, finished)
+        self._play(order, half, began, finished)
 
     def _play(
         self,
-        order: Sequence[int],
+        order: Order,
+        count: int,
         began: Callable[[str, int], None],
         finished: Callable[[str], None],
     ) -> None:
-        began(f"scenarios for {self.target.name}", len(order))
+        began(f"scenarios for {self.target.name}", count)
         before: int | None = None
-        for case in (*order, None):
+        for number in range(count + 1):
+            case = order.next() if number < count else None
             self._round(before, case)
             if before is not None:
                 finished(self.stage.cases[before].name)
             before = case
+
+    def _has_noticed(self, case: int) -> bool:
+        """Whether a case has noticed any mutant, in this run or in one that the log has."""
+        return any(one is not None for one in self._known(case).noticed.values())
 
     def verdict(self, number: int) -> Verdict:
         """What came of a mutant."""
