@@ -8,7 +8,15 @@ from collections.abc import Iterator
 
 from fbgen.artefacts.text_table import csv_table
 from fbgen.artefacts.view import PlantLists
-from fbgen.catalog import CheckStep, ComNo, Drive, Setting, Switch
+from fbgen.catalog import (
+    CheckStep,
+    ComNo,
+    Drive,
+    Gateway,
+    Setting,
+    Switch,
+    TelegramGateway,
+)
 from fbgen.emit.generated import Artefact
 from fbgen.plant import PlantDrive, PlantGateway
 
@@ -55,12 +63,12 @@ def _rows(lists: PlantLists) -> Iterator[tuple[str, ...]]:
         for drive in gateway.drives:
             series = lists.catalog.drive(drive.series)
             compared = _compared(lists, series)
-            for setting in series.settings:
+            for setting in _settings(lists, gateway, series):
                 comno = series.comno(setting.comno)
                 value = value_of(setting, drive)
                 yes = comno.number in compared
                 yield (
-                    *(gateway.name, drive.name, str(drive.inv_no)),
+                    *(gateway.name, drive.name, drive.channel or str(drive.inv_no)),
                     *(comno.display or "", comno.hex, comno.title),
                     *(_number(value), comno.unit if value is not None else ""),
                     "" if value is None else f"{comno.to_word(value):04X}",
@@ -88,7 +96,7 @@ def _document(lists: PlantLists) -> Iterator[str]:
             f"`TOS_Seq_{CHECK}` reads the rows marked with * back and reports what deviates.",
             f"`TOS_Seq_{CHECK}` liest die Zeilen mit * zurück und meldet Abweichungen.",
         )
-    else:
+    elif lists.on_lines:
         yield lists.in_words(
             f"With `{CHECK}` among the sequences of the plant file the PLC reads them back.",
             f"Mit `{CHECK}` bei den Sequenzen der Anlagendatei liest die SPS sie zurück.",
@@ -100,19 +108,36 @@ def _document(lists: PlantLists) -> Iterator[str]:
 
 
 def _gateway(lists: PlantLists, gateway: PlantGateway) -> Iterator[str]:
-    entry = lists.catalog.telegram_gateway(gateway.type)
-    line = entry.subnetwork
+    entry = lists.catalog.gateway(gateway.type)
     yield ""
     yield f"## Gateway {gateway.title or gateway.name}"
     yield ""
     address = lists.in_words("PROFIBUS address", "PROFIBUS-Adresse")
-    yield (
-        f"{gateway.type}, {address} {gateway.profibus_address}; "
+    yield f"{gateway.type}, {address} {gateway.profibus_address}; {_line(lists, entry)}"
+    yield ""
+    yield from _switches(lists, entry.switches, gateway.profibus_address)
+
+
+def _line(lists: PlantLists, entry: Gateway) -> str:
+    """How it talks to the drives."""
+    if not isinstance(entry, TelegramGateway):
+        return lists.in_words(
+            "it finds speed and parity of each drive by itself",
+            "Geschwindigkeit und Parität jedes Antriebs findet es selbst",
+        )
+    line = entry.subnetwork
+    return (
         f"{line.baud} bit/s, {line.data_bits} bit, {lists.texts(line.parity)}, "
         f"{line.stop_bits} {lists.in_words('stop', 'Stopp')}"
     )
-    yield ""
-    yield from _switches(lists, entry.switches, gateway.profibus_address)
+
+
+def _settings(lists: PlantLists, gateway: PlantGateway, series: Drive) -> Iterator[Setting]:
+    """What the drive needs behind this gateway: one for process data has no line to be set for."""
+    of_line = {"baud_rate", "parity", series.link.inv_no, series.link.timeout}
+    for setting in series.settings:
+        if not (lists.is_process_data(gateway) and setting.comno in of_line):
+            yield setting
 
 
 def _sheet(lists: PlantLists, gateway: PlantGateway, drive: PlantDrive) -> Iterator[str]:
@@ -122,14 +147,16 @@ def _sheet(lists: PlantLists, gateway: PlantGateway, drive: PlantDrive) -> Itera
     yield f"## {lists.in_words('Drive', 'Antrieb')} {drive.title or drive.name}"
     yield ""
     behind = lists.in_words("gateway", "Gateway")
-    yield f"{series.title}, INV-NO {drive.inv_no}, {behind} {gateway.name}"
+    channel = lists.in_words("channel", "Kanal")
+    place = f"{channel} {drive.channel}" if drive.channel else f"INV-NO {drive.inv_no}"
+    yield f"{series.title}, {place}, {behind} {gateway.name}"
     yield ""
     head = lists.in_words(
         "| | parameter | ComNo | value | meaning | why | source |",
         "| | Parameter | ComNo | Wert | Bedeutung | Grund | Quelle |",
     )
     yield from (head, "|---|---|---|---|---|---|---|")
-    for setting in series.settings:
+    for setting in _settings(lists, gateway, series):
         comno = series.comno(setting.comno)
         value = value_of(setting, drive)
         shown = f"**{_number(value)}** {comno.unit}".strip() if value is not None else "-"

@@ -59,7 +59,7 @@ class IoTag:
 def io_tags(lists: PlantLists) -> Iterator[IoTag]:
     """All fields of all gateways that have addresses, but what nobody explains (pads)."""
     for gateway in lists.plant.gateways:
-        layout = lists.catalog.gateway(gateway.type).layout(gateway.layout)
+        layout = lists.layout(gateway)
         yield from _fields(gateway, "I", gateway.input_address, layout.input)
         yield from _fields(gateway, "Q", gateway.output_address, layout.output)
 

@@ -20,6 +20,7 @@ from fbgen.blocks.line_times import line_times
 from fbgen.blocks.literals import one_line
 from fbgen.blocks.plan import longest_pause
 from fbgen.blocks.poll_cycle import poll_cycle
+from fbgen.catalog import TelegramGateway
 from fbgen.emit.environment import TemplateRenderer
 from fbgen.emit.generated import Artefact
 from fbgen.emit.layout import GLOBALS
@@ -111,7 +112,6 @@ def _context(
     lists: PlantLists, memory: WorkMemory, artefacts: Sequence[Artefact]
 ) -> dict[str, object]:
     plant, generated = lists.plant, lists.generated
-    entry = lists.catalog.telegram_gateway(plant.gateways[0].type)
     names = {item.name for item in artefacts}
     owned = [file.name for file in generated.files if file.is_owned]
     return {
@@ -135,14 +135,17 @@ def _context(
         "owned": bool(owned),
         "sources": [file.name for file in generated.files if file.is_program],
         "whole_frame": any(item.access == "dpxx_dat" for item in plant.gateways),
-        "gsd": entry.profibus.gsd_file,
-        "ident": f"{entry.profibus.ident_number:04X}",
+        "gsd": [_gsd(item) for item in _types_on_lines(lists)],
+        "lines": bool(lists.on_lines),
+        "channels": [_gateway(item, lists) for item in lists.at_channels],
+        "eeprom": [item.name for item in lists.at_channels if item.eeprom],
+        "assumed": [item.name for item in lists.at_channels if lists.layout(item).unverified],
         "gateways": [_gateway(item, lists) for item in plant.gateways],
         "access_notes": list(_access_notes(lists)),
         "sequences": [_sequence(name, lists) for name in plant.sequences],
-        "unpolled": [item.name for item in plant.gateways if not item.status_poll],
-        "polls": [_poll(item, lists) for item in plant.gateways if item.status_poll],
-        "worst": [_worst(item, lists) for item in plant.gateways],
+        "unpolled": [item.name for item in lists.on_lines if not item.status_poll],
+        "polls": [_poll(item, lists) for item in lists.on_lines if item.status_poll],
+        "worst": [_worst(item, lists) for item in lists.on_lines],
         "sheets": next((name for name in names if name.endswith("_parameters.md")), ""),
         "memory": _memory(memory, lists) if cpus_of(plant.plc) else None,
         "files": list(_files(lists, artefacts)),
@@ -152,7 +155,7 @@ def _context(
 
 
 def _gateway(gateway: PlantGateway, lists: PlantLists) -> dict[str, object]:
-    layout = lists.catalog.gateway(gateway.type).layout(gateway.layout)
+    layout = lists.layout(gateway)
     return {
         "name": gateway.name,
         "address": gateway.profibus_address,
@@ -164,12 +167,24 @@ def _gateway(gateway: PlantGateway, lists: PlantLists) -> dict[str, object]:
         "drives": [
             {
                 "name": drive.name,
-                "inv_no": drive.inv_no,
+                "inv_no": drive.channel or drive.inv_no,
                 "series": drive.series,
                 "max_frequency": f"{drive.max_frequency_hz:g}",
             }
             for drive in gateway.drives
         ],
+    }
+
+
+def _types_on_lines(lists: PlantLists) -> Iterator[TelegramGateway]:
+    for name in dict.fromkeys(item.type for item in lists.on_lines):
+        yield lists.catalog.telegram_gateway(name)
+
+
+def _gsd(entry: TelegramGateway) -> dict[str, str]:
+    return {
+        "file": entry.profibus.gsd_file,
+        "ident": f"{entry.profibus.ident_number:04X}",
     }
 
 
@@ -185,7 +200,7 @@ def _access_notes(lists: PlantLists) -> Iterator[str]:
     for access in dict.fromkeys(item.access for item in lists.plant.gateways):
         yield lists.in_words(*_ACCESS[access])
     for gateway in {item.layout: item for item in lists.plant.gateways}.values():
-        if lists.catalog.gateway(gateway.type).layout(gateway.layout).invented:
+        if lists.layout(gateway).invented:
             yield lists.in_words(*_INVENTED).format(gateway.layout)
 
 

@@ -6,11 +6,12 @@ from functools import cached_property
 
 from fbgen.artefacts.variables import PlcVariable, variables
 from fbgen.blocks.alarms import LINE_ALARMS, Alarm, drive_alarms, that_can_come
+from fbgen.blocks.pbdp_alarms import GATEWAY_ALARMS, PBDP_DRIVE_ALARMS
 from fbgen.blocks.texts import ENGLISH, Texts
-from fbgen.catalog import Catalog
+from fbgen.catalog import Catalog, Layout, ProcessDataGateway
 from fbgen.emit.generated import CanonicalProgram, GeneratedSet
 from fbgen.emit.symbol_table import numbers_of
-from fbgen.plant import Plant, PlantDrive, PlantGateway, with_prefix
+from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of, with_prefix
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,24 @@ class PlantLists:
     def name(self, usual: str) -> str:
         """A block of the plant by its usual name."""
         return with_prefix(usual, self.plant.prefix)
+
+    def is_process_data(self, gateway: PlantGateway) -> bool:
+        """Whether it is a gateway for process data, and not one with a line."""
+        return isinstance(self.catalog.gateway(gateway.type), ProcessDataGateway)
+
+    @cached_property
+    def on_lines(self) -> tuple[PlantGateway, ...]:
+        """The gateways with a line."""
+        return tuple(item for item in self.plant.gateways if not self.is_process_data(item))
+
+    @cached_property
+    def at_channels(self) -> tuple[PlantGateway, ...]:
+        """The gateways for process data."""
+        return tuple(item for item in self.plant.gateways if self.is_process_data(item))
+
+    def layout(self, gateway: PlantGateway) -> Layout:
+        """The module that it is configured with."""
+        return layout_of(gateway, self.catalog.gateway(gateway.type))
 
     def file_name(self, part: str) -> str:
         """The name of a list: `conveyor_alarms.csv`."""
@@ -88,10 +107,13 @@ class PlantLists:
 
     def alarms(self) -> Iterator["PlacedAlarm"]:
         """All alarms of all lines and drives, without those that can never come."""
-        of_drives = drive_alarms(self.plant.sequences)
         for gateway in self.plant.gateways:
+            of_line: tuple[Alarm, ...] = LINE_ALARMS
+            of_drives = drive_alarms(self.plant.sequences)
+            if self.is_process_data(gateway):
+                of_line, of_drives = GATEWAY_ALARMS, PBDP_DRIVE_ALARMS
             word = self.variable(gateway.name, "line", "alarms")
-            for alarm in that_can_come(LINE_ALARMS, [gateway]):
+            for alarm in that_can_come(of_line, [gateway]):
                 yield PlacedAlarm(alarm, word, gateway)
             for drive in gateway.drives:
                 word = self.variable(gateway.name, drive.name, "alarms")

@@ -24,6 +24,17 @@ _DRIVE = (
     *(("polled", name) for name in _POLLED),
     ("alarms",),
 )
+_PBDP_LINE = ("online", "ioError", "ioRetVal", "emergencyStop", "stopped")
+_PBDP_STATE = (
+    *("online", "ready", "running", "tripped", "inhibited", "status", "command"),
+    *("frequency", "current", "trip"),
+)
+_PBDP_DRIVE = (
+    *(("control", name) for name in _CONTROL),
+    *(("state", name) for name in _PBDP_STATE),
+    ("polled", "tripCode"),
+    ("alarms",),
+)
 _FORMATS = {"Bool": "Bool", "Real": "Floating-point", "Int": "DEC", "Time": "Time", "String": "-"}
 
 
@@ -39,11 +50,15 @@ def watch_tables(lists: PlantLists) -> list[Artefact]:
 
 def watched(lists: PlantLists, gateway: PlantGateway) -> Iterator[PlcVariable]:
     """The variables of the line and its drives that show what goes on."""
-    for name in _LINE:
+    line: tuple[str, ...] = _LINE
+    of_drive: tuple[tuple[str, ...], ...] = _DRIVE
+    if lists.is_process_data(gateway):
+        line, of_drive = _PBDP_LINE, _PBDP_DRIVE
+    for name in line:
         yield lists.variable(gateway.name, "line", name)
     yield lists.variable(gateway.name, "line", "alarms")
     for drive in gateway.drives:
-        for path in _DRIVE:
+        for path in of_drive:
             yield lists.variable(gateway.name, drive.name, *path)
 
 

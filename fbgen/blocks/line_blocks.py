@@ -5,20 +5,18 @@ from collections.abc import Iterator, Sequence
 from fbgen.blocks.alarms import LINE_ALARMS, drive_alarms, that_can_come
 from fbgen.blocks.family import FamilyPlan
 from fbgen.blocks.line_gateways import LineGatewayView, line_gateway_view, missing_fields
-from fbgen.blocks.literals import SclText, byte, comno, milliseconds, one_line, source_text, word
+from fbgen.blocks.literals import SclText, byte, comno, milliseconds, source_text, word
 from fbgen.blocks.poll_cycle import slow_polls
 from fbgen.blocks.sequences import SequenceView, sequence_view
 from fbgen.blocks.specs import BlockSpec, block, data_block, data_type
 from fbgen.blocks.texts import Texts
+from fbgen.blocks.trips import command_source, trip_literals
 from fbgen.blocks.words import WordView, bits_origin
-from fbgen.catalog import Catalog, Drive, TelegramGateway, Trip, WriteStep, origin
+from fbgen.catalog import Catalog, Drive, TelegramGateway, WriteStep, origin
 from fbgen.catalog.sourced import Duration
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.plant import Plant, PlantGateway
 
-SERIAL_COMMANDS = "serial communication"
-"""What the value of a command source is called in the catalogue that stands for the network."""
-_LONGEST_TRIP_TEXT = 40
 _COMMANDS_IN_A_ROW = 8
 """Telegrams of drives after which the status poll has its turn, while more of them wait."""
 _EMERGENCY_STOP = ("network_command", "network_frequency", "emergency_stop")
@@ -69,13 +67,13 @@ def line_family(
 
 def _other_types(chosen: Sequence[PlantGateway]) -> Iterator[Diagnostic]:
     """The TOS blocks carry the words and the trigger of one type of gateway."""
-    first = chosen[0]
     for gateway in chosen:
+        first = chosen[0]
         if gateway.type != first.type:
             yield Diagnostic(
                 "FB5009",
                 f"the gateway '{gateway.name}' is a {gateway.type}, '{first.name}' a {first.type}, "
-                "and the blocks of one plant are made for one type",
+                "and the blocks of one plant are made for one type of each kind",
                 gateway.span_of("type"),
                 "make a plant file of its own for each type",
             )
@@ -204,12 +202,12 @@ def _drive_context(drive: Drive, catalog: Catalog) -> dict[str, object]:
             "output_frequency": comno(drive.comno(drive.link.output_frequency)),
             "output_current": comno(drive.comno(drive.link.output_current)),
             "trip_source": source_text(trip, trip.source),
-            "command_source": _command_source(drive),
+            "command_source": command_source(drive),
         },
         "drive_command": WordView(drive.command_word, drive.id),
         "drive_status": WordView(drive.word(drive.comno(drive.link.status).word or ""), drive.id),
         "reset_silence": _duration(drive.times.reset_silence, f"{drive.id} reset_silence"),
-        "trips": [_trip(trip) for trip in drive.trips],
+        "trips": [trip_literals(trip) for trip in drive.trips],
         "spacer": {
             "first": comno(trip),
             "second": comno(status),
@@ -220,26 +218,6 @@ def _drive_context(drive: Drive, catalog: Catalog) -> dict[str, object]:
 
 def _duration(time: Duration, name: str) -> SclText:
     return milliseconds(time.ms, origin(name, time, time.source or ""))
-
-
-def _command_source(drive: Drive) -> dict[str, SclText] | None:
-    """The ComNo that says who commands, and its value for the network; None if there is none."""
-    if drive.link.command_source is None:
-        return None
-    source = drive.comno(drive.link.command_source)
-    values = [value for value, text in source.values.items() if text == SERIAL_COMMANDS]
-    if not values:
-        return None
-    place = origin(f"ComNo {source.hex}", source, source.source or "")
-    return {"number": comno(source), "network": word(int(values[0]), place)}
-
-
-def _trip(trip: Trip) -> dict[str, SclText]:
-    """A trip code and its text of at most 40 characters, as literals."""
-    place = origin(f"trip {trip.display}", trip, trip.source or "")
-    words = one_line(f"{trip.display}: {trip.meaning}")[:_LONGEST_TRIP_TEXT]
-    quoted = words.replace("$", "$$").replace("'", "$'")
-    return {"code": SclText(str(trip.code), place), "text": SclText(f"'{quoted}'", place)}
 
 
 def _line_context(

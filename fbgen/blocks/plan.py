@@ -13,12 +13,13 @@ from fbgen.blocks.gateways import several_masters
 from fbgen.blocks.line_blocks import line_family, line_problems
 from fbgen.blocks.literals import SclText, milliseconds
 from fbgen.blocks.names import name_conflicts
-from fbgen.blocks.scaling import scaling
+from fbgen.blocks.pbdp_blocks import pbdp_family, pbdp_problems
+from fbgen.blocks.scaling import other_counts, scaling
 from fbgen.blocks.specs import BlockSpec, block, data_block
 from fbgen.blocks.texts import ENGLISH, Texts
-from fbgen.catalog import Catalog, origin
+from fbgen.catalog import Catalog, ProcessDataGateway, origin
 from fbgen.diagnostics import Diagnostic, DiagnosticError
-from fbgen.plant import Plant
+from fbgen.plant import Plant, PlantGateway
 
 _TIMER = "{InstructionName := 'TON_TIME'; LibVersion := '1.0'} : TON_TIME"
 _CLASSIC_TIMER = ": TON"
@@ -57,9 +58,16 @@ def plan_blocks(plant: Plant, catalog: Catalog, texts: Texts = ENGLISH) -> Block
     Raises DiagnosticError for what cannot be generated.
     """
     known = [catalog.sequence(name) for name in plant.sequences]
-    if found := [*name_conflicts(plant, known), *line_problems(plant.gateways, catalog)]:
+    lines, channels = _by_kind(plant, catalog)
+    found = [*name_conflicts(plant, known)]
+    found += [*line_problems(lines, catalog), *pbdp_problems(channels, catalog)]
+    if found := [*found, *other_counts(plant, catalog)]:
         raise DiagnosticError(found)
-    families = [line_family(plant, plant.gateways, catalog, texts)]
+    families = []
+    if lines:
+        families.append(line_family(plant, lines, catalog, texts))
+    if channels:
+        families.append(pbdp_family(plant, channels, catalog, texts))
     specs = [spec for family in families for spec in family.types]
     specs += [block(name) for name in _SCALING]
     specs += [spec for family in families for spec in family.blocks]
@@ -74,6 +82,16 @@ def plan_blocks(plant: Plant, catalog: Catalog, texts: Texts = ENGLISH) -> Block
     context = _plant_context(plant, families, catalog, texts)
     warnings = tuple(found for family in families for found in family.warnings)
     return BlockPlan(tuple(specs), context, warnings)
+
+
+def _by_kind(plant: Plant, catalog: Catalog) -> tuple[list[PlantGateway], list[PlantGateway]]:
+    """The gateways with a line, and those for process data."""
+    lines: list[PlantGateway] = []
+    channels: list[PlantGateway] = []
+    for item in plant.gateways:
+        is_process_data = isinstance(catalog.gateway(item.type), ProcessDataGateway)
+        (channels if is_process_data else lines).append(item)
+    return lines, channels
 
 
 def _plant_context(

@@ -18,7 +18,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import ceil
 
-from fbgen.catalog import Catalog
+from fbgen.catalog import Catalog, TelegramGateway
 from fbgen.diagnostics import Diagnostic, Severity
 from fbgen.plant import Plant, PlantGateway
 
@@ -73,7 +73,8 @@ def poll_cycle(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> PollCyc
 def slow_polls(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
     """FB5014: a round takes longer than the plant allows."""
     for gateway in plant.gateways:
-        if not gateway.status_poll:
+        known = catalog.gateway(gateway.type)
+        if not gateway.status_poll or not isinstance(known, TelegramGateway):
             continue
         found = poll_cycle(plant, gateway, catalog)
         if found.round_ms > plant.poll_limit_ms:

@@ -14,6 +14,7 @@ from fbgen.plant.families import (
     PlcFamily,
 )
 from fbgen.plant.loading import load_plant, read_plant
+from fbgen.plant.modules import layout_of
 from fbgen.plant.plant import (
     HIGHEST_BLOCK,
     BlockNumbers,
@@ -42,6 +43,7 @@ __all__ = [
     "changed",
     "cpus_of",
     "in_dialect",
+    "layout_of",
     "load_plant",
     "problems_of",
     "read_plant",

@@ -3,11 +3,22 @@
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, TypeVar
 
-from fbgen.catalog import Catalog, Drive, Gateway, Layout, Located, Option, OptionValue
+from fbgen.catalog import (
+    Catalog,
+    Drive,
+    Gateway,
+    Layout,
+    Located,
+    Option,
+    OptionValue,
+    ProcessDataGateway,
+)
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
 from fbgen.nearest import nearest
+from fbgen.plant.connections import process_data_gateway, telegram_gateway
 from fbgen.plant.cpus import CPUS, cpus_of
 from fbgen.plant.families import FAMILIES, FILE_LAYOUTS, Family
+from fbgen.plant.modules import layout_of
 from fbgen.plant.names import name_problems
 from fbgen.plant.prefix import prefix_problems
 
@@ -56,7 +67,19 @@ def gateway(item: "PlantGateway", catalog: Catalog) -> Iterator[Diagnostic]:
         )
     yield from _layout(item, entry)
     yield from _options(item, item.options, entry.options, entry.id)
-    yield from _drives(item, entry, catalog)
+    if isinstance(entry, ProcessDataGateway):
+        yield from process_data_gateway(item, entry)
+    else:
+        yield from telegram_gateway(item, catalog.protocol(entry.protocol))
+    for member in item.drives:
+        known: Drive | None = catalog.drives.get(member.series)
+        if known is not None and known.id not in entry.series:
+            yield Diagnostic(
+                "FB2008",
+                f"{entry.id} does not serve {known.id}",
+                member.span_of("series"),
+                f"it serves {', '.join(entry.series)}",
+            )
 
 
 def _layout(item: "PlantGateway", entry: Gateway) -> Iterator[Diagnostic]:
@@ -66,7 +89,7 @@ def _layout(item: "PlantGateway", entry: Gateway) -> Iterator[Diagnostic]:
         help_text = nearest(item.layout, names)
         yield Diagnostic("FB2002", message, item.span_of("layout"), help_text)
         return
-    layout = entry.layout(item.layout)
+    layout = layout_of(item, entry)
     if item.access in layout.access_ways:
         return
     others = [other.name for other in entry.layouts if item.access in other.access_ways]
@@ -84,26 +107,6 @@ def _layout(item: "PlantGateway", entry: Gateway) -> Iterator[Diagnostic]:
         item.span_of("access"),
         help_text,
     )
-
-
-def _drives(item: "PlantGateway", entry: Gateway, catalog: Catalog) -> Iterator[Diagnostic]:
-    numbers = catalog.protocol(entry.protocol).inv_numbers["binary"]
-    for member in item.drives:
-        if not numbers.minimum <= member.inv_no <= numbers.maximum:
-            yield Diagnostic(
-                "FB2007",
-                f"no inverter can have the INV-NO {member.inv_no}",
-                member.span_of("inv_no"),
-                f"use {numbers.minimum} to {numbers.maximum}; FF (255) addresses all inverters",
-            )
-        known: Drive | None = catalog.drives.get(member.series)
-        if known is not None and known.id not in entry.series:
-            yield Diagnostic(
-                "FB2008",
-                f"{entry.id} does not serve {known.id}",
-                member.span_of("series"),
-                f"it serves {', '.join(entry.series)}",
-            )
 
 
 def _options(
@@ -135,10 +138,18 @@ def block_numbers(item: "BlockNumbers") -> Iterator[Diagnostic]:
         )
 
 
-def inverter_numbers(item: "PlantGateway") -> Iterator[Diagnostic]:
-    """FB2006: one INV-NO for two drives of one gateway."""
+def places_of_drives(item: "PlantGateway") -> Iterator[Diagnostic]:
+    """FB2006: one INV-NO or one channel for two drives of one gateway."""
     yield from _twice(
-        item.drives,
+        [member for member in item.drives if member.channel],
+        "channel",
+        lambda member: str(member.channel),
+        code="FB2006",
+        message="channel {} is given twice on this gateway",
+        help_text="a gateway has one drive at each of its channels",
+    )
+    yield from _twice(
+        [member for member in item.drives if "inv_no" in member.model_fields_set],
         "inv_no",
         lambda member: str(member.inv_no),
         code="FB2006",
@@ -218,7 +229,8 @@ def sequences(item: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
 
     Whether it fits is not said while a drive has a series that is not there (FB2009).
     """
-    series = {member.series for member in item.drives}
+    on_lines = [part for part in item.gateways if not _is_process_data(part, catalog)]
+    series = {member.series for part in on_lines for member in part.drives}
     known = series <= catalog.drives.keys()
     for index, name in enumerate(item.sequences):
         span = item.item_span_of("sequences", index)
@@ -231,6 +243,8 @@ def sequences(item: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
         elif known and not series & set(entry.series):
             message = f"the sequence '{name}' fits no drive of this plant"
             help_text = f"it is made for {', '.join(entry.series)}"
+            if not on_lines:
+                help_text = "sequences are telegrams, and no gateway of this plant sends telegrams"
             yield Diagnostic("FB2011", message, span, help_text)
 
 
@@ -251,7 +265,12 @@ def _found(part: "PlantGateway", catalog: Catalog) -> Layout | None:
     entry = catalog.gateways.get(part.type)
     if entry is None:
         return None
-    return next((layout for layout in entry.layouts if layout.name == part.layout), None)
+    known = any(layout.name == part.layout for layout in entry.layouts)
+    return layout_of(part, entry) if known else None
+
+
+def _is_process_data(part: "PlantGateway", catalog: Catalog) -> bool:
+    return isinstance(catalog.gateways.get(part.type), ProcessDataGateway)
 
 
 def _reachable(part: "PlantGateway", layout: Layout, family: Family) -> Iterator[Diagnostic]:
@@ -271,6 +290,16 @@ def _reachable(part: "PlantGateway", layout: Layout, family: Family) -> Iterator
             "use process_image",
         )
         return
+    if part.access == "per_identifier" and (torn := _only_as_a_whole(layout)):
+        yield Diagnostic(
+            "FB2005",
+            f"{torn} bytes of layout '{layout.name}' are consistent as a whole, and no single "
+            "access moves so many",
+            part.span_of("access"),
+            "choose a module whose identifiers are consistent by words, or one that a single "
+            "identifier covers in both directions",
+        )
+        return
     if part.access == "process_image" and layout.consistent and not family.image_moves_whole:
         yield Diagnostic(
             "FB2005",
@@ -280,6 +309,15 @@ def _reachable(part: "PlantGateway", layout: Layout, family: Family) -> Iterator
             "use dpxx_dat",
         )
     by_identifier = part.access == "dpxx_dat" and family.hardware_identifiers
+    if by_identifier and len(layout.parsed_identifiers) > 1:
+        yield Diagnostic(
+            "FB2005",
+            f"layout '{layout.name}' has {len(layout.parsed_identifiers)} modules, each with a "
+            f"hardware identifier of its own on {family.title}",
+            part.span_of("access"),
+            "choose a module that one identifier covers in both directions, or process_image",
+        )
+        return
     needed = ["hardware_identifier"] if by_identifier else ["input_address", "output_address"]
     for field in needed:
         if getattr(part, field) is None:
@@ -289,6 +327,17 @@ def _reachable(part: "PlantGateway", layout: Layout, family: Family) -> Iterator
                 part.span_of("access"),
                 f"add {field}: as the device configuration of gateway '{part.name}' shows it",
             )
+
+
+def _only_as_a_whole(layout: Layout) -> int:
+    """The length of an identifier that only DPRD_DAT and DPWR_DAT can move; 0 for none."""
+    lengths = [
+        length
+        for item in layout.parsed_identifiers
+        if item.consistent
+        for length in (item.output_length, item.input_length)
+    ]
+    return max((one for one in lengths if one == 3 or one > 4), default=0)
 
 
 def _overlaps(

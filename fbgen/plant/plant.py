@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from fbgen.catalog import AccessWay, Catalog, Located, OptionValue
-from fbgen.catalog.scalars import Flag, Real, Text, Whole
+from fbgen.catalog.scalars import Flag, Octets, Real, Text, Whole
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import checks
 from fbgen.plant.families import (
@@ -29,11 +29,16 @@ TextLanguage = Literal["en", "de"]
 
 
 class PlantDrive(Located):
-    """One inverter. `inv_no` is its number on the line, `max_frequency_hz` its parameter FH."""
+    """One inverter. `max_frequency_hz` is its parameter FH.
+
+    `inv_no` is its number on the line of a gateway that has one, `channel` its port at a gateway
+    for process data.
+    """
 
     name: str
     title: Text | None = None
-    inv_no: Whole
+    inv_no: Whole = 0
+    channel: Literal["A", "B"] | None = None
     series: str
     max_frequency_hz: Real
     parameters: DriveParameters = Field(default_factory=DriveParameters)
@@ -53,13 +58,16 @@ class PlantGateway(Located):
     `input_address` and `output_address` are the first bytes of its data in the PLC's input and
     output area; identifiers follow each other without a gap. `hardware_identifier` is what
     DPRD_DAT and DPWR_DAT of S7-1200 and S7-1500 take. `status_poll` reads the trip code and the
-    status of every drive in turn while no command waits.
+    status of every drive in turn while no command waits. `identifiers` are the configuration
+    identifiers of the module where the catalogue's are an assumption. `eeprom` lets the program
+    write parameters into the EEPROM of the drives.
     """
 
     name: str
     title: Text | None = None
     type: str
     layout: str
+    identifiers: Octets | None = None
     profibus_address: Whole
     dp_master: Annotated[Whole, Field(ge=1, le=32)] = 1
     access: AccessWay
@@ -67,13 +75,14 @@ class PlantGateway(Located):
     output_address: Whole | None = None
     hardware_identifier: Annotated[Whole, Field(ge=1, le=65535)] | None = None
     status_poll: Flag = True
+    eeprom: Flag = False
     parameters: LineParameters = Field(default_factory=LineParameters)
     options: dict[str, OptionValue] = Field(default_factory=dict)
     drives: tuple[PlantDrive, ...] = Field(min_length=1)
 
     def problems(self) -> Iterable[Diagnostic]:
-        """FB2006: one INV-NO for two drives."""
-        return checks.inverter_numbers(self)
+        """FB2006: one INV-NO or one channel for two drives."""
+        return checks.places_of_drives(self)
 
     def problems_against(self, known: object) -> Iterable[Diagnostic]:
         """What the catalogue says about this gateway."""

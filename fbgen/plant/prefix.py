@@ -1,7 +1,9 @@
 """The prefix of generated names: `TOS_`, unless the plant file has one of its own.
 
 Templates, pages and scenarios call everything by the usual prefix. With `prefix: ACME_` the block
-`TOS_Main` is called `ACME_Main`, and the type `typeTosDrive` is called `typeAcmeDrive`.
+`TOS_Main` is called `ACME_Main`, and the type `typeTosDrive` is called `typeAcmeDrive`. Blocks of
+gateways for process data keep their family behind it: `PBDP_Drive` is called `ACME_PBDP_Drive`, the
+type `typePbdpDrive` is called `typeAcmePbdpDrive`.
 """
 
 import re
@@ -13,7 +15,12 @@ from fbgen.source import Span
 USUAL_PREFIX = "TOS_"
 LONGEST_PREFIX = 12
 _PREFIX = re.compile(r"[A-Za-z][A-Za-z0-9]*_")
-_USUAL_NAME = re.compile(r"(?<![A-Za-z0-9_])(?:(TOS_)|typeTos)(?=[A-Za-z_])")
+_FAMILIES = ("PBDP_", "typePbdp")
+"""How the names of blocks and types of another family begin, which stays behind a prefix."""
+_USUAL_NAME = re.compile(
+    r"(?<![A-Za-z0-9_])(?:(?P<block>TOS_)|(?P<type>typeTos)|(?P<other>PBDP_)|type(?=Pbdp))"
+    r"(?=[A-Za-z_])"
+)
 
 
 def with_prefix(text: str, prefix: str) -> str:
@@ -21,7 +28,13 @@ def with_prefix(text: str, prefix: str) -> str:
     if prefix == USUAL_PREFIX:
         return text
     of_types = type_prefix(prefix)
-    return _USUAL_NAME.sub(lambda found: prefix if found[1] else of_types, text)
+
+    def changed(found: re.Match[str]) -> str:
+        if found["other"]:
+            return f"{prefix}{found['other']}"
+        return prefix if found["block"] else of_types
+
+    return _USUAL_NAME.sub(changed, text)
 
 
 def type_prefix(prefix: str) -> str:
@@ -37,7 +50,7 @@ def reserved_beginnings(prefix: str) -> tuple[str, ...]:
             start.lower()
             for one in (USUAL_PREFIX, prefix)
             if one
-            for start in (one, type_prefix(one))
+            for start in (one, type_prefix(one), *_FAMILIES)
         )
     )
 

@@ -1,0 +1,155 @@
+"""A gateway for process data as its templates see it: a drive at each channel."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from fbgen.blocks.frames import frame_view
+from fbgen.blocks.gateways import FirstValue, GatewayView, gateway_place
+from fbgen.blocks.literals import SclText, byte, milliseconds, real, word
+from fbgen.blocks.trips import command_source
+from fbgen.catalog import Catalog, Layout, ProcessDataGateway, origin
+from fbgen.diagnostics import Diagnostic
+from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of
+
+_OUTPUTS = ("command", "frequency", "action", "number", "data")
+_INPUTS = ("status", "frequency", "current", "voltage", "response", "number", "data")
+"""The data of a channel, in front of which the catalogue puts the channel's name."""
+_CALLED_OTHERWISE = {"action": "request"}
+"""What typePbdpOutput cannot call like the catalogue: ACTION is a reserved word of IEC 61131-3."""
+
+_RESERVE = 3
+"""A job may take so many times the longest that the catalogue says, and some cycles."""
+_CYCLES = 6
+
+
+@dataclass(frozen=True, slots=True)
+class PbdpDriveView:
+    """A drive at a channel of the gateway. `channel` is the member of the frames: a or b."""
+
+    name: str
+    series: str
+    channel: str
+    letter: str
+    diagnosis_mask: SclText
+    silence: SclText
+    trip_number: SclText
+    source_number: SclText
+    source_network: SclText
+    trip_text: str
+
+
+@dataclass(frozen=True, slots=True)
+class PbdpGatewayView(GatewayView):
+    """A gateway with everything its blocks need."""
+
+    identifiers_unverified: bool
+    has_parameters: bool
+    status_poll: SclText
+    eeprom: SclText
+    timeout: SclText
+    drives: tuple[PbdpDriveView, ...]
+
+
+def pbdp_gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> PbdpGatewayView:
+    """What the templates of one gateway are told."""
+    entry = catalog.process_data_gateway(gateway.type)
+    layout = layout_of(gateway, entry)
+    address, station = gateway_place(plant, gateway)
+    timeout = job_timeout(plant, gateway, entry)
+    of_line = (FirstValue("line.timeout", timeout),)
+    of_drives = (value for drive in gateway.drives for value in _first_values(drive))
+    return PbdpGatewayView(
+        name=gateway.name,
+        profibus_address=address,
+        station=station,
+        frame=frame_view(plant, gateway, layout, _members(entry)),
+        block=f"PBDP_Gateway_{gateway.name}",
+        drives_type=f"typePbdpGateway_{gateway.name}",
+        params_type=f"typePbdpParam_{gateway.name}",
+        first_values=(*of_line, *of_drives),
+        identifiers_unverified="identifiers" in layout.unverified,
+        has_parameters=entry.has_parameter_channel(layout),
+        status_poll=_flag(gateway.status_poll, gateway),
+        eeprom=_flag(gateway.eeprom, gateway),
+        timeout=timeout,
+        drives=tuple(_drive(item, entry, catalog) for item in gateway.drives),
+    )
+
+
+def job_timeout(plant: Plant, gateway: PlantGateway, entry: ProcessDataGateway) -> SclText:
+    """The limit of a job in the parameter channel: the plant file's, or worked out."""
+    chosen = gateway.parameters.timeout_ms
+    if chosen is not None:
+        return milliseconds(chosen, origin(f"gateway {gateway.name}", gateway))
+    longest = entry.times.parameter_max
+    place = origin(f"{entry.id} parameter_max", longest, longest.source or "")
+    return milliseconds(_RESERVE * longest.ms + _CYCLES * plant.cycle_time_ms, place)
+
+
+def unknown_fields(chosen: Iterable[PlantGateway], catalog: Catalog) -> Iterator[Diagnostic]:
+    """FB5008: layouts whose fields have other lengths than those that the blocks know."""
+    layouts: dict[tuple[str, str], Layout] = {}
+    for gateway in chosen:
+        entry = catalog.process_data_gateway(gateway.type)
+        layouts[gateway.type, gateway.layout] = layout_of(gateway, entry)
+    for layout in layouts.values():
+        for area, fields in (("output", layout.output), ("input", layout.input)):
+            for field in fields:
+                if not field.pad and field.length != 2:
+                    yield Diagnostic(
+                        "FB5008",
+                        f"the field '{field.name}' of layout '{layout.name}' has {field.length} "
+                        f"bytes, and PBDP_Drive has a word for each {area}",
+                        field.span_of("length"),
+                        "give it two bytes; what stands beside it is a pad",
+                    )
+
+
+def _members(entry: ProcessDataGateway) -> dict[str, str]:
+    return {
+        f"{channel.name}_{name}": f"{channel.name}.{_CALLED_OTHERWISE.get(name, name)}"
+        for channel in entry.channels
+        for name in (*_OUTPUTS, *_INPUTS)
+    }
+
+
+def _flag(value: bool, gateway: PlantGateway) -> SclText:
+    return SclText("TRUE" if value else "FALSE", origin(f"gateway {gateway.name}", gateway))
+
+
+def _first_values(drive: PlantDrive) -> Iterator[FirstValue]:
+    place = origin(f"drive {drive.name}", drive)
+    own = drive.parameters
+    yield FirstValue(f"{drive.name}.minFrequency", real(own.min_frequency_hz, place))
+    yield FirstValue(f"{drive.name}.maxFrequency", real(drive.max_frequency_hz, place))
+    yield FirstValue(f"{drive.name}.atSetpoint", real(own.at_setpoint_hz, place))
+
+
+def trip_text_of(series: str) -> str:
+    """The function with the trips of a series in words: `PBDP_TripText_vf_s11`."""
+    return f"PBDP_TripText_{series.replace('-', '_')}"
+
+
+def _drive(drive: PlantDrive, entry: ProcessDataGateway, catalog: Catalog) -> PbdpDriveView:
+    series = catalog.drive(drive.series)
+    channel = entry.channel((drive.channel or "A").lower())
+    trip = series.comno(series.link.trip)
+    source = command_source(series)
+    silence = series.times.reset_silence
+    return PbdpDriveView(
+        name=drive.name,
+        series=drive.series,
+        channel=channel.name,
+        letter=channel.name.upper(),
+        diagnosis_mask=byte(
+            1 << channel.diagnosis_bit,
+            origin(f"{entry.id} channel {channel.name}", channel, channel.source or ""),
+        ),
+        silence=milliseconds(
+            silence.ms, origin(f"{series.id} reset_silence", silence, silence.source or "")
+        ),
+        trip_number=word(trip.number, origin(f"ComNo {trip.hex}", trip, trip.source or "")),
+        source_number=source["number"] if source else word(0),
+        source_network=source["network"] if source else word(0),
+        trip_text=trip_text_of(drive.series),
+    )
