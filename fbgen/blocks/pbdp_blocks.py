@@ -138,7 +138,7 @@ def _gateway_context(
             {
                 "status": f"{_ERROR_STATUS | item.code:04X}",
                 "text": SclText(
-                    one_line(texts(item.title)),
+                    one_line(item.title),
                     origin(f"error {item.code:04X}", item, item.source or ""),
                 ),
             }

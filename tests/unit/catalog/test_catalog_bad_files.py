@@ -60,6 +60,9 @@ PLANTS = [
     ("FB2019_hardware_identifier", 21, 26),
     ("FB2021_prefix", 5, 9),
     ("FB2023_cpu", 5, 6),
+    ("FB2024_channel", 13, 30),
+    ("FB2025_identifiers", 12, 18),
+    ("FB2026_retries", 12, 27),
     ("FB2022_files", 5, 8),
 ]
 

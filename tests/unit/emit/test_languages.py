@@ -10,7 +10,7 @@ import yaml
 import fbgen
 from fbgen.blocks.literals import one_line
 from fbgen.blocks.texts import texts_in
-from fbgen.catalog import Located, load_catalog
+from fbgen.catalog import Located, ProcessDataGateway, load_catalog
 from fbgen.diagnostics import DiagnosticError
 from fbgen.emit.generator import generate
 from fbgen.emit.template_texts import texts_of, translated
@@ -110,6 +110,9 @@ def test_no_german_text_is_left_of_what_is_not_said_any_more() -> None:
             used |= shown(entry, ("why", "when", "where", "stands"))
     for gateway in CATALOG.gateways.values():
         used |= {text for switch in gateway.switches for text in shown(switch, ("where", "stands"))}
+        if isinstance(gateway, ProcessDataGateway):
+            for wrong in gateway.parameter_channel.errors:
+                used |= shown(wrong, ("title",))
         for layout in gateway.layouts:
             used |= {
                 text
