@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from fbgen.catalog import Gateway, Layout
+from fbgen.catalog import Gateway, Layout, ProcessDataGateway
 from fbgen.wire.profibus import IdentifierError, decode_identifiers, input_length, output_length
 
 if TYPE_CHECKING:
@@ -12,11 +12,14 @@ if TYPE_CHECKING:
 def layout_of(part: "PlantGateway", entry: Gateway) -> Layout:
     """The layout that the plant file names, with the identifiers of the plant file if it has any.
 
-    Identifiers that do not fit the layout count as none: FB2025 has told them. Raises
+    Identifiers that do not fit, or of a gateway with a line, count as none: FB2025 and FB2026 have
+    told them. Raises
     DiagnosticError FB1105 for a layout that the gateway does not have.
     """
     layout = entry.layout(part.layout)
-    if part.identifiers is None or why_not(part.identifiers, layout):
+    if part.identifiers is None or not isinstance(entry, ProcessDataGateway):
+        return layout
+    if why_not(part.identifiers, layout):
         return layout
     return layout.model_copy(update={"identifiers": part.identifiers, "unverified": ()})
 
