@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from fbgen.blocks.frames import frame_view
 from fbgen.blocks.gateways import FirstValue, GatewayView, gateway_place
-from fbgen.blocks.literals import SclText, byte, milliseconds, real, word
+from fbgen.blocks.literals import SclText, byte, milliseconds, real, truth, word
 from fbgen.blocks.trips import command_source
 from fbgen.catalog import Catalog, Layout, ProcessDataGateway, origin
 from fbgen.diagnostics import Diagnostic
@@ -123,6 +123,8 @@ def _first_values(drive: PlantDrive) -> Iterator[FirstValue]:
     yield FirstValue(f"{drive.name}.minFrequency", real(own.min_frequency_hz, place))
     yield FirstValue(f"{drive.name}.maxFrequency", real(drive.max_frequency_hz, place))
     yield FirstValue(f"{drive.name}.atSetpoint", real(own.at_setpoint_hz, place))
+    yield FirstValue(f"{drive.name}.localInhibits", truth(own.local_inhibits, place))
+    yield FirstValue(f"{drive.name}.interlockInhibits", truth(own.interlock_inhibits, place))
 
 
 def trip_text_of(series: str) -> str:

@@ -80,6 +80,10 @@ gateways:
     #   whole10 10 bytes out, 8 in behind one consistent identifier; invented, no real GSD has it
     layout: gsd10
 
+    # Of gateways for process data (pbdp110, layouts module1 to module4) the GSD file is not public:
+    # the identifiers of the module as that file has them, if not those of the catalogue.
+    # identifiers: C0 C7 CB
+
     # As set on the rotary switches (B x 10 + A); a change counts after switching off and on.
     profibus_address: 2
 
@@ -102,6 +106,10 @@ gateways:
 
     # Read trip code and status of every drive in turn while no command waits.
     status_poll: true
+
+    # For gateways for process data: the program may write parameters into the EEPROM of the drives,
+    # whose cells last about 10,000 writes.
+    # eeprom: true
 
     # First values of the line's parameters in TOS_Parameters; in iec and plcopen they count each
     # time. Without timeout_ms (limit for one attempt of a telegram) it is calculated.
@@ -128,6 +136,7 @@ gateways:
       - name: infeed
         title: Infeed conveyor   # optional
         inv_no: 1                # 0 to 63, parameter F802; number 0 also answers broadcasts
+        # channel: A             # behind a pbdp110 instead of inv_no: A or B
         series: vf-s11
         max_frequency_hz: 50.0   # parameter FH
         parameters:              # first values of the drive's parameters in TOS_Parameters

@@ -4,7 +4,7 @@ import pytest
 
 from fbgen.artefacts import with_artefacts
 from fbgen.catalog import load_catalog
-from fbgen.diagnostics import Severity
+from fbgen.diagnostics import DiagnosticError, Severity
 from fbgen.emit.generated import GeneratedSet
 from fbgen.emit.generator import generate
 from fbgen.plant import Plant, read_plant
@@ -107,8 +107,33 @@ def test_two_types_of_gateways_for_process_data_are_fb5009() -> None:
     ).replace("address: 3", "address: 5").replace("270", "271").replace("pump", "p2").replace(
         "fan", "f2"
     )
-    with pytest.raises(Exception, match="FB5009"):
+    with pytest.raises(DiagnosticError) as failure:
         generate(read_plant(Source("plant.yaml", text), catalog), catalog)
+    assert [item.code for item in failure.value.diagnostics] == ["FB5009"]
+
+
+def test_series_that_count_in_other_units_are_fb5013() -> None:
+    series = CATALOG.drive("vf-s11")
+    setpoint = series.comno(series.link.setpoint)
+    coarse = setpoint.model_copy(update={"resolution": 0.1})
+    numbers = tuple(coarse if item is setpoint else item for item in series.comnos)
+    other = series.model_copy(update={"id": "coarse", "comnos": numbers})
+    gateway = CATALOG.process_data_gateway("pbdp110")
+    served = gateway.model_copy(update={"series": (*gateway.series, "coarse")})
+    catalog = CATALOG.__class__(
+        {**CATALOG.drives, "coarse": other},
+        {**CATALOG.gateways, "pbdp110": served},
+        CATALOG.protocols,
+        CATALOG.sequences,
+        sources=CATALOG.sources,
+    )
+    text = EXAMPLE.replace("channel: B, series: vf-s11", "channel: B, series: coarse")
+    with pytest.raises(DiagnosticError) as failure:
+        generate(read_plant(Source("plant.yaml", text), catalog), catalog)
+    (found,) = failure.value.diagnostics
+    assert found.code == "FB5013"
+    assert found.span is not None
+    assert found.span.text == "coarse"
 
 
 def test_the_lists_beside_it_name_channels_and_its_own_alarms(example: GeneratedSet) -> None:
