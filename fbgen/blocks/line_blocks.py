@@ -47,7 +47,12 @@ def line_family(
             "line": that_can_come(LINE_ALARMS, chosen),
             "drive": that_can_come(drive_alarms([item.id for item in sequences]), chosen),
         },
-        "times": {"timeout": first.timeout, "gap": first.gap, "apart": first.apart},
+        "times": {
+            "timeout": first.timeout,
+            "gap": first.gap,
+            "apart": first.apart,
+            "taken": first.taken,
+        },
         "line": _line_context(drives[0], gateways, texts),
     }
     context |= _gateway_context(catalog.telegram_gateway(chosen[0].type))

@@ -49,6 +49,7 @@ class LineGatewayView(GatewayView):
     retries: SclText
     gap: SclText
     apart: SclText
+    taken: SclText
     times: LineTimes
     drives: tuple[DriveView, ...]
 
@@ -84,6 +85,7 @@ def line_gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> 
         retries=retries,
         gap=milliseconds(limits.gap_ms, times),
         apart=milliseconds(limits.apart_ms, times),
+        taken=milliseconds(limits.taken_ms, times),
         times=limits,
         drives=tuple(_drive(item) for item in gateway.drives),
     )

@@ -25,9 +25,11 @@ class LineTimes:
     """Worst cases behind one gateway, in milliseconds.
 
     `timeout_ms` is the limit for one attempt, `gap_ms` how long the line is left alone, `apart_ms`
-    how far telegrams to different drives are apart at least.
+    how far telegrams to different drives are apart at least, `taken_ms` how long after a new
+    trigger the gateway has it at the latest.
     `telegram_ms` is the longest that one request keeps the line, `wait_ms` the longest that one
-    waits for its turn while every drive and the poll want the line and nobody answers.
+    waits for its turn while every drive and the poll want the line and nobody answers; after
+    start-up and a loss of the gateway `first_read_ms` come on top, for the read that goes first.
     `emergency_stop_ms` is from the rising edge of `emergencyStop` in the PLC to the end of the
     broadcast on the line: then every drive that hears it has it.
     """
@@ -35,8 +37,10 @@ class LineTimes:
     timeout_ms: float
     gap_ms: float
     apart_ms: float
+    taken_ms: float
     telegram_ms: float
     wait_ms: float
+    first_read_ms: float
     emergency_stop_ms: float
 
 
@@ -53,8 +57,10 @@ def line_times(plant: Plant, entry: PlantGateway, catalog: Catalog) -> LineTimes
         timeout_ms,
         gap_ms,
         apart_ms(gateway, reply_max_ms),
+        taken_ms(gateway),
         telegram_ms,
         (len(entry.drives) + 1) * telegram_ms,
+        _attempt_ms(plant, timeout_ms),
         _emergency_stop_ms(plant, entry, gateway, gap_ms),
     )
 
@@ -88,18 +94,30 @@ def apart_ms(gateway: TelegramGateway, reply_max_ms: float) -> float:
     grid on which the gateway may look at the trigger shift each of them. Source: TOSPBDP001 manual
     v1.1, 9; the bus cycle of 5 ms is a reserve.
     """
-    return reply_max_ms + gateway.times.trigger_poll.ms + LONGEST_BUS_CYCLE_MS
+    return reply_max_ms + taken_ms(gateway)
+
+
+def taken_ms(gateway: TelegramGateway) -> float:
+    """How long after a cycle that puts out a new trigger the gateway has seen it at the latest.
+
+    A bus cycle brings it there, then the gateway looks at it. Until then the data of the frame
+    belong to this trigger. Source: TOSPBDP001 manual v1.1, 9; the bus cycle is a reserve.
+    """
+    return gateway.times.trigger_poll.ms + LONGEST_BUS_CYCLE_MS
 
 
 def longest_telegram_ms(plant: Plant, limit_ms: float, attempts: int) -> float:
     """How long one request keeps the line at most, with so many attempts and this limit for each.
 
-    Each spacer may be answered at the last moment, and the attempts are shared by all of them. An
-    attempt that ends with its limit takes three cycles more: to send, for the grain of the timer,
-    and to see it.
+    Each spacer may be answered at the last moment, and the attempts are shared by all of them.
     """
-    cycle_ms = plant.cycle_time_ms
-    return (attempts + SPACERS) * (limit_ms + 3 * cycle_ms) + 4 * cycle_ms
+    return (attempts + SPACERS) * _attempt_ms(plant, limit_ms) + 4 * plant.cycle_time_ms
+
+
+def _attempt_ms(plant: Plant, limit_ms: float) -> float:
+    """How long an attempt takes that ends with its limit: three cycles more, to send, for the grain
+    of the timer, and to see it."""
+    return limit_ms + 3 * plant.cycle_time_ms
 
 
 def _sequence_limits(plant: Plant, catalog: Catalog) -> list[float]:

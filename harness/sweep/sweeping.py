@@ -85,6 +85,7 @@ def _sweepable(plan: Plant) -> None:
 def _point(rig: Rig, conditions: Conditions) -> Point:
     expected = Expected(
         round(rig.times.telegram_ms * NS_PER_MS),
+        round(rig.times.first_read_ms * NS_PER_MS),
         frozenset({refused_request(rig.inv_nos).telegram}),
         rig.spacers,
         rig.inv_nos,

@@ -23,8 +23,14 @@ SLOW = Conditions(access="process_image", reply_ns=78 * NS_PER_MS, torn=1.0)
 """Drives that are slower than the catalogue says: late replies, and torn ones."""
 
 
-def swept(conditions: Sequence[Conditions]) -> SweepResult:
-    return Sweep(LINE, CATALOG).through(conditions)
+LATE_MS = (5, 20, 31, 64, 78)
+REPEATED = replace(SLOW, bus_period_ns=4 * NS_PER_MS, scan_offset_ns=6 * NS_PER_MS)
+"""A phase in which a late reply comes just when the telegram has been repeated."""
+
+
+def swept(conditions: Sequence[Conditions], cycle_ms: int = 10) -> SweepResult:
+    plan = LINE.model_copy(update={"cycle_time_ms": cycle_ms})
+    return Sweep(plan, CATALOG).through(conditions)
 
 
 def test_the_blocks_keep_every_rule_in_a_sample_of_all_phases() -> None:
@@ -36,6 +42,25 @@ def test_the_blocks_keep_every_rule_in_a_sample_of_all_phases() -> None:
 @pytest.mark.parametrize("access", ACCESS_LAYOUTS)
 def test_the_bus_cycle_may_fall_between_any_two_accesses_of_a_scan(access: str) -> None:
     result = swept(list(between_accesses(access))[2::8])
+    assert result.passed, report(result)
+
+
+def test_a_late_reply_right_behind_a_repetition_mixes_nothing_up() -> None:
+    without_zero = replace(REPEATED, drive_zero=False, bus_period_ns=5 * NS_PER_MS)
+    result = swept([REPEATED, replace(without_zero, scan_offset_ns=5 * NS_PER_MS)])
+    assert result.passed, report(result)
+
+
+@pytest.mark.parametrize("cycle_ms", [2, 4])
+def test_a_short_cycle_keeps_every_rule(cycle_ms: int) -> None:
+    result = swept(Axes(drive_zero=(True,), replies_ms=LATE_MS).spread(8), cycle_ms)
+    assert result.passed, report(result)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("cycle_ms", [1, 2, 4, 20, 50])
+def test_other_cycles_keep_every_rule(cycle_ms: int) -> None:
+    result = swept(Axes().spread(1000), cycle_ms)
     assert result.passed, report(result)
 
 
@@ -107,6 +132,11 @@ SPOILT = {
         [("#statAttempt < #retries", "FALSE")],
         IN_TIME,
         {"an answer in time is heard"},
+    ),
+    "a new trigger does not wait until the gateway has seen the last one": (
+        [("AND #statTaken AND", "AND NOT #sent AND")],
+        [REPEATED],
+        {"only what may be is repeated"},
     ),
     "time without limit": (
         [("#statExpired := #instTimer.Q;", "#statExpired := FALSE;")],
