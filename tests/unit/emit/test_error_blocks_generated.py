@@ -135,3 +135,35 @@ def test_ob85_notes_the_address():
     assert noted(plant, "imageErrors") > 0
     assert 256 <= noted(plant, "imageAddress") <= 265
     assert noted(plant, "accessErrors") == 0
+
+
+@pytest.mark.parametrize(
+    ("missing", "access"),
+    [
+        ("OB82", "per_identifier"),
+        ("OB86", "per_identifier"),
+        ("OB122", "per_identifier"),
+        ("OB85", "process_image"),
+    ],
+)
+def test_each_of_them_alone_keeps_the_cpu_running(missing: str, access: str):
+    """With all but one of them the event of that one takes the CPU to STOP, and says why."""
+    catalog = load_catalog()
+    text = PLANT.format(dialect="tia", plc="s7-400", more="").replace("per_identifier", access)
+    wanted = read_plant(Source("plant.yaml", text), catalog)
+    sources = [
+        Source(file.name, file.text)
+        for file in generate(wanted, catalog).files
+        if file.name != f"{missing}.scl"
+    ]
+    plant = build_plant(wanted, catalog, PlantSetup(sources=sources))
+    plant.start()
+    plant.run_for(200 * NS_PER_MS)
+    assert plant.cpu.mode is CpuMode.RUN
+    if missing == "OB82":
+        plant.stations["gw2"].slave.set_ext_diag(True)
+    else:
+        plant.gateways["gw2"].power_off()
+    plant.run_for(50 * NS_PER_MS)
+    assert plant.cpu.mode is CpuMode.STOP
+    assert missing in str(plant.cpu.diagnostics)
