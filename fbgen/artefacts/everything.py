@@ -15,9 +15,11 @@ from fbgen.artefacts.watch_tables import watch_tables
 from fbgen.blocks.texts import texts_in
 from fbgen.catalog import Catalog
 from fbgen.emit.generated import GeneratedSet
+from fbgen.lang.collector import collector_at_rest
 from fbgen.plant import Plant
 
 
+@collector_at_rest()
 def with_artefacts(
     generated: GeneratedSet, plant: Plant, catalog: Catalog, templates: Sequence[Path] = ()
 ) -> GeneratedSet:

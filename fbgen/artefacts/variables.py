@@ -39,6 +39,10 @@ class PlcVariable:
     comment: str
     bit: int
 
+    def __hash__(self) -> int:
+        """The path tells variables apart; its type need not be gone through."""
+        return hash(self.path)
+
     @property
     def name(self) -> str:
         """As in an HMI, a watch list, and in IEC text: `TOS_Plant.gw1.line.online`."""

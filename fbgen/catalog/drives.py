@@ -19,6 +19,8 @@ Access = Literal["r", "w", "rw"]
 Storage = Literal["ram", "eeprom"]
 Effect = Literal["at_once", "after_restart"]
 
+_HEXADECIMAL = frozenset("0123456789ABCDEF")
+
 
 class ComNo(Sourced):
     """A communication number: one 16-bit cell of an inverter.
@@ -148,6 +150,12 @@ class Confirmed(Sourced):
     comnos: tuple[HexWord, ...]
 
 
+def _number(key: str) -> int | None:
+    """The number that four hexadecimal digits stand for, `FA00` or `0xFA00`; None for a name."""
+    digits = key.upper().removeprefix("0X")
+    return int(digits, 16) if len(digits) == 4 and _HEXADECIMAL.issuperset(digits) else None
+
+
 class Drive(Sourced):
     """One series of inverters.
 
@@ -177,10 +185,9 @@ class Drive(Sourced):
 
         Raises DiagnosticError FB1105 with the nearest names.
         """
+        number = key if isinstance(key, int) else _number(key)
         for comno in self.comnos:
-            if key in (comno.number, comno.name) or (
-                isinstance(key, str) and key.upper().removeprefix("0X") == comno.hex
-            ):
+            if comno.number == number or comno.name == key:
                 return comno
         shown = f"{key:04X}" if isinstance(key, int) else key
         names = [comno.name for comno in self.comnos] + [comno.hex for comno in self.comnos]
