@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 from fbgen.catalog import Parameter, Result, Sequence
 from fbgen.diagnostics import Diagnostic, Note
 from fbgen.lang.dialects import DIALECTS
+from fbgen.lang.dialects.words import STANDARD_NAMES
 from fbgen.plant import Plant
 from fbgen.source import Span
 
@@ -95,4 +96,5 @@ def _taken(message: str, place: Span | None) -> Diagnostic:
 
 
 def _is_reserved(name: str) -> bool:
-    return any(name.upper() in dialect.reserved for dialect in DIALECTS.values())
+    words = (STANDARD_NAMES, *(dialect.reserved for dialect in DIALECTS.values()))
+    return any(name.upper() in known for known in words)

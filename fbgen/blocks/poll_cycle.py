@@ -84,7 +84,15 @@ def slow_polls(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
                 f"reading the state of the {found.drives} drives of '{gateway.name}' takes about "
                 f"{found.round_ms:.0f} ms, more than poll_limit_ms ({plant.poll_limit_ms:g})",
                 gateway.span_of("name"),
-                f"{found.reads} reads of {found.read_ms:.0f} ms each: put at most {fitting} drives "
-                "behind one gateway, or allow more by poll_limit_ms",
+                f"{found.reads} reads of {found.read_ms:.0f} ms each: {_advice(fitting)}, "
+                "or allow more by poll_limit_ms",
                 severity=Severity.WARNING,
             )
+
+
+def _advice(fitting: int) -> str:
+    """What helps when so many drives fit."""
+    if fitting == 0:
+        return "call TOS_Main more often (cycle_time_ms)"
+    drives = "one drive" if fitting == 1 else f"{fitting} drives"
+    return f"put at most {drives} behind one gateway"

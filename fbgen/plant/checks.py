@@ -45,6 +45,14 @@ def drive(item: "PlantDrive", catalog: Catalog) -> Iterator[Diagnostic]:
             item.span_of("max_frequency_hz"),
             f"use {low:g} to {high:g} Hz",
         )
+    elif item.parameters.min_frequency_hz > item.max_frequency_hz:
+        yield Diagnostic(
+            "FB2010",
+            f"the lowest set-point, {item.parameters.min_frequency_hz:g} Hz, lies above the "
+            f"highest, {item.max_frequency_hz:g} Hz",
+            item.parameters.span_of("min_frequency_hz"),
+            "exchange the two, or take min_frequency_hz out",
+        )
     yield from _options(item, item.options, entry.options, entry.id)
 
 

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 from fbgen.diagnostics import Diagnostic
 from fbgen.lang.dialects import DIALECTS
+from fbgen.lang.dialects.words import STANDARD_NAMES
 from fbgen.plant.prefix import USUAL_PREFIX, reserved_beginnings
 from fbgen.source import Span
 
@@ -30,6 +31,9 @@ def name_problems(name: str, span: Span | None, prefix: str = USUAL_PREFIX) -> I
         yield Diagnostic("FB2012", message, span, "choose another beginning")
     elif owners := [item.title for item in DIALECTS.values() if name.upper() in item.reserved]:
         message = f"'{name}' is a reserved word in {' and '.join(owners)}"
+        yield Diagnostic("FB2012", message, span, f"choose another name, such as {name}_1")
+    elif name.upper() in STANDARD_NAMES:
+        message = f"'{name}' is the name of a standard function or block of IEC 61131-3"
         yield Diagnostic("FB2012", message, span, f"choose another name, such as {name}_1")
 
 

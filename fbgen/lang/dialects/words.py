@@ -25,3 +25,14 @@ DECLARATIONS = words(
 )
 
 COMMON = ELEMENTARY_TYPES | STATEMENTS | DECLARATIONS
+
+STANDARD_NAMES = words(
+    "ABS SQRT LN LOG EXP SIN COS TAN ASIN ACOS ATAN ADD MUL SUB DIV EXPT MOVE SHL SHR ROR ROL SEL "
+    "MAX MIN LIMIT MUX GT GE EQ LE LT NE LEN LEFT RIGHT MID CONCAT INSERT DELETE REPLACE FIND "
+    "SR RS R_TRIG F_TRIG CTU CTD CTUD TP TON TOF RTC SEMA"
+)
+"""Functions and function blocks that every controller has. What is generated calls nothing else so:
+CODESYS takes its operators, and MATIEC all of these, for keywords.
+
+Source: IEC 61131-3 second edition, tables 22 to 38; CODESYS help, "Keywords".
+"""

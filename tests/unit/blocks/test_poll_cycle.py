@@ -74,3 +74,12 @@ def test_without_a_poll_nothing_is_said() -> None:
     text = BAD.read_text("utf-8").replace("status_poll: true", "status_poll: false")
     plant = read_plant(Source("plant.yaml", text), shipped_catalog())
     assert list(slow_polls(plant, shipped_catalog())) == []
+
+
+@pytest.mark.parametrize(
+    ("limit_ms", "advice"), [(300, "put at most one drive"), (100, "call TOS_Main more often")]
+)
+def test_the_advice_is_one_that_helps(limit_ms: int, advice: str) -> None:
+    plant = five_drives(10, "per_identifier").model_copy(update={"poll_limit_ms": limit_ms})
+    (found,) = slow_polls(plant, shipped_catalog())
+    assert advice in (found.help or "")

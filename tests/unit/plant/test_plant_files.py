@@ -281,3 +281,16 @@ def test_a_byte_order_mark_is_no_error(tmp_path: Path) -> None:
     path = tmp_path / "plant.yaml"
     path.write_bytes(b"\xef\xbb\xbf" + TEXT.replace("\n", "\r\n").encode())
     assert load_plant(path).name == "my_plant"
+
+
+def test_the_lowest_set_point_lies_below_the_highest() -> None:
+    assert findings(("min_frequency_hz: 0 ", "min_frequency_hz: 51 ")) == [
+        ("FB2010", "exchange the two, or take min_frequency_hz out")
+    ]
+
+
+@pytest.mark.parametrize("name", ["left", "Move", "TON"])
+def test_a_drive_is_not_called_like_a_standard_function_or_block(name: str) -> None:
+    assert findings(("name: infeed", f"name: {name}")) == [
+        ("FB2012", f"choose another name, such as {name}_1")
+    ]
