@@ -50,7 +50,7 @@ def gateway(
     plant: Annotated[
         Path | None,
         typer.Argument(
-            metavar="[PLANT]", help="Plant file with gateways and drives; else the example plant."
+            metavar="PLANT", help="Plant file with gateways and drives; else the example plant."
         ),
     ] = None,
     port: Annotated[

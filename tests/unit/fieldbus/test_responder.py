@@ -14,7 +14,14 @@ from fbgen.wire.fdl import (
     first_request_control,
     request_control,
 )
-from harness.fieldbus import NO_MASTER, Parameters, SlaveState, SlaveType, decode_parameters
+from harness.fieldbus import (
+    NO_MASTER,
+    Parameters,
+    Segment,
+    SlaveState,
+    SlaveType,
+    decode_parameters,
+)
 from tests.unit.fieldbus.wire_bench import (
     CONFIGURATION,
     GOOD,
@@ -408,3 +415,14 @@ def test_an_output_module_alone_is_acknowledged_short():
     assert bench.exchange(b"\x01\x02") == ACKNOWLEDGED
     bench.slave.set_ext_diag(True)
     assert bench.exchange(b"\x01\x02").control == 0x0A
+
+
+def test_slaves_on_one_cable_answer_for_themselves(running):
+    other = WireBench()
+    other.slave.power_off()
+    other.slave.power_on(8)
+    segment = Segment(running.kernel, [running.slave, other.slave])
+    status = [encode(DataTelegram(address, 1, 0x49)) for address in (7, 8, 9)]
+    answers = [encode(DataTelegram(1, address, 0)) for address in (7, 8)]
+    assert segment.receive(b"".join(status)) == b"".join(answers)
+    assert (segment.requests, segment.answers) == (3, 2)
