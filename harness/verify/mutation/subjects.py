@@ -1,7 +1,8 @@
 """Which blocks are mutated: those of some files, or each block that some program has."""
 
 import hashlib
-from collections.abc import Iterable, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 from fbgen.diagnostics import DiagnosticError, error
@@ -14,8 +15,8 @@ from harness.verify.mutation.stage import Stage, Subject
 class Target:
     """A block that is mutated, and the cases whose program has the very same block.
 
-    `name` is the name of the block; with the plant in front of it where plants have different
-    blocks of one name. `home` is the case that the mutants are taken from.
+    `name` is the name of the block; with the plant in front of it where there are different blocks
+    of one name. `home` is the case that the mutants are taken from.
     """
 
     name: str
@@ -54,14 +55,42 @@ def targets_of(
     for name in wanted:
         if name.casefold() not in {one.casefold() for one in there}:
             raise _unknown(name, _with_statements(stage, homes))
-    targets = []
-    for key, subject in subjects.items():
-        cases = found[key]
-        name = key[0]
-        home = next(case for case in cases if _is_home(homes, case, name))
-        shown = f"{stage.place(home)}/{name}" if there.count(name) > 1 else name
-        targets.append(Target(shown, subject, home, tuple(cases)))
-    return targets
+    chosen = {
+        key: next(case for case in found[key] if _is_home(homes, case, key[0])) for key in subjects
+    }
+    shown = _shown(stage, [(name, chosen[name, key]) for name, key in subjects])
+    return [
+        Target(name, subject, chosen[key], tuple(found[key]))
+        for name, (key, subject) in zip(shown, subjects.items(), strict=True)
+    ]
+
+
+def _shown(stage: Stage, blocks: Sequence[tuple[str, int]]) -> list[str]:
+    """A name for each block with its home, no two of them the same.
+
+    With the plant in front where one is not enough, then with what the case changes of the plant,
+    then with a number.
+    """
+    ways: tuple[Callable[[str, int], str], ...] = (
+        lambda name, home: name,
+        lambda name, home: f"{stage.place(home)}/{name}",
+        lambda name, home: f"{stage.place(home)}{stage.cases[home].changes}/{name}",
+    )
+    shown = [ways[0](*block) for block in blocks]
+    for way in ways[1:]:
+        count = Counter(shown)
+        shown = [
+            way(*block) if count[before] > 1 else before
+            for before, block in zip(shown, blocks, strict=True)
+        ]
+    count = Counter(shown)
+    seen: Counter[str] = Counter()
+    for number, name in enumerate(shown):
+        seen[name] += 1
+        if count[name] > 1:
+            plant, _, block = name.rpartition("/")
+            shown[number] = f"{plant} {seen[name]}/{block}"
+    return shown
 
 
 def _is_home(homes: Homes | None, case: int, name: str) -> bool:
