@@ -61,10 +61,18 @@ def _explain_code(code: str) -> None:
     wanted = code.strip().strip("[]").upper()
     page = pages().get(wanted)
     if page is None:
-        raise error(
-            "FB9003", f"there is no message with the code '{code}'", None, nearest(wanted, pages())
-        )
+        advice = nearest(wanted, pages())
+        if _is_file(code):
+            advice = f"for a line of a file add its number: {code}:1"
+        raise error("FB9003", f"there is no message with the code '{code}'", None, advice)
     result(page.read_text(encoding="utf-8").rstrip("\n"))
+
+
+def _is_file(name: str) -> bool:
+    try:
+        return Path(name).is_file()
+    except OSError:  # a name that is too long
+        return False
 
 
 def _explain_line(path: Path, line: int, *, as_json: bool) -> None:

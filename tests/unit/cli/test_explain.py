@@ -47,3 +47,10 @@ def test_a_line_of_a_file_that_is_not_generated_is_fb9017(fbgen: Fbgen, tmp_path
 
 def test_json_is_for_lines_only(fbgen: Fbgen) -> None:
     assert fbgen("explain", "FB9003", "--json").status == 2
+
+
+def test_a_file_without_a_line_is_told_how_to_name_one(fbgen: Fbgen, tmp_path: Path) -> None:
+    path = tmp_path / "TOS_Line.scl"
+    path.write_text("", encoding="ascii")
+    assert f"add its number: {path}:1" in fbgen("explain", str(path)).err
+    assert "FB9003" in fbgen("explain", "x" * 5000).err

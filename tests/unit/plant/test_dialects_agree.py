@@ -38,6 +38,11 @@ FOR_ONE_PLC = (
 FOR_DIRECT_ACCESS = ("five_drives_stopped_from_the_start", "tripped_is_not_running")
 """Scenarios whose times are those of accesses that do not wait for the process image."""
 
+
+def needs_direct_access(name: str) -> bool:
+    return any(part in name for part in FOR_DIRECT_ACCESS)
+
+
 OTHERS = {
     str(path.relative_to(ROOT)): scenario_cases(path)[0].scenario.block is not None
     for path in find_scenarios([ROOT / "tests" / "scenarios"])
@@ -70,7 +75,7 @@ COMPARED = [
         for twins, (first, _) in TWINS.items()
         if "access" not in first
         or first["access"] == WHOLE["access"]
-        or not any(part in name for part in FOR_DIRECT_ACCESS)
+        or not needs_direct_access(name)
     ),
 ]
 OF_DIALECT: dict[str, dict[str, Any]] = {
@@ -83,6 +88,7 @@ PAIRS = [
     *(
         pytest.param(name, dialect, marks=pytest.mark.slow)
         for name, dialect in zip(EVERY, cycle(OF_DIALECT), strict=False)
+        if dialect != "iec" or not needs_direct_access(name)
     ),
 ]
 """The reference engine is slow: it runs each scenario in one dialect, the dialects taking turns."""
