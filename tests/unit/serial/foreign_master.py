@@ -32,6 +32,8 @@ IDENT = 0x1803
 PATIENCE_S = 20.0
 """Far longer than anything takes, on a machine that has much else to do."""
 MASTER, SLAVE = 1, 2
+WATCHDOG_MS = 10_000
+"""So long that it never expires because the machine has much else to do."""
 
 
 class ForeignMaster:
@@ -51,7 +53,7 @@ class ForeignMaster:
         self.slave.setCfgDataElements([DpCfgDataElement(byte) for byte in configuration])
         self.slave.setSyncMode(True)
         self.slave.setFreezeMode(True)
-        self.slave.setWatchdog(300)
+        self.slave.setWatchdog(WATCHDOG_MS)
         self.dpm.addSlave(self.slave)
         self.dpm.initialize()
 

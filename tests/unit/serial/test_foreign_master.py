@@ -7,7 +7,7 @@ import pytest
 import yaml
 
 from harness.fieldbus import ControlCommand, SlaveState
-from tests.unit.serial.foreign_master import interplay
+from tests.unit.serial.foreign_master import WATCHDOG_MS, interplay
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="only Linux makes pseudo terminals")
 
@@ -71,9 +71,9 @@ def test_a_foreign_master_syncs_freezes_and_clears():
 def test_the_watchdog_expires_without_the_foreign_master_which_then_gets_the_slave_back():
     with interplay() as both:
         both.until(bool)
-        both.skip_ms(250)
+        both.skip_ms(WATCHDOG_MS // 2)
         assert both.slave.online
-        both.skip_ms(100)
+        both.skip_ms(WATCHDOG_MS // 2)
         assert not both.slave.online
         assert both.slave.state is SlaveState.WAIT_PRM
         both.until(lambda inputs: both.slave.online)
