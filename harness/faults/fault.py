@@ -16,15 +16,18 @@ Probability = Annotated[Real, Field(gt=0, le=1)]
 
 
 class Target(Enum):
-    """What a fault happens to. `WHOLE` needs no name."""
+    """What a fault happens to. `WHOLE` needs no name; `TELEGRAMS` is a gateway with a line."""
 
     WHOLE = "plant"
     GATEWAY = "gateway"
+    TELEGRAMS = "gateway for telegrams"
     DRIVE = "drive"
 
     def places(self, plant: Installation) -> Mapping[str, object]:
         """What has a name in the plant and can have such a fault; empty for the whole plant."""
         if self is Target.GATEWAY:
+            return plant.stations
+        if self is Target.TELEGRAMS:
             return plant.gateways
         return plant.drives if self is Target.DRIVE else {}
 

@@ -24,7 +24,7 @@ def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
 FAULT = FaultType(
     "gateway_buffer_overwritten",
     "Telegrams that wait in a gateway are overwritten",
-    Target.GATEWAY,
+    Target.TELEGRAMS,
     _make,
     BufferSettings,
 )

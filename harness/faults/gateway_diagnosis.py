@@ -9,7 +9,7 @@ from harness.installation.holds import switched
 
 
 def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
-    slave = plant.gateways[on].slave
+    slave = plant.stations[on].slave
     begin, end = partial(slave.set_ext_diag, True), partial(slave.set_ext_diag, False)
     return Holding(plant, switched(slave, "diagnosis", begin, end))
 
@@ -17,6 +17,6 @@ def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
 FAULT = FaultType(
     "gateway_diagnosis",
     "A gateway reports a diagnosis of its own and goes on exchanging data",
-    Target.GATEWAY,
+    Target.TELEGRAMS,
     _make,
 )

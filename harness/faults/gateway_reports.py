@@ -33,7 +33,7 @@ def _code(gateway: TelegramGateway, name: str) -> int:
 FAULT = FaultType(
     "gateway_reports",
     "A gateway reports a status code of its own until a valid telegram",
-    Target.GATEWAY,
+    Target.TELEGRAMS,
     _make,
     ReportSettings,
 )

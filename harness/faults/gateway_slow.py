@@ -24,5 +24,5 @@ def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
 
 
 FAULT = FaultType(
-    "gateway_slow", "A gateway takes long for each telegram", Target.GATEWAY, _make, SlowSettings
+    "gateway_slow", "A gateway takes long for each telegram", Target.TELEGRAMS, _make, SlowSettings
 )

@@ -14,5 +14,5 @@ def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
 
 
 FAULT = FaultType(
-    "gateway_trigger_stuck", "A gateway does not see the trigger", Target.GATEWAY, _make
+    "gateway_trigger_stuck", "A gateway does not see the trigger", Target.TELEGRAMS, _make
 )

@@ -7,7 +7,7 @@ from harness.installation.holds import switched
 
 
 def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
-    gateway = plant.gateways[on]
+    gateway = plant.devices.device(on)
     return Holding(plant, switched(gateway, "supply", gateway.power_off, gateway.power_on))
 
 

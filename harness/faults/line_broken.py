@@ -14,6 +14,6 @@ def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
 FAULT = FaultType(
     "line_broken",
     "The line behind a gateway is broken in both directions",
-    Target.GATEWAY,
+    Target.TELEGRAMS,
     _make,
 )

@@ -24,7 +24,7 @@ def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
 FAULT = FaultType(
     "line_broken_one_way",
     "The line behind a gateway is broken in one direction",
-    Target.GATEWAY,
+    Target.TELEGRAMS,
     _make,
     OneWaySettings,
 )

@@ -37,7 +37,7 @@ def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
 FAULT = FaultType(
     "line_bytes_delayed",
     "Bytes arrive late on the line behind a gateway",
-    Target.GATEWAY,
+    Target.TELEGRAMS,
     _make,
     DelaySettings,
 )

@@ -25,7 +25,7 @@ def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
 FAULT = FaultType(
     "line_bytes_lost",
     "Bytes are lost on the line behind a gateway",
-    Target.GATEWAY,
+    Target.TELEGRAMS,
     _make,
     LossSettings,
 )

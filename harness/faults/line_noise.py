@@ -23,5 +23,5 @@ def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
 
 
 FAULT = FaultType(
-    "line_noise", "Noise on the line behind a gateway", Target.GATEWAY, _make, NoiseSettings
+    "line_noise", "Noise on the line behind a gateway", Target.TELEGRAMS, _make, NoiseSettings
 )

@@ -14,7 +14,8 @@ def neighbour(plant: Installation, drive: str, named: str | None) -> Inverter:
     gateway = next(
         entry for entry in plant.plan.gateways if drive in {item.name for item in entry.drives}
     )
-    others = [item.name for item in gateway.drives if item.name != drive]
+    on_a_line = gateway.name in plant.gateways
+    others = [item.name for item in gateway.drives if item.name != drive and on_a_line]
     if named is None and others:
         return plant.drives[others[0]]
     if named in others:

@@ -10,7 +10,7 @@ from harness.installation import Installation
 
 
 def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
-    return Event(plant.gateways[on].slave.let_watchdog_expire)
+    return Event(plant.stations[on].slave.let_watchdog_expire)
 
 
 FAULT = FaultType(

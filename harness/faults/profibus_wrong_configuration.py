@@ -24,7 +24,7 @@ class ConfigurationSettings(FaultSettings):
 
 def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
     assert isinstance(settings, ConfigurationSettings)
-    slave = plant.gateways[on].slave
+    slave = plant.stations[on].slave
     if settings.refuses == "configuration":
         other = replace(slave.type, configuration=slave.type.configuration + _ONE_INPUT_BYTE)
     else:

@@ -7,14 +7,13 @@ from collections.abc import Collection, Iterable
 from dataclasses import replace
 from pathlib import Path
 
-from fbgen.catalog import Catalog, load_catalog, with_own_sequences
+from fbgen.catalog import Catalog, TelegramGateway, load_catalog, with_own_sequences
 from fbgen.diagnostics import error
 from fbgen.nearest import nearest
 from fbgen.plant import Plant, PlantGateway, load_plant, with_prefix
 from harness.engine.loading import engine_named, read_program
 from harness.fieldbus import DpMaster, Parameters, Station, StationSettings, watchdog_factors
-from harness.gateways.tospbdp001 import Tospbdp001
-from harness.installation.devices import build_devices
+from harness.installation.devices import FieldDevices, build_devices
 from harness.installation.plant import Installation
 from harness.installation.programs import generated_program
 from harness.installation.setup import PlantSetup
@@ -39,7 +38,12 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     """
     _one_master(plan)
     _all_known("drive", setup.drives, [item.name for item in plan.drives], plan)
-    _all_known("gateway", setup.memories, [item.name for item in plan.gateways], plan)
+    with_memory = [
+        item.name
+        for item in plan.gateways
+        if isinstance(catalog.gateway(item.type), TelegramGateway)
+    ]
+    _all_known("gateway", setup.memories, with_memory, plan)
     kernel = Kernel(setup.seed)
     master = DpMaster(kernel, setup.bus)
     cpu = Cpu(kernel, _cpu_settings(plan, setup.cpu), master)
@@ -47,8 +51,7 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     devices = build_devices(plan, catalog, kernel, setup.drives)
     stations: dict[str, Station] = {}
     for entry in plan.gateways:
-        gateway = devices.gateways[entry.name]
-        station = stations[entry.name] = _station(master, entry, gateway, setup)
+        station = stations[entry.name] = _station(master, entry, devices, setup)
         by_image = entry.access == "process_image"
         cpu.mount(Mounting(station, by_image, entry.hardware_identifier))
     if setup.program is not None:
@@ -60,8 +63,7 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     load = setup.factory or engine_named(setup.engine, setup.probes)
     cpu.load(program, load)
     return Installation(
-        *(plan, catalog, kernel, cpu, master, devices.gateways, stations),
-        *(devices.lines, devices.drives, devices.spacing),
+        *(plan, catalog, kernel, cpu, master, devices, stations),
         memories=setup.memories,
         start_after_ns=setup.start_after_ns,
     )
@@ -100,18 +102,19 @@ def _one_master(plan: Plant) -> None:
 
 
 def _station(
-    master: DpMaster, entry: PlantGateway, gateway: Tospbdp001, setup: PlantSetup
+    master: DpMaster, entry: PlantGateway, devices: FieldDevices, setup: PlantSetup
 ) -> Station:
+    slave = devices.slave(entry.name)
     factors = None if setup.watchdog_ns is None else watchdog_factors(setup.watchdog_ns)
     settings = StationSettings(
         entry.name,
         entry.profibus_address,
-        gateway.settings.layout.configuration,
-        Parameters(gateway.settings.ident_number, factors),
+        slave.type.configuration,
+        Parameters(slave.type.ident_number, factors),
         entry.output_address or 0,
         entry.input_address or 0,
     )
-    return master.add(settings, gateway.slave)
+    return master.add(settings, slave)
 
 
 def _all_known(kind: str, names: Iterable[str], known: Collection[str], plan: Plant) -> None:

@@ -2,16 +2,19 @@
 
 The inverters are set as the TOSPBDP001 manual v1.1, section 6, says: 19200 bit/s (F800 = 4), even
 parity (F801 = 1), INV-NO (F802), communication timeout 1 s (F803 = 1); FH is the plant file's.
+Those at a PBDP-110 have FH and the highest speed, as its manual advises (3), and nothing else.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from fbgen.catalog import Catalog, Drive, OptionValue
-from fbgen.diagnostics import error
-from fbgen.plant import Plant, PlantDrive, PlantGateway
+from fbgen.catalog import Catalog, Drive, OptionValue, ProcessDataGateway
+from fbgen.diagnostics import DiagnosticError, error
+from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of
 from harness.drives import Inverter, InverterSettings, ReplyTime
 from harness.drives.settings import TimeoutRestart
+from harness.fieldbus import DpSlave
+from harness.gateways.pbdp110 import Pbdp110, drive_facts, pbdp110_settings
 from harness.gateways.tospbdp001 import Tospbdp001, tospbdp001_settings
 from harness.installation.setup import DriveConditions
 from harness.kernel import Kernel
@@ -24,12 +27,25 @@ TIMEOUT_S = 1
 
 @dataclass(frozen=True, slots=True)
 class FieldDevices:
-    """Gateways, lines and spacing go by the gateway's name, drives by their own."""
+    """Gateways, lines and spacing go by the gateway's name, drives by their own.
+
+    `gateways` are those for telegrams, each with one line; `interfaces` those for process data,
+    whose lines go by the gateway's name and the channel's, as `gw1.a`.
+    """
 
     gateways: Mapping[str, Tospbdp001]
+    interfaces: Mapping[str, Pbdp110]
     lines: Mapping[str, Line]
     drives: Mapping[str, Inverter]
     spacing: Mapping[str, Spacing]
+
+    def device(self, name: str) -> Tospbdp001 | Pbdp110:
+        """The gateway of a name, of whatever kind."""
+        return self.gateways[name] if name in self.gateways else self.interfaces[name]
+
+    def slave(self, name: str) -> DpSlave:
+        """The PROFIBUS side of a gateway."""
+        return self.device(name).slave
 
 
 def build_devices(
@@ -42,9 +58,17 @@ def build_devices(
     """
     lines: dict[str, Line] = {}
     gateways: dict[str, Tospbdp001] = {}
+    interfaces: dict[str, Pbdp110] = {}
     drives: dict[str, Inverter] = {}
     spacing: dict[str, Spacing] = {}
     for entry in plan.gateways:
+        known = catalog.gateways[entry.type]
+        if isinstance(known, ProcessDataGateway):
+            interface = _interface(kernel, catalog, known, entry)
+            interfaces[entry.name] = interface.device
+            lines |= {f"{entry.name}.{name}": line for name, line in interface.lines.items()}
+            drives |= _drives_at(interface, catalog, entry, conditions)
+            continue
         line = lines[entry.name] = Line(kernel, _topology(catalog, entry))
         gateway = gateways[entry.name] = _gateway(kernel, catalog, entry, line)
         reply_ns = {
@@ -53,8 +77,64 @@ def build_devices(
         spacing[entry.name] = Spacing(line, gateway.port, reply_ns)
         for item in entry.drives:
             own = conditions.get(item.name, DriveConditions())
-            drives[item.name] = _drive(kernel, catalog.drive(item.series), item, line, own)
-    return FieldDevices(gateways, lines, drives, spacing)
+            series = catalog.drive(item.series)
+            own = replace(own, parameters={**_on_a_line(series, item), **own.parameters})
+            drives[item.name] = _drive(kernel, series, item, line, own)
+    return FieldDevices(gateways, interfaces, lines, drives, spacing)
+
+
+@dataclass(frozen=True, slots=True)
+class _Interface:
+    """An interface for process data with the cables to its drives, by the names of channels."""
+
+    kernel: Kernel
+    device: Pbdp110
+    lines: Mapping[str, Line]
+
+
+def _interface(
+    kernel: Kernel, catalog: Catalog, known: ProcessDataGateway, entry: PlantGateway
+) -> _Interface:
+    if entry.type != "pbdp110":
+        raise _not_simulated(entry)
+    facts = {_channel(item): drive_facts(catalog.drive(item.series)) for item in entry.drives}
+    settings = pbdp110_settings(known, layout_of(entry, known), entry.options, facts)
+    lines = {channel.name: Line(kernel) for channel in known.channels}
+    device = Pbdp110(kernel, settings, lines, entry.profibus_address, entry.name)
+    device.power_off()
+    return _Interface(kernel, device, lines)
+
+
+def _drives_at(
+    interface: _Interface,
+    catalog: Catalog,
+    entry: PlantGateway,
+    conditions: Mapping[str, DriveConditions],
+) -> dict[str, Inverter]:
+    """The drives at the channels of an interface, which lives on what they give."""
+    drives = {}
+    for item in entry.drives:
+        series, channel = catalog.drive(item.series), _channel(item)
+        own = conditions.get(item.name, DriveConditions())
+        parameters = {"baud_rate": BAUD_RATE_19200, **own.parameters}
+        own = replace(own, parameters=parameters)
+        drive = _drive(interface.kernel, series, item, interface.lines[channel], own)
+        _give_supply(interface.device, channel, drive)
+        drives[item.name] = drive
+    return drives
+
+
+def _give_supply(device: Pbdp110, channel: str, drive: Inverter) -> None:
+    def follow() -> None:
+        device.supply(channel, drive.powered)
+
+    drive.observers.append(follow)
+    follow()
+
+
+def _channel(item: PlantDrive) -> str:
+    assert item.channel is not None, "checked when the plant was read"
+    return item.channel.lower()
 
 
 def _topology(catalog: Catalog, entry: PlantGateway) -> Topology:
@@ -64,27 +144,36 @@ def _topology(catalog: Catalog, entry: PlantGateway) -> Topology:
 
 def _gateway(kernel: Kernel, catalog: Catalog, entry: PlantGateway, line: Line) -> Tospbdp001:
     if entry.type != "tospbdp001":
-        raise error(
-            "FB7502",
-            f"the gateway '{entry.name}' is a {entry.type}, which cannot be simulated",
-            entry.span_of("type"),
-            "the harness has the tospbdp001",
-        )
+        raise _not_simulated(entry)
     known = catalog.telegram_gateway(entry.type)
     settings = tospbdp001_settings(known, known.layout(entry.layout), entry.options)
     return Tospbdp001(kernel, settings, line, entry.profibus_address, entry.name)
 
 
+def _not_simulated(entry: PlantGateway) -> DiagnosticError:
+    return error(
+        "FB7502",
+        f"the gateway '{entry.name}' is a {entry.type}, which cannot be simulated",
+        entry.span_of("type"),
+        "the harness has the tospbdp001 and the pbdp110",
+    )
+
+
+def _on_a_line(series: Drive, entry: PlantDrive) -> Mapping[str, float]:
+    """What the manual of the TOSPBDP001 has one set at an inverter."""
+    return {
+        "baud_rate": BAUD_RATE_19200,
+        "parity": PARITY_EVEN,
+        series.link.inv_no: entry.inv_no,
+        series.link.timeout: TIMEOUT_S,
+    }
+
+
 def _drive(
     kernel: Kernel, series: Drive, entry: PlantDrive, line: Line, conditions: DriveConditions
 ) -> Inverter:
-    link = series.link
     parameters: Mapping[str, float] = {
-        "baud_rate": BAUD_RATE_19200,
-        "parity": PARITY_EVEN,
-        link.inv_no: entry.inv_no,
-        link.timeout: TIMEOUT_S,
-        link.maximum_frequency: entry.max_frequency_hz,
+        series.link.maximum_frequency: entry.max_frequency_hz,
         **conditions.parameters,
     }
     options = {item.id: item.default for item in series.options} | dict(entry.options)

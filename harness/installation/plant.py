@@ -4,10 +4,12 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from fbgen.catalog import Catalog
-from fbgen.plant import Plant
+from fbgen.plant import Plant, PlantGateway
 from harness.drives import Inverter
 from harness.fieldbus import DpMaster, Station
+from harness.gateways.pbdp110 import Pbdp110
 from harness.gateways.tospbdp001 import Memory, Tospbdp001
+from harness.installation.devices import FieldDevices
 from harness.installation.holds import Holds
 from harness.kernel import Kernel
 from harness.line import Line, Spacing
@@ -20,8 +22,8 @@ from harness.trace.telegrams import TelegramRecorder
 class Installation:
     """Everything that was built from one plant file.
 
-    Gateways, stations (the gateways as the master sees them) and lines go by the gateway's name,
-    drives by their own. `plan` is the plant file. `spacing` notes telegrams to different drives
+    `devices` are gateways, lines and drives as `FieldDevices` has them; stations are the gateways
+    as the master sees them. `plan` is the plant file. `spacing` notes telegrams to different drives
     that follow each other too closely; `memories` has what is in gateways at the start, and the PLC
     starts `start_after_ns` later than they; `holds` knows what faults hold.
     """
@@ -31,19 +33,53 @@ class Installation:
     kernel: Kernel
     cpu: Cpu
     master: DpMaster
-    gateways: Mapping[str, Tospbdp001]
+    devices: FieldDevices
     stations: Mapping[str, Station]
-    lines: Mapping[str, Line]
-    drives: Mapping[str, Inverter]
-    spacing: Mapping[str, Spacing]
     memories: Mapping[str, Memory] = field(default_factory=dict)
     start_after_ns: int = 0
     holds: Holds = field(default_factory=Holds)
+
+    @property
+    def gateways(self) -> Mapping[str, Tospbdp001]:
+        """The gateways for telegrams."""
+        return self.devices.gateways
+
+    @property
+    def interfaces(self) -> Mapping[str, Pbdp110]:
+        """The gateways for process data."""
+        return self.devices.interfaces
+
+    @property
+    def lines(self) -> Mapping[str, Line]:
+        """The lines, by the gateway's name, or by that and the channel's: `gw1.a`."""
+        return self.devices.lines
+
+    @property
+    def drives(self) -> Mapping[str, Inverter]:
+        """The inverters."""
+        return self.devices.drives
+
+    @property
+    def spacing(self) -> Mapping[str, Spacing]:
+        """What was sent too closely, by the gateway's name."""
+        return self.devices.spacing
+
+    @property
+    def telegram_entries(self) -> tuple[PlantGateway, ...]:
+        """Those gateways of the plant file that are for telegrams."""
+        return tuple(item for item in self.plan.gateways if item.name in self.gateways)
+
+    @property
+    def interface_entries(self) -> tuple[PlantGateway, ...]:
+        """Those gateways of the plant file that are for process data."""
+        return tuple(item for item in self.plan.gateways if item.name in self.interfaces)
 
     def start(self) -> None:
         """Switch the gateways on and start the CPU; drives have their supply already."""
         for name, gateway in self.gateways.items():
             gateway.power_on(self.memories.get(name))
+        for interface in self.interfaces.values():
+            interface.power_on()
         self.kernel.run_for(self.start_after_ns)
         self.cpu.start()
 
@@ -60,7 +96,7 @@ class Installation:
         return Recorder(self, variables)
 
     def record_telegrams(self) -> dict[str, TelegramRecorder]:
-        """Listen to every gateway from now on; by the gateway's name."""
+        """Listen to every gateway for telegrams from now on; by the gateway's name."""
         return {
             entry.name: TelegramRecorder(
                 self.master,
@@ -70,5 +106,5 @@ class Installation:
                 self.catalog.gateway(entry.type).layout(entry.layout),
                 processing_ns=self.gateways[entry.name].settings.processing_ns,
             )
-            for entry in self.plan.gateways
+            for entry in self.telegram_entries
         }

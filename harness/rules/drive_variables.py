@@ -14,7 +14,7 @@ def drive_reader(plant: Installation, variables: Sequence[str]) -> ReadDrives:
     """What reads these variables, such as `polled.lost`, of all drives at once; fast."""
     data = with_prefix("TOS_Plant", plant.plan.prefix)
     names, paths = [], []
-    for gateway in plant.plan.gateways:
+    for gateway in plant.telegram_entries:
         for drive in gateway.drives:
             names.append(drive.name)
             paths += [f"{data}.{gateway.name}.{drive.name}.{name}" for name in variables]

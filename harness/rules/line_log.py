@@ -185,7 +185,7 @@ def telling(logs: Sequence[LineLog], found: list[str]) -> Watch:
 
 def line_logs(plant: Installation) -> tuple[LineLog, ...]:
     """The log of each line of a plant; whoever comes second gets those that are there already."""
-    return tuple(_line_log(plant, entry.name) for entry in plant.plan.gateways)
+    return tuple(_line_log(plant, entry.name) for entry in plant.telegram_entries)
 
 
 def _line_log(plant: Installation, gateway: str) -> LineLog:
@@ -198,7 +198,7 @@ def _line_log(plant: Installation, gateway: str) -> LineLog:
 
 def _longest_way_ns(plant: Installation, gateway: str) -> int:
     """From the PLC to the line; in the process image the trigger leaves a cycle behind its data."""
-    entry = next(item for item in plant.plan.gateways if item.name == gateway)
+    entry = next(item for item in plant.telegram_entries if item.name == gateway)
     device = plant.catalog.telegram_gateway(entry.type)
     times, wire = device.times, device.subnetwork
     heartbeat_ms = 1000 * HEARTBEAT_CHARACTERS * wire.character_bits / wire.baud

@@ -36,7 +36,7 @@ def _watch(plant: Installation) -> Watch:
             asked.clear()
 
     plant.cpu.on_mode.append(changed)
-    for gateway in plant.plan.gateways:
+    for gateway in plant.telegram_entries:
         port = plant.gateways[gateway.name].port
         names = {drive.inv_no: drive.name for drive in gateway.drives}
 

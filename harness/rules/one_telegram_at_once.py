@@ -72,7 +72,7 @@ def _answerer(sent: Sent) -> int:
 def _watch(plant: Installation) -> Watch:
     logs = line_logs(plant)
     found: list[str] = []
-    for log, entry in zip(logs, plant.plan.gateways, strict=True):
+    for log, entry in zip(logs, plant.telegram_entries, strict=True):
         reply_ns = {
             item.inv_no: plant.catalog.drive(item.series).times.reply_max.ns
             for item in entry.drives

@@ -60,7 +60,7 @@ class _Attempts:
 def _watch(plant: Installation) -> Watch:
     logs = line_logs(plant)
     found: list[str] = []
-    for log, entry in zip(logs, plant.plan.gateways, strict=True):
+    for log, entry in zip(logs, plant.telegram_entries, strict=True):
         _Attempts(log, spacers_of(plant.catalog.drive(entry.drives[0].series)), found)
     return telling(logs, found)
 

@@ -17,7 +17,8 @@ from harness.engine.loading import LoadedProgram
 from harness.kernel import Kernel
 from harness.scenario.addresses import Place
 from harness.scenario.kinds import Found, ValueKind, no_bytes
-from harness.scenario.paths import Readable, Writable
+from harness.scenario.named_things import Readable
+from harness.scenario.paths import Writable
 from harness.scenario.plc_variables import kind_of_type, reading, variable_kind
 from harness.trace.blocks import BlockRecorder
 from harness.trial import Subject

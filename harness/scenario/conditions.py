@@ -7,7 +7,7 @@ from fbgen.catalog import Located
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.source import Span
 from harness.scenario.kinds import Found
-from harness.scenario.paths import Readable
+from harness.scenario.named_things import Readable
 from harness.scenario.places import key_span, value_span
 from harness.scenario.stage import Stage
 from harness.scenario.values import Demand, demand

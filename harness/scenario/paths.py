@@ -3,29 +3,28 @@
 plc.VARIABLE        a variable of the PLC, `plc.TOS_Plant.gw1.pump.stop.execute`, `plc.List[2].ok`
                     TOS_ stands for the plant's own prefix, too
 cpu.ITEM, bus.ITEM  the CPU and the DP master
-gateway.NAME.ITEM   a gateway, `gateway.gw1.led.device_status`
+gateway.NAME.ITEM   a gateway, `gateway.gw1.led.device_status`, `gateway.gw1.input.a_status`
 drive.NAME.ITEM     a drive, `drive.pump.frequency`, `drive.pump.comno.FE03`
 
 `docs/reference/scenario-files.md` has the whole list.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from types import MappingProxyType
-from typing import TypeAlias
 
 from fbgen.catalog import Catalog
 from fbgen.diagnostics import DiagnosticError, error
-from fbgen.nearest import nearest
 from fbgen.plant import with_prefix
 from fbgen.source import Span
 from harness.drives import Inverter
-from harness.engine.compiled.last_writes import LastWrite, last_write
+from harness.engine.compiled.last_writes import last_write
 from harness.fieldbus import MasterMode
 from harness.gateways.tospbdp001 import Light, Tospbdp001
 from harness.installation import Installation
 from harness.plc import CpuMode
+from harness.scenario.interface_paths import interface_item
 from harness.scenario.kinds import (
     COUNT,
     FLAG,
@@ -38,25 +37,10 @@ from harness.scenario.kinds import (
     octets_kind,
     word_kind,
 )
+from harness.scenario.named_things import Readable, Writer, one_of, unknown
 from harness.scenario.plc_variables import reading, variable_kind
 
 ROOTS = ("plc", "cpu", "bus", "gateway", "drive")
-
-
-Writer: TypeAlias = Callable[[], LastWrite | None]
-"""Gives the last write of a variable; None where nobody takes notes."""
-
-
-@dataclass(frozen=True, slots=True)
-class Readable:
-    """What a path gives: `get` the value now, `kind` what sort of value.
-
-    `writer` tells which line of the PLC wrote it last; None for what no PLC writes.
-    """
-
-    kind: ValueKind
-    get: Callable[[], Found]
-    writer: Writer | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,21 +106,24 @@ class Paths:
             writer = partial(last_write, engine, variable)
             return Readable(kind, reading(engine, variable), writer)
         if root == "cpu":
-            _one_of(rest, ("mode", "scans"), "property of the CPU", span)
+            one_of(rest, ("mode", "scans"), "property of the CPU", span)
             if rest == "scans":
                 return Readable(COUNT, lambda: plant.cpu.scans)
             return Readable(_CPU_MODE, lambda: plant.cpu.mode.name)
         if root == "bus":
-            _one_of(rest, ("mode",), "property of the bus", span)
+            one_of(rest, ("mode",), "property of the bus", span)
             return Readable(_BUS_MODE, lambda: plant.master.mode.name)
         name, _, item = rest.partition(".")
         if root == "gateway":
-            _one_of(name, plant.gateways, "gateway", span)
+            one_of(name, plant.stations, "gateway", span)
+            if name in plant.interfaces:
+                entry = next(item for item in plant.plan.gateways if item.name == name)
+                return interface_item(plant.interfaces[name], entry, self._catalog, item, span)
             return self._gateway(plant.gateways[name], item, span)
         if root == "drive":
-            _one_of(name, plant.drives, "drive", span)
+            one_of(name, plant.drives, "drive", span)
             return _drive(plant.drives[name], item, span)
-        raise _unknown(root, ROOTS, "kind of thing", span)
+        raise unknown(root, ROOTS, "kind of thing", span)
 
     def writable(self, path: str, span: Span | None) -> Writable:
         """What a path can be set to. Raises DiagnosticError FB8003."""
@@ -152,14 +139,14 @@ class Paths:
         name, _, item = rest.partition(".")
         what, _, key = item.partition(".")
         if root != "drive" or what != "comno":
-            _one_of(root, ROOTS, "kind of thing", span)
+            one_of(root, ROOTS, "kind of thing", span)
             raise error(
                 "FB8003",
                 f"'{path}' cannot be set",
                 span,
                 "set plc.<variable>, or drive.<name>.comno.<parameter> as at its panel",
             )
-        _one_of(name, self._plant.drives, "drive", span)
+        one_of(name, self._plant.drives, "drive", span)
         drive = self._plant.drives[name]
         number = _comno(drive, key, span)
         if "w" not in drive.series.comno(number).access:
@@ -170,7 +157,7 @@ class Paths:
     def _variable(self, path: str, span: Span | None) -> ValueKind:
         engine = self._plant.cpu.engine
         if not path:
-            raise _unknown(
+            raise unknown(
                 "",
                 tuple(item.name for item in engine.program.globals.values()),
                 "variable of the PLC",
@@ -186,9 +173,9 @@ class Paths:
     def _gateway(self, gateway: Tospbdp001, item: str, span: Span | None) -> Readable:
         kind, _, lamp = item.partition(".")
         if kind == "led":
-            _one_of(lamp, gateway.leds._fields, "lamp of a gateway", span)
+            one_of(lamp, gateway.leds._fields, "lamp of a gateway", span)
             return Readable(_LIGHT, lambda: str(getattr(gateway.leds, lamp).value))
-        _one_of(item, (*GATEWAY_ITEMS, "led"), "property of a gateway", span)
+        one_of(item, (*GATEWAY_ITEMS, "led"), "property of a gateway", span)
         if item == "status":
             entry = next(entry for entry in self._plant.plan.gateways if entry.name == gateway.name)
             word = self._catalog.telegram_gateway(entry.type).status_word
@@ -217,7 +204,7 @@ def _drive(drive: Inverter, item: str, span: Span | None) -> Readable:
         name = drive.series.comno(number).word
         word = drive.series.word(name) if name is not None else None
         return Readable(word_kind(word), lambda: drive.read_word(number))
-    _one_of(item, (*DRIVE_ITEMS, *COMNO_ITEMS), "property of a drive", span)
+    one_of(item, (*DRIVE_ITEMS, *COMNO_ITEMS), "property of a drive", span)
     trips = drive.series.trips
     if item == "trip":
         displays = choice_kind(("", *(trip.display for trip in trips)))
@@ -235,16 +222,6 @@ def _comno(drive: Inverter, key: str, span: Span | None) -> int:
     except DiagnosticError as wrong:
         first = wrong.diagnostics[0]
         raise error("FB8003", first.message, span, first.help) from None
-
-
-def _one_of(name: str, known: Iterable[str], what: str, span: Span | None) -> None:
-    if name not in known:
-        raise _unknown(name, tuple(known), what, span)
-
-
-def _unknown(name: str, known: tuple[str, ...], what: str, span: Span | None) -> DiagnosticError:
-    message = f"there is no {what} '{name}'" if name else f"a {what} must be named"
-    return error("FB8003", message, span, nearest(name, known))
 
 
 def _number(value: Found) -> float:

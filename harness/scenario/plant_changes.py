@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
-from fbgen.catalog import Catalog, Drive
+from fbgen.catalog import Catalog, Drive, TelegramGateway
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
 from fbgen.nearest import nearest
 from fbgen.plant import Plant, problems_of
@@ -53,7 +53,11 @@ def _of_variation(found: Diagnostic, variation: Variation) -> Diagnostic:
 
 def device_problems(scenario: Scenario, plan: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
     """FB8003 for devices that the plant does not have, and what series of drives do not take."""
-    gateways = [item.name for item in plan.gateways]
+    gateways = [
+        item.name
+        for item in plan.gateways
+        if isinstance(catalog.gateway(item.type), TelegramGateway)
+    ]
     for name in scenario.gateways:
         if name not in gateways:
             message = f"there is no gateway '{name}' in the plant '{plan.name}'"

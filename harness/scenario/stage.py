@@ -8,7 +8,8 @@ from fbgen.diagnostics import Diagnostic, Note
 from fbgen.source import Span
 from harness.installation import Installation
 from harness.kernel import Kernel
-from harness.scenario.paths import Readable, Writable
+from harness.scenario.named_things import Readable
+from harness.scenario.paths import Writable
 
 
 class PathsOfStage(Protocol):

@@ -26,7 +26,7 @@ class ServedGateways:
         """One line for a person: what each gateway and each inverter does."""
         parts = []
         for entry in self.plan.gateways:
-            parts.append(_slave(entry.name, self.devices.gateways[entry.name].slave))
+            parts.append(_slave(entry.name, self.devices.slave(entry.name)))
             parts += [_drive(item.name, self.devices.drives[item.name]) for item in entry.drives]
         return "; ".join(parts)
 
@@ -38,12 +38,10 @@ def gateways_to_serve(plan: Plant, catalog: Catalog, seed: int = 0) -> ServedGat
     """
     kernel = Kernel(seed)
     devices = build_devices(plan, catalog, kernel, {})
-    gateways = devices.gateways.values()
-    for gateway in gateways:
-        gateway.power_on()
-    return ServedGateways(
-        plan, kernel, devices, Segment(kernel, [gateway.slave for gateway in gateways])
-    )
+    for entry in plan.gateways:
+        devices.device(entry.name).power_on()
+    slaves = [devices.slave(entry.name) for entry in plan.gateways]
+    return ServedGateways(plan, kernel, devices, Segment(kernel, slaves))
 
 
 def _slave(name: str, slave: DpSlave) -> str:

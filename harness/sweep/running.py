@@ -117,7 +117,10 @@ def _run_chunk(chunk: _Chunk) -> list[Point]:
 @cache
 def _sweep(plant: Path) -> Sweep:
     catalog = with_own_sequences(load_catalog(), plant.parent)
-    return Sweep(load_plant(plant, catalog), catalog)
+    plan = load_plant(plant, catalog)
+    for item in plan.gateways:
+        catalog.telegram_gateway(item.type)  # FB1206 for one that carries no telegrams
+    return Sweep(plan, catalog)
 
 
 def _entry(first: int, points: Sequence[Point]) -> Entry:

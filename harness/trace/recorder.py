@@ -20,6 +20,7 @@ from harness.trace.drives import DriveWatch
 from harness.trace.frame_meanings import FrameMeanings
 from harness.trace.frames import FrameWatch
 from harness.trace.gateways import GatewayWatch
+from harness.trace.interfaces import InterfaceWatch
 from harness.trace.log import ChangeLog
 from harness.trace.marks import Marks
 from harness.trace.meaning import telegram_meaning
@@ -64,14 +65,28 @@ class Recorder:
                 plant.spacing[entry.name],
                 writer=partial(self._output_writer, plant.stations[entry.name]),
             )
-            for entry in plant.plan.gateways
+            for entry in plant.telegram_entries
         }
-        self._frames = [_frame_watch(plant, entry) for entry in plant.plan.gateways]
+        self._interfaces = {
+            entry.name: InterfaceWatch(
+                self._log,
+                plant.kernel,
+                plant.interfaces[entry.name],
+                plant.catalog.process_data_gateway(entry.type),
+                writer=partial(self._output_writer, plant.stations[entry.name]),
+            )
+            for entry in plant.interface_entries
+        }
+        self._frames = [_frame_watch(plant, entry) for entry in plant.telegram_entries]
+        self._frames += [
+            watch for entry in plant.interface_entries for watch in _cable_watches(plant, entry)
+        ]
         for drive in plant.drives.values():
             DriveWatch(self._log, plant.kernel, drive)
         channels = _variables(plant, variables)
         self._plc = PlcWatch(self._log, plant.cpu.engine, channels, self.begin_ns, self._who)
-        stations = {id(plant.stations[name]): watch for name, watch in self._gateways.items()}
+        watches: dict[str, GatewayWatch | InterfaceWatch] = {**self._gateways, **self._interfaces}
+        stations = {id(plant.stations[name]): watch for name, watch in watches.items()}
         plant.master.taps.append(partial(_to_gateway, stations))
         plant.cpu.after_scan.append(self._scanned)
 
@@ -130,11 +145,13 @@ class Recorder:
     def look(self) -> None:
         """Note everything as it is now, whatever the hooks have told."""
         self._cpu.look()
-        for watch in self._gateways.values():
-            watch.look()
+        for gateway in self._gateways.values():
+            gateway.look()
+        for interface in self._interfaces.values():
+            interface.look()
 
     def _sent(self) -> tuple[Telegram, ...]:
-        plan, catalog = self._plant.plan, self._plant.catalog
+        catalog = self._plant.catalog
         triggers = {watch.trigger: name for name, watch in self._gateways.items()}
         writers = {
             (triggers[change.channel], change.time_ns): change.writer
@@ -143,13 +160,13 @@ class Recorder:
         }
         found = [
             replace(telegram, writer=writers.get((telegram.gateway, telegram.sent_ns)))
-            for entry in plan.gateways
+            for entry in self._plant.telegram_entries
             for telegram in _telegrams_of(entry, self._telegrams[entry.name], catalog)
         ]
         return tuple(sorted(found, key=lambda telegram: telegram.sent_ns))
 
 
-def _to_gateway(watches: dict[int, GatewayWatch], transfer: Transfer) -> None:
+def _to_gateway(watches: dict[int, GatewayWatch | InterfaceWatch], transfer: Transfer) -> None:
     if (watch := watches.get(id(transfer.station))) is not None:
         watch.look()
 
@@ -160,6 +177,17 @@ def _frame_watch(plant: "Installation", entry: PlantGateway) -> FrameWatch:
     gateway = plant.gateways[entry.name].port
     meanings = FrameMeanings(series, plant.catalog)
     return FrameWatch(plant.lines[entry.name], entry.name, gateway, ports, meanings)
+
+
+def _cable_watches(plant: "Installation", entry: PlantGateway) -> Iterable[FrameWatch]:
+    """The cables of an interface, each with one drive that has no INV-NO there."""
+    device = plant.interfaces[entry.name]
+    for item in entry.drives:
+        channel = (item.channel or "").lower()
+        line, port = plant.lines[f"{entry.name}.{channel}"], device.channels[channel].link.port
+        meanings = FrameMeanings({0: plant.catalog.drive(item.series)}, plant.catalog)
+        drives = {plant.drives[item.name].communication.port: item.name}
+        yield FrameWatch(line, entry.name, port, drives, meanings)
 
 
 def _variables(plant: "Installation", more: Iterable[str]) -> list[Channel]:

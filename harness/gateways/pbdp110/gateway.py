@@ -32,9 +32,11 @@ class Pbdp110:
     """
 
     __slots__ = (
+        "_cut",
         "_kernel",
         "_life",
         "_module",
+        "_plugged",
         "_started",
         "_supplies",
         "address",
@@ -76,6 +78,8 @@ class Pbdp110:
             for item in settings.channels
         }
         self._supplies = dict.fromkeys(self.channels, False)
+        self._plugged = dict.fromkeys(self.channels, True)
+        self._cut = False
         self.powered = self._started = False
         self._life = 0
         self.address = address
@@ -100,23 +104,50 @@ class Pbdp110:
 
     def supply(self, channel: str, present: bool) -> None:
         """The drive at a channel gives supply, or does so no more."""
-        self._supplies[channel] = present
-        powers = next(item for item in self.settings.channels if item.name == channel)
-        if powers.powers_gateway and present is not self.powered:
-            if present:
-                self._power_on()
-            else:
-                self._power_off()
+        if self._supplies[channel] is not present:
+            self._supplies[channel] = present
+            self._look_at_supply()
+
+    def plug(self, channel: str) -> None:
+        """The cable to the drive at a channel is in its place."""
+        self._plugged[channel] = True
+        self._look_at_supply()
+
+    def unplug(self, channel: str) -> None:
+        """The cable to the drive at a channel is pulled, and the supply with it."""
+        self._plugged[channel] = False
+        self._look_at_supply()
+
+    def power_on(self) -> None:
+        """Nothing keeps the supply of the drives away any more."""
+        self._cut = False
+        self._look_at_supply()
+
+    def power_off(self) -> None:
+        """No supply, whatever the drives give."""
+        self._cut = True
+        self._look_at_supply()
+
+    def _has_supply(self, channel: str) -> bool:
+        return self._supplies[channel] and self._plugged[channel]
+
+    def _look_at_supply(self) -> None:
+        powers = [item.name for item in self.settings.channels if item.powers_gateway]
+        supplied = not self._cut and any(self._has_supply(name) for name in powers)
+        if supplied and not self.powered:
+            self._start_up()
+        elif self.powered and not supplied:
+            self._shut_down()
         self._notify()
 
-    def _power_on(self) -> None:
+    def _start_up(self) -> None:
         self.powered = True
         if self.settings.startup_ns:
             self._kernel.after(self.settings.startup_ns, partial(self._start, self._life))
         else:
             self._start(self._life)
 
-    def _power_off(self) -> None:
+    def _shut_down(self) -> None:
         self.powered = self._started = False
         self._life += 1
         for channel in self.channels.values():
@@ -137,7 +168,7 @@ class Pbdp110:
     def leds(self) -> Leds:
         """What the lamps show."""
         alive = lit(self._started, Light.GREEN_FLASHING)
-        ports = [lit(present) for present in self._supplies.values()]
+        ports = [lit(self._has_supply(name)) for name in self.channels]
         return Leds(lit(self.slave.online), alive, *ports)
 
     @property

@@ -43,8 +43,12 @@ _READS = (0xFC90, 0xFD01, 0xFD00, 0xFE03, 0xFA00)
 
 
 def variations(plan: Plant, catalog: Catalog) -> tuple[Entry, ...]:
-    """The plant as it is, and every other PLC, access way and layout that its file allows."""
-    layouts = [item.name for item in catalog.gateway(plan.gateways[0].type).layouts]
+    """The plant as it is, and every other PLC, access way and layout that its file allows.
+
+    Raises DiagnosticError FB1206 for a gateway that carries no telegrams.
+    """
+    gateways = [catalog.telegram_gateway(item.type) for item in plan.gateways]
+    layouts = [item.name for item in gateways[0].layouts]
     found: list[Entry] = [{}]
     for (dialect, plc), access, layout in product(_PLCS, _ACCESS, layouts):
         entry = {"dialect": dialect, "plc": plc, "access": access, "layout": layout}

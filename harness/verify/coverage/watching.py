@@ -41,7 +41,7 @@ _NEVER_GIVEN = {READ_RESULTS: NEVER_READ, WRITE_RESULTS: NEVER_WRITTEN}
 
 def watch(plant: Installation, coverage: CatalogueCoverage) -> None:
     """Look on at a plant from now on."""
-    for entry in plant.plan.gateways:
+    for entry in plant.telegram_entries:
         gateway = plant.gateways[entry.name]
         known = plant.catalog.telegram_gateway(entry.type)
         control_at = gateway.settings.layout.control_offset

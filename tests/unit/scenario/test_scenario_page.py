@@ -9,6 +9,7 @@ from pydantic import BaseModel
 from fbgen.catalog import load_catalog
 from harness.durations import read_duration
 from harness.faults import FAULTS
+from harness.gateways.pbdp110 import Leds as InterfaceLeds
 from harness.gateways.tospbdp001 import Leds
 from harness.scenario import (
     block_stage,
@@ -67,6 +68,7 @@ def test_every_path_is_explained_and_none_that_there_is_not() -> None:
     paths = {re.sub(r"[A-Z]{3,}", "*", path) for path in CODE if path.split(".")[0] in roots}
     wanted = {"cpu.mode", "cpu.scans", "bus.mode", "plc.*", "gateway.*.led.*", "block.*"}
     wanted |= {f"gateway.*.{item}" for item in GATEWAY_ITEMS}
+    wanted |= {"gateway.*.input.*", "gateway.*.*.online", "gateway.*.diagnosis"}
     wanted |= {f"drive.*.{item}" for item in DRIVE_ITEMS}
     wanted |= {f"drive.*.{item}.*" for item in COMNO_ITEMS}
     generic = {path for path in paths if "*" in path or path.startswith(("cpu", "bus"))}
@@ -74,7 +76,7 @@ def test_every_path_is_explained_and_none_that_there_is_not() -> None:
 
 
 def test_every_lamp_is_named() -> None:
-    assert set(Leds._fields) <= CODE
+    assert {*Leds._fields, *InterfaceLeds._fields} <= CODE
 
 
 @pytest.mark.parametrize("name", sorted(FAULTS))
