@@ -10,7 +10,7 @@ BIN := .venv/bin
 # The tests and the phase sweep run in this many processes at once.
 JOBS ?= 2
 
-.PHONY: help demo test check bench sweep phases golden schemas format environment
+.PHONY: help demo test check spelling bench sweep phases golden schemas format environment
 
 help:
 	@echo "make demo     run the manual's example on the example plant: from YAML to inverter and back"
@@ -30,13 +30,15 @@ environment:
 demo: environment
 	@$(BIN)/fbgen demo
 
-test: check
-	$(BIN)/python -m pytest -n $(JOBS)
+test: spelling
+	$(BIN)/python tools/checks.py -n $(JOBS)
 
-check: environment
+check: spelling
+	$(BIN)/mypy
+
+spelling: environment
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/mypy
 
 sweep: environment
 	$(BIN)/python -m pytest -n $(JOBS) -m slow
