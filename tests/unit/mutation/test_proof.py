@@ -245,6 +245,18 @@ def test_no_limit_is_known_of_what_something_else_may_write(
     assert ("count", "<=", 255) not in known(statement, initial, more)
 
 
+def test_a_flag_that_nobody_sets_is_known_and_one_that_somebody_sets_is_not() -> None:
+    text = (
+        'FUNCTION_BLOCK "Flags" VAR_INPUT a : Bool; i : Int; END_VAR\n'
+        "VAR_OUTPUT never, once, any : Bool; always : Bool := TRUE; END_VAR\nBEGIN\n"
+        "   #never := FALSE;\n   #always := TRUE;\n   #any := #a;\n"
+        "   IF #never = (#i > 1) THEN #once := TRUE; END_IF;\nEND_FUNCTION_BLOCK\n"
+    )
+    program = read_program([Source("flags.scl", text)], "tia")
+    found = invariants_of((program,), program.blocks["flags"])
+    assert {(one.variable.name, one.values) for one in found} == {("never", (0,)), ("always", (1,))}
+
+
 def test_a_mutant_that_no_reachable_value_shows_is_proved() -> None:
     text = COUNTER.format(statement=WRAPS, initial="")
     program = read_program([Source("counter.scl", text)], "tia")

@@ -28,7 +28,7 @@ from fbgen.lang.checked import (
     VariableRef,
 )
 from fbgen.lang.layout import holds_blocks
-from fbgen.lang.types import BlockType, Elementary, Family
+from fbgen.lang.types import BOOL, BlockType, Elementary, Family
 from harness.engine.compiled.walk import every_node, written_places
 from harness.verify.mutation.proof import terms
 from harness.verify.mutation.proof.memory import Memory
@@ -37,7 +37,7 @@ from harness.verify.mutation.proof.terms import Term
 EFFORT = 50_000_000
 """How much the solver may do for each step; what it cannot decide then is left out."""
 
-_NUMBERS = (Family.BITS, Family.SIGNED, Family.UNSIGNED, Family.DURATION)
+_COUNTED = (Family.BOOL, Family.BITS, Family.SIGNED, Family.UNSIGNED, Family.DURATION)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +77,10 @@ def candidates(block: Block, body: Sequence[object], own: Sequence[Variable]) ->
     for variable in own:
         first = _first(variable)
         numbers, only = _numbers(body, variable)
+        if variable.type == BOOL:
+            if only is not None and {*only, first} != {0, 1}:
+                found.append(Invariant(variable, "=", (first,)))
+            continue
         numbers.add(first)
         for one in sorted(numbers):
             limits = (Invariant(variable, way, (one,)) for way in ("<=", ">="))
@@ -129,13 +133,13 @@ def _constants(node: object) -> set[int]:
 
 
 def own_variables(programs: Sequence[Program], block: Block) -> list[Variable]:
-    """The numbers of a block that only its own statements write, in all programs that have it."""
+    """The numbers and flags of a block that only it writes, in all programs that have it."""
     found = [
         variable
         for variable in block.variables
         if variable.kind in (VariableKind.STATIC, VariableKind.OUTPUT)
         and type(variable.type) is Elementary
-        and variable.type.family in _NUMBERS
+        and variable.type.family in _COUNTED
         and variable.address is None
         and variable.overlay is None
     ]
