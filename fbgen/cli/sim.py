@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from harness.serial import Port, ServedGateways
 
 _SHOWN_EVERY_S = 0.5
-_EXAMPLES = {"tospbdp001": "manual_example"}
+_EXAMPLES = {"pbdp110": "pbdp110", "tospbdp001": "manual_example"}
 """The shipped example plant with a gateway of each type that can be served."""
 
 commands = typer.Typer(help="Serve simulated devices on a real port.", no_args_is_help=True)
@@ -44,6 +44,7 @@ def _sim() -> None:
         "fbgen sim gateway --port COM3 --baud 93750 plant.yaml",
         "fbgen sim gateway --port socket://192.168.0.9:4001 --address 7 --layout doc9",
         "fbgen sim gateway --pty                            prints the pseudo terminal's name",
+        "fbgen sim gateway --pty --type pbdp110             two drives at a PBDP-110",
     ),
 )
 def gateway(
@@ -65,11 +66,11 @@ def gateway(
     ] = 19_200,
     kind: Annotated[
         str | None,
-        typer.Option("--type", metavar="T", help="Gateway of the example plant: tospbdp001."),
+        typer.Option("--type", metavar="T", help="Example plant: with a tospbdp001, or a pbdp110."),
     ] = None,
     layout: Annotated[
         str | None,
-        typer.Option("--layout", metavar="L", help="gsd10, doc9, ...: instead of the plant's."),
+        typer.Option("--layout", metavar="L", help="gsd10, module1 ...: instead of the plant's."),
     ] = None,
     address: Annotated[
         int | None,

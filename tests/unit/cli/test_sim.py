@@ -74,10 +74,10 @@ class OneRequest:
 
     name = "COM3"
 
-    def __init__(self) -> None:
+    def __init__(self, request: str = "10 02 01 49 4C 16") -> None:
         self.sent = b""
         self.closed = False
-        self._come = [bytes.fromhex("10 02 01 49 4C 16"), b"\x99"]
+        self._come = [bytes.fromhex(request), b"\x99"]
 
     def read(self) -> bytes:
         if not self._come:
@@ -104,6 +104,16 @@ def test_ctrl_c_ends_with_a_summary_and_gives_the_port_back(
     ]
     assert port.sent == bytes.fromhex("10 01 02 00 03 16")
     assert port.closed
+
+
+def test_a_pbdp110_is_served_with_its_drives(fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch) -> None:
+    port = OneRequest("10 03 01 49 4D 16")
+    monkeypatch.setattr("fbgen.cli.sim._open", lambda name, baud: port)
+    monkeypatch.setattr("fbgen.cli.sim.on_error_terminal", lambda: True)
+    run = fbgen("sim", "gateway", "--port", "COM3", "--type", "pbdp110", "--layout", "module4")
+    assert port.sent == bytes.fromhex("10 01 03 00 04 16")
+    assert "gw1 (address 3) waiting for parameters, no master; pump stopped; fan stopped" in run.err
+    assert "gw1 at address 3, module4" in run.err
 
 
 def test_a_terminal_shows_what_the_devices_do(

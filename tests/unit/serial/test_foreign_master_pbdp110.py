@@ -30,6 +30,7 @@ def test_a_foreign_master_runs_a_drive_at_the_pbdp110_and_fetches_its_diagnosis(
     sizes = (compact.output_length, compact.input_length)
     ident = device.slave.type.ident_number
     device.supply("a", True)
+    device.power_on()
     with closing(Interplay(kernel, device.slave, compact.identifiers, sizes, ident)) as both:
         both.until(bool)
         assert len(both.inputs) == 8
