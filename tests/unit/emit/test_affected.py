@@ -78,13 +78,13 @@ def test_a_moved_bit_shows_the_words_with_it(folder: Path) -> None:
 
 
 def test_a_renumbered_comno_shows_the_blocks_that_name_it(folder: Path) -> None:
-    found = comparison(folder, {"drives/vf-s11.yaml": {"number: FD00": "number: FD90"}})
-    difference, lines = told(found, "vf-s11.comnos.output_frequency.number")
-    assert (difference.before, difference.after) == ("FD00", "FD90")
+    found = comparison(folder, {"drives/vf-s11.yaml": {"number: FD01": "number: FD91"}})
+    difference, lines = told(found, "vf-s11.comnos.status.number")
+    assert (difference.before, difference.after) == ("FD01", "FD91")
     assert difference.place is not None
-    assert "FD90" in difference.place.source.line_text(difference.place.line)
+    assert "FD91" in difference.place.source.line_text(difference.place.line)
     changed = [text for text in lines["TOS_StatusPoll.scl"] if "16#FD" in text]
-    assert [text.replace("+", "-").replace("FD90", "FD00") for text in changed] == [changed[0]] * 2
+    assert [text.replace("+", "-").replace("FD91", "FD01") for text in changed] == [changed[0]] * 2
     assert changed[0] != changed[1]
     assert "TOS_Seq_stop.scl" not in lines
     assert found.other == ()
