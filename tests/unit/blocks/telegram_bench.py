@@ -56,6 +56,11 @@ class TelegramBench:
         self.call(execute=True, invNo=inv_no, cmd=cmd, comNo=comno, data=data, **more)
 
     def receive(self, inv_no: int, cmd: int, comno: int, data: int) -> None:
+        """A reply as soon as one can come: two cycles are the gateway's and the drive's."""
+        self.cycles(2)
+        self.receive_at_once(inv_no, cmd, comno, data)
+
+    def receive_at_once(self, inv_no: int, cmd: int, comno: int, data: int) -> None:
         """The cyclic inputs hold another reply from now on; one cycle."""
         self.reply = (inv_no, cmd, comno, data)
         self.call()

@@ -226,9 +226,9 @@ def test_while_a_drive_may_still_answer_a_reply_counts_when_two_calls_have_seen_
     bench.until_finished()
     bench.send(12, READ, 0xFE03)
     bench.cycles(2)
-    bench.receive(12, READ, 0xFE03, 1)
+    bench.receive_at_once(12, READ, 0xFE03, 1)
     assert bench.block.busy
-    bench.receive(12, READ, 0xFE03, 2)
+    bench.receive_at_once(12, READ, 0xFE03, 2)
     assert bench.block.busy
     bench.call()
     assert (bench.block.done, bench.block.replyData) == (True, 2)

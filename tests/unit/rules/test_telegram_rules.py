@@ -100,7 +100,13 @@ def test_a_telegram_that_nobody_has_asked_for_is_told(
 
 
 def test_a_request_while_a_reply_may_still_come_is_told(plan: Plant) -> None:
-    watched = Watched(plan, [("request.timeout := T#500ms", "request.timeout := T#1ms")])
+    watched = Watched(
+        plan,
+        [
+            ("request.timeout := T#500ms", "request.timeout := T#1ms"),
+            ("AND #statTaken AND", "AND NOT #sent AND"),
+        ],
+    )
     watched.read()
     assert "was over or out of time" in watched.broken["one_telegram_at_once"][0]
 
