@@ -3,14 +3,16 @@
 import os
 import shutil
 from pathlib import Path
+from threading import get_native_id
 
 
 def replace_file(path: Path, data: bytes) -> None:
     """Put this content in a file; it keeps its rights. A link is replaced, not followed.
 
-    It goes to a temporary name first, which is renamed. Raises OSError.
+    It goes to a temporary name first, one for each process and thread, which is renamed. Raises
+    OSError.
     """
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    temporary = path.with_name(f".{path.name}.{os.getpid()}{get_native_id()}.tmp")
     try:
         temporary.write_bytes(data)
         if path.exists():

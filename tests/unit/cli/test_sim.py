@@ -125,6 +125,7 @@ def test_a_terminal_shows_what_the_devices_do(
     assert "gw1 (address 2) waiting for parameters, no master; drive11 stopped" in run.err
 
 
+@pytest.mark.usefixtures("usual_ctrl_c")
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux makes pseudo terminals")
 def test_a_foreign_master_runs_the_gateway_of_a_process_that_ends_with_ctrl_c() -> None:
     options = ["--pty", "--layout", "whole10", "--address", "2"]

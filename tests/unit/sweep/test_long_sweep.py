@@ -56,6 +56,7 @@ def test_the_table_is_the_same_with_several_processes(whole: str) -> None:
     assert report(result) == whole
 
 
+@pytest.mark.usefixtures("usual_ctrl_c")
 def test_ctrl_c_leaves_what_ran_and_the_journal_goes_on(whole: str, tmp_path: Path) -> None:
     journal = tmp_path / "new" / "journal.jsonl"
     run = SweepRun(LINE, POINTS, journal=journal, together=2)
