@@ -56,6 +56,52 @@ class Alarm:
         return self.german_help if language == "de" else self.english_help
 
 
+IO_ERROR = Alarm(
+    1,
+    "io_error",
+    "#line.ioError",
+    "Errors",
+    "Cyclic data cannot be exchanged",
+    "Zyklische Daten werden nicht ausgetauscht",
+    "ioRetVal has what the access reported. Compare the addresses and the module in the "
+    "hardware configuration with the plant file.",
+    "ioRetVal zeigt, was der Zugriff gemeldet hat. Adressen und Modul der "
+    "Hardwarekonfiguration mit der Anlagendatei vergleichen.",
+    needs="dpxx_dat",
+)
+DRIVE_EMERGENCY_STOP = Alarm(
+    3,
+    "emergency_stop",
+    "#drive.control.emergencyStop",
+    "Warnings",
+    "Emergency stop of the drive is on",
+    "Nothalt des Antriebs steht an",
+    "It trips with E and needs a reset afterwards.",
+    "Er schaltet mit E ab und braucht danach eine Quittierung.",
+)
+INHIBITED = Alarm(
+    4,
+    "inhibited",
+    "#drive.control.enable AND #drive.state.inhibited AND (#drive.control.manual AND "
+    "#drive.control.manualRun OR NOT #drive.control.manual AND #drive.control.run)",
+    "Warnings",
+    "Drive waits until the run command was taken back once",
+    "Antrieb wartet, bis der Laufbefehl einmal weggenommen war",
+    "So it never starts by itself after a loss, a trip or a start of the PLC.",
+    "So läuft er nach Ausfall, Störung oder Neustart der Steuerung nie von selbst an.",
+)
+INTERLOCK = Alarm(
+    5,
+    "interlock",
+    "#drive.control.enable AND NOT #drive.control.interlock AND (#drive.control.manual AND "
+    "#drive.control.manualRun OR NOT #drive.control.manual AND #drive.control.run)",
+    "Warnings",
+    "Drive is to run and its interlock is missing",
+    "Antrieb soll laufen, die Verriegelung fehlt",
+    "control.interlock is FALSE.",
+    "control.interlock ist FALSE.",
+)
+
 LINE_ALARMS = (
     Alarm(
         0,
@@ -69,19 +115,7 @@ LINE_ALARMS = (
         "24-V-Versorgung, PROFIBUS-Stecker und Adressschalter prüfen. Die Antriebe laufen weiter, "
         "bis ihre eigene Zeitüberwachung (F803) auslöst.",
     ),
-    Alarm(
-        1,
-        "io_error",
-        "#line.ioError",
-        "Errors",
-        "Cyclic data cannot be exchanged",
-        "Zyklische Daten werden nicht ausgetauscht",
-        "ioRetVal has what the access reported. Compare the addresses and the module in the "
-        "hardware configuration with the plant file.",
-        "ioRetVal zeigt, was der Zugriff gemeldet hat. Adressen und Modul der "
-        "Hardwarekonfiguration mit der Anlagendatei vergleichen.",
-        needs="dpxx_dat",
-    ),
+    IO_ERROR,
     Alarm(
         2,
         "telegram_errors",
@@ -151,38 +185,9 @@ _DRIVE_ALARMS = (
         "state.status has the reason. Start it again by taking run back once.",
         "state.status zeigt den Grund. Zum Starten den Laufbefehl einmal wegnehmen.",
     ),
-    Alarm(
-        3,
-        "emergency_stop",
-        "#drive.control.emergencyStop",
-        "Warnings",
-        "Emergency stop of the drive is on",
-        "Nothalt des Antriebs steht an",
-        "It trips with E and needs a reset afterwards.",
-        "Er schaltet mit E ab und braucht danach eine Quittierung.",
-    ),
-    Alarm(
-        4,
-        "inhibited",
-        "#drive.control.enable AND #drive.state.inhibited AND (#drive.control.manual AND "
-        "#drive.control.manualRun OR NOT #drive.control.manual AND #drive.control.run)",
-        "Warnings",
-        "Drive waits until the run command was taken back once",
-        "Antrieb wartet, bis der Laufbefehl einmal weggenommen war",
-        "So it never starts by itself after a loss, a trip or a start of the PLC.",
-        "So läuft er nach Ausfall, Störung oder Neustart der Steuerung nie von selbst an.",
-    ),
-    Alarm(
-        5,
-        "interlock",
-        "#drive.control.enable AND NOT #drive.control.interlock AND (#drive.control.manual AND "
-        "#drive.control.manualRun OR NOT #drive.control.manual AND #drive.control.run)",
-        "Warnings",
-        "Drive is to run and its interlock is missing",
-        "Antrieb soll laufen, die Verriegelung fehlt",
-        "control.interlock is FALSE.",
-        "control.interlock ist FALSE.",
-    ),
+    DRIVE_EMERGENCY_STOP,
+    INHIBITED,
+    INTERLOCK,
 )
 
 SEQUENCE_FAILED = 6

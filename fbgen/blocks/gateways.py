@@ -1,11 +1,13 @@
 """A gateway of the plant as templates see it, whatever its type."""
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fbgen.blocks.frames import FieldView, FrameView
-from fbgen.blocks.literals import SclText
+from fbgen.blocks.literals import SclText, real, truth
 from fbgen.catalog import origin
-from fbgen.plant import Plant, PlantGateway
+from fbgen.diagnostics import Diagnostic
+from fbgen.plant import Plant, PlantDrive, PlantGateway
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +79,36 @@ class GatewayView:
     def laddr_out(self) -> SclText:
         """What DPWR_DAT takes."""
         return self.frame.laddr_out
+
+
+def frequency_values(drive: PlantDrive) -> Iterator[FirstValue]:
+    """What a drive's parameters of frequency begin with, whatever it is connected to."""
+    place = origin(f"drive {drive.name}", drive)
+    yield FirstValue(f"{drive.name}.minFrequency", real(drive.parameters.min_frequency_hz, place))
+    yield FirstValue(f"{drive.name}.maxFrequency", real(drive.max_frequency_hz, place))
+    yield FirstValue(f"{drive.name}.atSetpoint", real(drive.parameters.at_setpoint_hz, place))
+
+
+def inhibit_values(drive: PlantDrive) -> Iterator[FirstValue]:
+    """What keeps a drive from running, as chosen in the plant file."""
+    place = origin(f"drive {drive.name}", drive)
+    own = drive.parameters
+    yield FirstValue(f"{drive.name}.localInhibits", truth(own.local_inhibits, place))
+    yield FirstValue(f"{drive.name}.interlockInhibits", truth(own.interlock_inhibits, place))
+
+
+def other_types(chosen: Sequence[PlantGateway]) -> Iterator[Diagnostic]:
+    """FB5009: the blocks of a family carry the words and times of one type of gateway."""
+    for gateway in chosen[1:]:
+        first = chosen[0]
+        if gateway.type != first.type:
+            yield Diagnostic(
+                "FB5009",
+                f"the gateway '{gateway.name}' is a {gateway.type}, '{first.name}' a {first.type}, "
+                "and the blocks of one plant are made for one type of each kind",
+                gateway.span_of("type"),
+                "make a plant file of its own for each type",
+            )
 
 
 def gateway_place(plant: Plant, gateway: PlantGateway) -> tuple[SclText, SclText]:

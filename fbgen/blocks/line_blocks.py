@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from fbgen.blocks.alarms import LINE_ALARMS, drive_alarms, that_can_come
 from fbgen.blocks.family import FamilyPlan
+from fbgen.blocks.gateways import other_types
 from fbgen.blocks.line_gateways import LineGatewayView, line_gateway_view, missing_fields
 from fbgen.blocks.literals import SclText, byte, comno, milliseconds, source_text, word
 from fbgen.blocks.poll_cycle import slow_polls
@@ -26,7 +27,7 @@ _EMERGENCY_STOP = ("network_command", "network_frequency", "emergency_stop")
 def line_problems(chosen: Sequence[PlantGateway], catalog: Catalog) -> Iterator[Diagnostic]:
     """FB5008 layouts that the blocks do not know, FB5009 gateways of several types."""
     yield from missing_fields(chosen, catalog)
-    yield from _other_types(chosen)
+    yield from other_types(chosen)
 
 
 def line_family(
@@ -68,20 +69,6 @@ def line_family(
         context=context,
         warnings=(*_eeprom_writes(plant, catalog), *slow_polls(plant, catalog)),
     )
-
-
-def _other_types(chosen: Sequence[PlantGateway]) -> Iterator[Diagnostic]:
-    """The TOS blocks carry the words and the trigger of one type of gateway."""
-    for gateway in chosen:
-        first = chosen[0]
-        if gateway.type != first.type:
-            yield Diagnostic(
-                "FB5009",
-                f"the gateway '{gateway.name}' is a {gateway.type}, '{first.name}' a {first.type}, "
-                "and the blocks of one plant are made for one type of each kind",
-                gateway.span_of("type"),
-                "make a plant file of its own for each type",
-            )
 
 
 def _types(

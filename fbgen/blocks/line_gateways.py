@@ -4,9 +4,15 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from fbgen.blocks.frames import frame_view
-from fbgen.blocks.gateways import FirstValue, GatewayView, gateway_place
+from fbgen.blocks.gateways import (
+    FirstValue,
+    GatewayView,
+    frequency_values,
+    gateway_place,
+    inhibit_values,
+)
 from fbgen.blocks.line_times import LineTimes, line_times
-from fbgen.blocks.literals import SclText, byte, milliseconds, real, truth
+from fbgen.blocks.literals import SclText, byte, milliseconds, truth
 from fbgen.catalog import Catalog, Drive, TelegramGateway, origin
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import Plant, PlantDrive, PlantGateway
@@ -126,13 +132,10 @@ def _times_of_the_line(entry: TelegramGateway, series: Iterable[Drive]) -> Itera
 def _first_values(drive: PlantDrive) -> Iterator[FirstValue]:
     """What the parameters of a drive behind a line begin with."""
     place = origin(f"drive {drive.name}", drive)
-    own = drive.parameters
-    yield FirstValue(f"{drive.name}.minFrequency", real(own.min_frequency_hz, place))
-    yield FirstValue(f"{drive.name}.maxFrequency", real(drive.max_frequency_hz, place))
-    yield FirstValue(f"{drive.name}.atSetpoint", real(own.at_setpoint_hz, place))
-    yield FirstValue(f"{drive.name}.errorPause", milliseconds(own.error_pause_ms, place))
-    yield FirstValue(f"{drive.name}.localInhibits", truth(own.local_inhibits, place))
-    yield FirstValue(f"{drive.name}.interlockInhibits", truth(own.interlock_inhibits, place))
+    pause = milliseconds(drive.parameters.error_pause_ms, place)
+    yield from frequency_values(drive)
+    yield FirstValue(f"{drive.name}.errorPause", pause)
+    yield from inhibit_values(drive)
 
 
 def _drive(drive: PlantDrive) -> DriveView:

@@ -1,6 +1,6 @@
 """The alarms of a gateway for process data and of its drives, as those of a line in `alarms`."""
 
-from fbgen.blocks.alarms import Alarm
+from fbgen.blocks.alarms import DRIVE_EMERGENCY_STOP, INHIBITED, INTERLOCK, IO_ERROR, Alarm
 
 GATEWAY_ALARMS = (
     Alarm(
@@ -14,19 +14,7 @@ GATEWAY_ALARMS = (
         "switches.",
         "Antrieb an Kanal A (er versorgt das Gateway), PROFIBUS-Stecker und Adressschalter prüfen.",
     ),
-    Alarm(
-        1,
-        "io_error",
-        "#line.ioError",
-        "Errors",
-        "Cyclic data cannot be exchanged",
-        "Zyklische Daten werden nicht ausgetauscht",
-        "ioRetVal has what the access reported. Compare the addresses and the module in the "
-        "hardware configuration with the plant file.",
-        "ioRetVal zeigt, was der Zugriff gemeldet hat. Adressen und Modul der "
-        "Hardwarekonfiguration mit der Anlagendatei vergleichen.",
-        needs="dpxx_dat",
-    ),
+    IO_ERROR,
     Alarm(
         3,
         "emergency_stop",
@@ -82,38 +70,9 @@ PBDP_DRIVE_ALARMS = (
         "state.status has the reason. Start it again by taking run back once.",
         "state.status zeigt den Grund. Zum Starten den Laufbefehl einmal wegnehmen.",
     ),
-    Alarm(
-        3,
-        "emergency_stop",
-        "#drive.control.emergencyStop",
-        "Warnings",
-        "Emergency stop of the drive is on",
-        "Nothalt des Antriebs steht an",
-        "It trips with E and needs a reset afterwards.",
-        "Er schaltet mit E ab und braucht danach eine Quittierung.",
-    ),
-    Alarm(
-        4,
-        "inhibited",
-        "#drive.control.enable AND #drive.state.inhibited AND (#drive.control.manual AND "
-        "#drive.control.manualRun OR NOT #drive.control.manual AND #drive.control.run)",
-        "Warnings",
-        "Drive waits until the run command was taken back once",
-        "Antrieb wartet, bis der Laufbefehl einmal weggenommen war",
-        "So it never starts by itself after a loss, a trip or a start of the PLC.",
-        "So läuft er nach Ausfall, Störung oder Neustart der Steuerung nie von selbst an.",
-    ),
-    Alarm(
-        5,
-        "interlock",
-        "#drive.control.enable AND NOT #drive.control.interlock AND (#drive.control.manual AND "
-        "#drive.control.manualRun OR NOT #drive.control.manual AND #drive.control.run)",
-        "Warnings",
-        "Drive is to run and its interlock is missing",
-        "Antrieb soll laufen, die Verriegelung fehlt",
-        "control.interlock is FALSE.",
-        "control.interlock ist FALSE.",
-    ),
+    DRIVE_EMERGENCY_STOP,
+    INHIBITED,
+    INTERLOCK,
     Alarm(
         7,
         "parameter_failed",

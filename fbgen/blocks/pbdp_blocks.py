@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from fbgen.blocks.alarms import that_can_come
 from fbgen.blocks.family import FamilyPlan
+from fbgen.blocks.gateways import other_types
 from fbgen.blocks.literals import SclText, one_line, word
 from fbgen.blocks.pbdp_alarms import GATEWAY_ALARMS, PBDP_DRIVE_ALARMS
 from fbgen.blocks.pbdp_gateways import (
@@ -41,16 +42,7 @@ class TripTexts:
 def pbdp_problems(chosen: Sequence[PlantGateway], catalog: Catalog) -> Iterator[Diagnostic]:
     """FB5008 layouts that the blocks do not know, FB5009 gateways of several types."""
     yield from unknown_fields(chosen, catalog)
-    for gateway in chosen:
-        first = chosen[0]
-        if gateway.type != first.type:
-            yield Diagnostic(
-                "FB5009",
-                f"the gateway '{gateway.name}' is a {gateway.type}, '{first.name}' a {first.type}, "
-                "and the blocks of one plant are made for one type of each kind",
-                gateway.span_of("type"),
-                "make a plant file of its own for each type",
-            )
+    yield from other_types(chosen)
 
 
 def pbdp_family(

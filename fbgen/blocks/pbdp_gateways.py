@@ -4,8 +4,14 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from fbgen.blocks.frames import frame_view
-from fbgen.blocks.gateways import FirstValue, GatewayView, gateway_place
-from fbgen.blocks.literals import SclText, byte, milliseconds, real, truth, word
+from fbgen.blocks.gateways import (
+    FirstValue,
+    GatewayView,
+    frequency_values,
+    gateway_place,
+    inhibit_values,
+)
+from fbgen.blocks.literals import SclText, byte, milliseconds, truth, word
 from fbgen.blocks.trips import command_source
 from fbgen.catalog import Catalog, Layout, ProcessDataGateway, origin
 from fbgen.diagnostics import Diagnostic
@@ -54,10 +60,16 @@ def pbdp_gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> 
     """What the templates of one gateway are told."""
     entry = catalog.process_data_gateway(gateway.type)
     layout = layout_of(gateway, entry)
+    place = origin(f"gateway {gateway.name}", gateway)
     address, station = gateway_place(plant, gateway)
     timeout = job_timeout(plant, gateway, entry)
     of_line = (FirstValue("line.timeout", timeout),)
-    of_drives = (value for drive in gateway.drives for value in _first_values(drive))
+    of_drives = (
+        value
+        for drive in gateway.drives
+        for values in (frequency_values, inhibit_values)
+        for value in values(drive)
+    )
     return PbdpGatewayView(
         name=gateway.name,
         profibus_address=address,
@@ -69,8 +81,8 @@ def pbdp_gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> 
         first_values=(*of_line, *of_drives),
         identifiers_unverified="identifiers" in layout.unverified,
         has_parameters=entry.has_parameter_channel(layout),
-        status_poll=_flag(gateway.status_poll, gateway),
-        eeprom=_flag(gateway.eeprom, gateway),
+        status_poll=truth(gateway.status_poll, place),
+        eeprom=truth(gateway.eeprom, place),
         timeout=timeout,
         drives=tuple(_drive(item, entry, catalog) for item in gateway.drives),
     )
@@ -111,20 +123,6 @@ def _members(entry: ProcessDataGateway) -> dict[str, str]:
         for channel in entry.channels
         for name in (*_OUTPUTS, *_INPUTS)
     }
-
-
-def _flag(value: bool, gateway: PlantGateway) -> SclText:
-    return SclText("TRUE" if value else "FALSE", origin(f"gateway {gateway.name}", gateway))
-
-
-def _first_values(drive: PlantDrive) -> Iterator[FirstValue]:
-    place = origin(f"drive {drive.name}", drive)
-    own = drive.parameters
-    yield FirstValue(f"{drive.name}.minFrequency", real(own.min_frequency_hz, place))
-    yield FirstValue(f"{drive.name}.maxFrequency", real(drive.max_frequency_hz, place))
-    yield FirstValue(f"{drive.name}.atSetpoint", real(own.at_setpoint_hz, place))
-    yield FirstValue(f"{drive.name}.localInhibits", truth(own.local_inhibits, place))
-    yield FirstValue(f"{drive.name}.interlockInhibits", truth(own.interlock_inhibits, place))
 
 
 def trip_text_of(series: str) -> str:

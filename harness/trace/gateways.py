@@ -6,9 +6,8 @@ from fbgen.catalog import TelegramGateway
 from harness.gateways.tospbdp001 import Tospbdp001
 from harness.kernel import Kernel
 from harness.line import Spacing
+from harness.trace.device_channels import DeviceChannels, changed_bytes
 from harness.trace.log import ChangeLog
-from harness.trace.model import Channel, ChannelKind
-from harness.trace.words import WORD_BITS
 
 _CODE_SHIFT, _CODE_MASK, _COUNT_MASK = 8, 0x1F, 0xFF
 """Where the status word has status code and error counter (TOSPBDP001 manual v1.1, 8 A)."""
@@ -40,7 +39,8 @@ class GatewayWatch:
         self._before = b""
         self._control_offset = gateway.settings.layout.control_offset
         self._trigger_offset = gateway.settings.layout.trigger_offset
-        add = self._add
+        channels = DeviceChannels(log, gateway.name)
+        add = channels.add
         self._powered = add("powered", "has supply", "bool")
         self._online = add("online", "exchanges data with the master", "bool")
         self._control = add("control", "control word", "word", f"{known.id}.control")
@@ -53,18 +53,9 @@ class GatewayWatch:
         self._telegrams = add("telegrams", "telegrams sent to the drives", "integer")
         self._overwritten = add("overwritten", "telegrams overwritten before", "integer")
         self._too_close = add("too_close", "telegrams too close to the one before", "integer")
-        self._lamps = [
-            add(f"led.{lamp}", f"lamp {lamp.replace('_', ' ')}", "text")
-            for lamp in gateway.leds._fields
-        ]
+        self._lamps = channels.lamps(gateway.leds._fields)
         gateway.observers.append(self.look)
         self.look()
-
-    def _add(self, item: str, title: str, kind: ChannelKind, word: str | None = None) -> int:
-        name = self._gateway.name
-        bits = WORD_BITS if kind == "word" else 0
-        path = f"gateway.{name}.{item}"
-        return self._log.add(Channel(path, title, kind, "gateway", name, bits=bits, word=word))
 
     def look(self) -> None:
         """Note everything as it is now."""
@@ -88,8 +79,7 @@ class GatewayWatch:
     def _outputs_came(self, now_ns: int, outputs: bytes) -> None:
         """Note the outputs, with who wrote them: of several bytes, the first that is another."""
         note, at, trigger = self._log.note, self._control_offset, self._trigger_offset
-        before = self._before or bytes(len(outputs))
-        others = [place for place, byte in enumerate(outputs) if byte != before[place]]
+        others = changed_bytes(self._before, outputs)
         control = [place for place in others if at <= place <= at + 1]
         writer = self._writer(control[0]) if control else None
         note(self._control, now_ns, outputs[at] << 8 | outputs[at + 1], writer)

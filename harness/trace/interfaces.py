@@ -5,9 +5,9 @@ from collections.abc import Callable
 from fbgen.catalog import CyclicField, Layout, ProcessDataGateway
 from harness.gateways.pbdp110 import Pbdp110
 from harness.kernel import Kernel
+from harness.trace.device_channels import DeviceChannels, changed_bytes
 from harness.trace.log import ChangeLog
-from harness.trace.model import Channel, ChannelKind
-from harness.trace.words import WORD_BITS
+from harness.trace.model import ChannelKind
 
 
 class InterfaceWatch:
@@ -32,7 +32,8 @@ class InterfaceWatch:
         self._device = device
         self._writer = writer
         self._before = b""
-        add = self._add
+        channels = DeviceChannels(log, device.name)
+        add = channels.add
         self._powered = add("powered", "has supply", "bool")
         self._online = add("online", "exchanges data with the master", "bool")
         self._outputs = add("outputs", "bytes from the master", "bytes")
@@ -40,35 +41,11 @@ class InterfaceWatch:
         self._diagnosis = add("diagnosis", "user diagnosis byte", "integer")
         self._telegrams = add("telegrams", "requests sent to the drives", "integer")
         layout = known.layout(device.settings.modules[0].name)
-        self._out_fields = self._fields(layout.output, "output", known, layout)
-        self._in_fields = self._fields(layout.input, "input", known, layout)
-        self._lamps = [
-            add(f"led.{lamp}", f"lamp {lamp.replace('_', ' ')}", "text")
-            for lamp in device.leds._fields
-        ]
+        self._out_fields = _fields(channels, layout.output, "output", known, layout)
+        self._in_fields = _fields(channels, layout.input, "input", known, layout)
+        self._lamps = channels.lamps(device.leds._fields)
         device.observers.append(self.look)
         self.look()
-
-    def _fields(
-        self, fields: tuple[CyclicField, ...], side: str, known: ProcessDataGateway, layout: Layout
-    ) -> list[tuple[int, CyclicField]]:
-        words = {word.name for word in known.words}
-        starts = tuple(f"{channel.name}_" for channel in known.channels_of(layout))
-        found = []
-        for field in fields:
-            if field.pad:
-                continue
-            name = next(field.name.removeprefix(at) for at in starts if field.name.startswith(at))
-            word = f"{known.id}.{name}" if name in words else None
-            kind: ChannelKind = "word" if word is not None else "integer"
-            found.append((self._add(f"{side}.{field.name}", field.title, kind, word), field))
-        return found
-
-    def _add(self, item: str, title: str, kind: ChannelKind, word: str | None = None) -> int:
-        name = self._device.name
-        bits = WORD_BITS if kind == "word" else 0
-        path = f"gateway.{name}.{item}"
-        return self._log.add(Channel(path, title, kind, "gateway", name, bits=bits, word=word))
 
     def look(self) -> None:
         """Note everything as it is now."""
@@ -90,11 +67,31 @@ class InterfaceWatch:
     def _outputs_came(self, now_ns: int, outputs: bytes) -> None:
         """Note the outputs, each field with who wrote it."""
         note = self._log.note
-        before = self._before or bytes(len(outputs))
-        others = [at for at, byte in enumerate(outputs) if byte != before[at]]
+        others = changed_bytes(self._before, outputs)
         for channel, field in self._out_fields:
             mine = [at for at in others if field.offset <= at < field.end]
             writer = self._writer(mine[0]) if mine else None
             value = int.from_bytes(outputs[field.offset : field.end], "big")
             note(channel, now_ns, value, writer)
         note(self._outputs, now_ns, outputs, self._writer(others[0]) if others else None)
+
+
+def _fields(
+    channels: DeviceChannels,
+    fields: tuple[CyclicField, ...],
+    side: str,
+    known: ProcessDataGateway,
+    layout: Layout,
+) -> list[tuple[int, CyclicField]]:
+    """A channel for each field that is no pad."""
+    words = {word.name for word in known.words}
+    starts = tuple(f"{channel.name}_" for channel in known.channels_of(layout))
+    found = []
+    for field in fields:
+        if field.pad:
+            continue
+        name = next(field.name.removeprefix(at) for at in starts if field.name.startswith(at))
+        word = f"{known.id}.{name}" if name in words else None
+        kind: ChannelKind = "word" if word is not None else "integer"
+        found.append((channels.add(f"{side}.{field.name}", field.title, kind, word), field))
+    return found
