@@ -123,9 +123,26 @@ def test_a_write_keeps_the_value_where_its_request_says() -> None:
     }  # fmt: skip
 
 
+ERROR_TITLES = {
+    "cannot execute": "Cannot execute",
+    "data error (written data value outside of valid range)": (
+        "Written value outside the valid range"
+    ),
+    "invalid parameter number": "Invalid parameter number",
+    "attempt to write to a read-only parameter": "Attempt to write a read-only parameter",
+    "attempt to read from a write-only parameter": "Attempt to read a write-only parameter",
+    "other / unclassified error": "Other error",
+}
+"""What the manual's list of error codes says -> what ours says, as it stands in the blocks."""
+
+
 def test_error_codes_are_those_of_the_manual() -> None:
     theirs = [int(row["code"], 16) for row in ENTRIES["pbdp.error_codes"]["codes"]]
     assert [item.code for item in GATEWAY.parameter_channel.errors] == theirs
+    titles = [row["meaning"] for row in ENTRIES["pbdp.error_codes"]["codes"]]
+    assert [ERROR_TITLES[title] for title in titles] == [
+        item.title for item in GATEWAY.parameter_channel.errors
+    ]
     names = ("cannot_execute", "data_error", "invalid_number", "read_only", "write_only", "other")
     assert [GATEWAY.parameter_channel.error(name).code for name in names] == theirs
 
@@ -150,11 +167,37 @@ def test_the_command_examples_come_out_of_the_names_of_bits(example: str) -> Non
     assert f"{word.encode(names):04X}" == entry["word"]
 
 
+BITS = {
+    "Command source": ("network_command", "local", "network"),
+    "Frequency command source": ("network_frequency", "local", "network"),
+    "Fault reset": ("fault_reset", "no", "reset"),
+    "Emergency OFF command": ("emergency_stop", "no", "emergency off"),
+    "Coast stop command": ("coast_stop", "no", "coast stop"),
+    "Run / stop command": ("run", "stop", "run"),
+    "Forward / reverse selection": ("reverse", "forward", "reverse"),
+    "Jog command": ("jog", "no", "jog run"),
+    "DC injection braking": ("dc_braking", "no", "DC injection braking"),
+    "Accel / decel #1/#2 selection": ("pattern_2", "pattern 1", "pattern 2"),
+    "Preset speed 4": ("preset_speed_4", "off", "on"),
+    "Preset speed 3": ("preset_speed_3", "off", "on"),
+    "Preset speed 2": ("preset_speed_2", "off", "on"),
+    "Preset speed 1": ("preset_speed_1", "off", "on"),
+    "Drive online / offline status": ("online", "offline, or searching for the drive", "online"),
+    "Run / stop status": ("running", "stopped", "running"),
+    "Forward / reverse status": ("reverse", "forward", "reverse"),
+    "Jog status": ("jog", "no", "jogging"),
+    "DC injection braking status": ("dc_braking", "no", "DC injection braking"),
+    "Accel / decel #1/#2 status": ("pattern_2", "pattern 1", "pattern 2"),
+}
+"""What the manual's tables 3 and 6 call a bit -> our name of it, and of its values 0 and 1."""
+
+
 @pytest.mark.parametrize("name", ["command", "status"])
-def test_the_words_have_a_bit_where_the_manual_has_one(name: str) -> None:
+def test_every_bit_of_the_words_is_the_manuals_with_its_meaning(name: str) -> None:
     rows = ENTRIES[f"pbdp.{name}_word"]["bits"]
-    theirs = {row["bit"] for row in rows if row["name"] != "Reserved"}
-    assert {field.low for field in GATEWAY.word(name).bits} == theirs
+    theirs = {row["bit"]: BITS[row["name"]] for row in rows if row["name"] != "Reserved"}
+    bits = GATEWAY.word(name).bits
+    assert {bit.low: (bit.name, bit.values[0], bit.values[1]) for bit in bits} == theirs
     online = GATEWAY.word("status").field("online")
     assert (online.low, online.values[0][:7], online.values[1]) == (15, "offline", "online")
 
@@ -178,6 +221,7 @@ def test_the_profibus_side_is_that_of_the_manual() -> None:
 def test_what_no_document_tells_is_marked() -> None:
     assert all(item.unverified == ("identifiers",) for item in GATEWAY.layouts)
     assert GATEWAY.option("ident_number").status == "unverified"
+    assert GATEWAY.option("bus_lost").status == "unverified"
     assert GATEWAY.autoscan.status == "unverified"
     assert GATEWAY.word("action").status_of(GATEWAY.word("action").field("request")) == "unverified"
 

@@ -74,6 +74,7 @@ def test_reserved_outputs_are_ignored(make_bench):
     for field in bench.layout.output:
         if field.pad:
             bench.outputs[field.offset : field.end] = b"\xff\xff"
+    bench.outputs[8] = bench.outputs[24] = 0xCF
     bench.outputs[9] = bench.outputs[25] = 0xFF
     bench.send(300)
     assert drive.written == []
