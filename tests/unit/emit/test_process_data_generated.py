@@ -1,5 +1,7 @@
 """What is generated for gateways with process data: alone, beside a line, with a prefix."""
 
+import re
+
 import pytest
 
 from fbgen.artefacts import with_artefacts
@@ -82,6 +84,26 @@ def test_identifiers_of_the_plant_file_are_not_called_unverified() -> None:
     text = EXAMPLE.replace("layout: module2", "layout: module2\n    identifiers: C0 CF D7")
     files = {file.name: file.text for file in generate(plant(text), CATALOG).files}
     assert "Unverified" not in files["PBDP_Io_gw1.scl"]
+
+
+def test_where_a_cycle_may_fall_between_two_accesses_their_order_is_safe() -> None:
+    """Offsets of tables 1 and 4: what depends on other words is written last and read first."""
+    by_words = EXAMPLE.replace("layout: module2", "layout: module2\n    identifiers: 6F 5F 57")
+    by_words = by_words.replace("dpxx_dat", "per_identifier").replace(
+        "hardware_identifier: 270", "input_address: 256\n    output_address: 512"
+    )
+    files = {file.name: file.text for file in generate(plant(by_words), CATALOG).files}
+    accesses = re.findall(r"%([IQ])[BW](\d+):P", files["PBDP_Io_gw1.scl"])
+    read = [int(address) - 256 for area, address in accesses if area == "I"]
+    written = [int(address) - 512 for area, address in accesses if area == "Q"]
+    for drive in (0, 16):
+        frequency, command = written.index(drive + 6), written.index(drive + 2)
+        assert frequency < command
+        data, number = written.index(drive + 14), written.index(drive + 10)
+        assert max(data, number) < written.index(drive + 8)
+    for drive in (0, 24):
+        number, data = read.index(drive + 18), read.index(drive + 22)
+        assert read.index(drive + 16) < min(number, data)
 
 
 def test_leave_to_write_the_eeprom_is_a_warning_at_its_place() -> None:
