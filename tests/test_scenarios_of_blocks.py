@@ -22,7 +22,7 @@ from harness.scenario import ScenarioCase, find_scenarios, run_case, scenario_ca
 ROOT = Path(__file__).parents[1]
 FILES = find_scenarios([ROOT / "tests" / "scenarios", ROOT / "examples"])
 CATALOG = load_catalog()
-OF_A_BLOCK = re.compile(r"tos_\w+|ob\d+")
+OF_A_BLOCK = re.compile(r"(?:tos|pbdp)_\w+|ob\d+")
 PER_GATEWAY = re.compile(r"_gw\d+$")
 PAGE = ROOT / "docs" / "reference" / "scenario-files.md"
 ACCESS_WAYS = {"per_identifier", "dpxx_dat", "process_image"}
@@ -40,6 +40,11 @@ def everything(family: str) -> Plant:
     return changed(plant, CATALOG, plc=family, sequences=tuple(sorted(CATALOG.sequences)))
 
 
+def process_data() -> Plant:
+    """A gateway for process data with a drive at each channel."""
+    return load_plant(ROOT / "examples" / "pbdp110" / "plant.yaml", CATALOG)
+
+
 def blocks_of(program: Program) -> dict[str, Block]:
     """The blocks with statements that were generated, by their tags."""
     return {
@@ -51,12 +56,9 @@ def blocks_of(program: Program) -> dict[str, Block]:
 
 @cache
 def generated_tags() -> frozenset[str]:
-    """The tags of all blocks that are generated for either family."""
-    return frozenset(
-        tag
-        for family in ("s7-1500", "s7-400")
-        for tag in blocks_of(generated_program(everything(family), CATALOG))
-    )
+    """The tags of all blocks that are generated, for lines and for process data."""
+    plants = (everything("s7-1500"), everything("s7-400"), process_data())
+    return frozenset(tag for plan in plants for tag in blocks_of(generated_program(plan, CATALOG)))
 
 
 CASES = [case for path in FILES for case in scenario_cases(path)]
@@ -78,12 +80,13 @@ def test_the_tag_of_a_block_is_its_name() -> None:
     assert tag_of("TOS_ConsistentIo_gw1") == "tos_consistent_io"
     assert tag_of("TOS_HzToWord") == "tos_hz_to_word"
     assert tag_of("TOS_Seq_start_forward") == "tos_seq_start_forward"
+    assert tag_of("PBDP_TripText_vf_s11") == "pbdp_trip_text_vf_s11"
     assert tag_of("OB122") == "ob122"
 
 
 def test_every_generated_block_has_a_scenario() -> None:
     named = {tag for path in FILES for tag in tagged(path)}
-    assert {"tos_telegram", "tos_seq_stop", "ob86"} <= generated_tags()
+    assert {"tos_telegram", "tos_seq_stop", "pbdp_io", "ob86"} <= generated_tags()
     assert generated_tags() - named == set()
 
 
