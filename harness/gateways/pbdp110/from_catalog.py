@@ -22,6 +22,8 @@ from harness.line import Parity, SerialFormat
 
 _PARITY = {"none": Parity.NONE, "even": Parity.EVEN, "odd": Parity.ODD}
 _SENT_STOP_BITS = 1
+_NO_NUMBER = 0xFFFF
+"""What the option `write_only_number` says for none."""
 
 
 def pbdp110_settings(
@@ -42,6 +44,7 @@ def pbdp110_settings(
         return entry.check(options[name]) if name in options else entry.default
 
     others = [item for item in gateway.layouts if item.name != layout.name]
+    write_only = frozenset((int(option("write_only_number")),)) - {_NO_NUMBER}
     access, times = gateway.parameter_channel, gateway.times
     return PbdpSettings(
         modules=tuple(_module(gateway, item) for item in (layout, *others)),
@@ -50,7 +53,7 @@ def pbdp110_settings(
                 item.name,
                 item.powers_gateway,
                 1 << item.diagnosis_bit,
-                facts.get(item.name, DriveFacts()),
+                _with_write_only(facts.get(item.name, DriveFacts()), write_only),
             )
             for item in gateway.channels
         ),
@@ -77,6 +80,10 @@ def drive_facts(series: Drive) -> DriveFacts:
         frozenset(item.number for item in series.comnos if item.access == "r"),
         frozenset(item.number for item in series.comnos if item.access == "w"),
     )
+
+
+def _with_write_only(facts: DriveFacts, numbers: frozenset[int]) -> DriveFacts:
+    return DriveFacts(facts.read_only, facts.write_only | numbers)
 
 
 def _cell(gateway: ProcessDataGateway, name: str) -> int:
