@@ -10,9 +10,9 @@ and files. A code is never used again for something else.
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from enum import Enum
 
+from fbgen.dataclass import dataclass
 from fbgen.excerpt import harmless, shown_line
 from fbgen.source import Span
 

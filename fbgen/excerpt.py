@@ -4,9 +4,9 @@ Files hold anything: lines of a megabyte, tabs, wide characters, and control cha
 clear the screen or turn the direction of writing. None of that may hide what a message says.
 """
 
-from dataclasses import dataclass
 from unicodedata import combining, east_asian_width
 
+from fbgen.dataclass import dataclass
 from fbgen.source import Span
 
 _LONGEST = 200

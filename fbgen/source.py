@@ -1,9 +1,11 @@
 """Texts and places in them. Lines and columns are worked out only when somebody asks."""
 
 from bisect import bisect_right
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
+
+from fbgen.dataclass import dataclass
 
 TEMPLATE = "template"
 """What the origin of a template line is called."""

@@ -6,9 +6,8 @@ the simulated inverter and back. What went over the wires is held against the ma
 stand in the catalogue's sequence `manual_example` as the manual prints them.
 """
 
-from dataclasses import dataclass
-
 from fbgen.catalog import Telegram, load_catalog
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, render
 from fbgen.resources import shipped
 from harness.kernel import NS_PER_MS

@@ -7,9 +7,9 @@ operand (a variable, a constant) and for every call.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from fbgen.artefacts.view import PlantLists
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, Severity
 from fbgen.emit.rendering import CANONICAL_DIALECT
 from fbgen.lang import ast

@@ -6,12 +6,12 @@ says what each byte is: in the symbol table of STEP 7, or to link the located va
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from fbgen.artefacts.spreadsheet import Sheet, workbook
 from fbgen.artefacts.text_table import csv_table
 from fbgen.artefacts.view import PlantLists
 from fbgen.catalog import CyclicField
+from fbgen.dataclass import dataclass
 from fbgen.emit.generated import Artefact
 from fbgen.plant import PlantGateway
 

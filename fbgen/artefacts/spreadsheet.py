@@ -8,10 +8,11 @@ Source: ECMA-376, part 1 (SpreadsheetML: 18.2 workbook, 18.3 worksheets, 18.4 sh
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from io import BytesIO
 from xml.sax.saxutils import escape
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
+
+from fbgen.dataclass import dataclass
 
 _FIRST_DATE = (1980, 1, 1, 0, 0, 0)
 _HEAD = '<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'

@@ -5,8 +5,8 @@ are those of the data types.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.lang import ast
 from fbgen.lang.checked import Program
 from fbgen.lang.layout import S7_SIZES

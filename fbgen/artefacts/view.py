@@ -1,7 +1,6 @@
 """What every list is made from: the plant with its catalogue entries and the program of it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from fbgen.artefacts.variables import PlcVariable, variables
@@ -9,6 +8,7 @@ from fbgen.blocks.alarms import LINE_ALARMS, Alarm, drive_alarms, that_can_come
 from fbgen.blocks.pbdp_alarms import GATEWAY_ALARMS, PBDP_DRIVE_ALARMS
 from fbgen.blocks.texts import ENGLISH, Texts
 from fbgen.catalog import Catalog, Layout, ProcessDataGateway
+from fbgen.dataclass import dataclass
 from fbgen.emit.generated import CanonicalProgram, GeneratedSet
 from fbgen.emit.symbol_table import numbers_of
 from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of, with_prefix

@@ -5,10 +5,10 @@ for an HMI come from it, so that a text can never belong to another bit.
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Literal
 
 from fbgen.blocks.literals import SclText, word
+from fbgen.dataclass import dataclass
 from fbgen.plant import PlantGateway
 
 AlarmClass = Literal["Errors", "Warnings"]

@@ -1,10 +1,10 @@
 """What one family of blocks brings to a plant: the blocks for one kind of gateway."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from fbgen.blocks.gateways import GatewayView
 from fbgen.blocks.specs import BlockSpec
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 
 

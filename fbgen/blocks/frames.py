@@ -1,10 +1,10 @@
 """The cyclic data of a gateway as templates see them: fields with the addresses to access."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from fbgen.blocks.literals import SclText
 from fbgen.catalog import CyclicField, Layout, origin
+from fbgen.dataclass import dataclass
 from fbgen.plant import Plant, PlantGateway
 
 

@@ -1,11 +1,11 @@
 """A gateway of the plant as templates see it, whatever its type."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from fbgen.blocks.frames import FieldView, FrameView
 from fbgen.blocks.literals import SclText, real, truth
 from fbgen.catalog import origin
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import Plant, PlantDrive, PlantGateway
 

@@ -1,7 +1,6 @@
 """A gateway with a serial line as its templates see it: telegrams one by one, drives by INV-NO."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from fbgen.blocks.frames import frame_view
 from fbgen.blocks.gateways import (
@@ -14,6 +13,7 @@ from fbgen.blocks.gateways import (
 from fbgen.blocks.line_times import LineTimes, line_times
 from fbgen.blocks.literals import SclText, byte, milliseconds, truth
 from fbgen.catalog import Catalog, Drive, TelegramGateway, origin
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import Plant, PlantDrive, PlantGateway
 from fbgen.source import Origin

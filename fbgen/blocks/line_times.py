@@ -5,9 +5,8 @@ measures what really comes and compares. Sources: TOSPBDP001 manual v1.1, 9, for
 gateway and drives; the states of TOS_Telegram and TOS_Line for what goes out.
 """
 
-from dataclasses import dataclass
-
 from fbgen.catalog import Catalog, TelegramGateway
+from fbgen.dataclass import dataclass
 from fbgen.plant import Plant, PlantGateway
 
 LONGEST_BUS_CYCLE_MS = 5.0

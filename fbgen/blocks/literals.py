@@ -1,8 +1,7 @@
 """Catalogue values as they stand in SCL, each with the place it came from."""
 
-from dataclasses import dataclass
-
 from fbgen.catalog import ComNo, Located, origin
+from fbgen.dataclass import dataclass
 from fbgen.source import Origin
 
 

@@ -1,7 +1,6 @@
 """The blocks for gateways with process data (PBDP-110): a drive at each channel, parameters."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from fbgen.blocks.alarms import that_can_come
 from fbgen.blocks.family import FamilyPlan
@@ -19,6 +18,7 @@ from fbgen.blocks.texts import Texts
 from fbgen.blocks.trips import trip_literals
 from fbgen.blocks.words import WordView
 from fbgen.catalog import Catalog, ProcessDataGateway, origin
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, Severity
 from fbgen.plant import Plant, PlantGateway
 

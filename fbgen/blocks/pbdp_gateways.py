@@ -1,7 +1,6 @@
 """A gateway for process data as its templates see it: a drive at each channel."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from fbgen.blocks.frames import frame_view
 from fbgen.blocks.gateways import (
@@ -14,6 +13,7 @@ from fbgen.blocks.gateways import (
 from fbgen.blocks.literals import SclText, byte, milliseconds, truth, word
 from fbgen.blocks.trips import command_source
 from fbgen.catalog import Catalog, Layout, ProcessDataGateway, origin
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of
 

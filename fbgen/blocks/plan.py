@@ -6,7 +6,6 @@ blocks, and the scaling functions, is called the same whatever gateways it has.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from fbgen.blocks.family import FamilyPlan
 from fbgen.blocks.gateways import several_masters
@@ -18,6 +17,7 @@ from fbgen.blocks.scaling import other_counts, scaling
 from fbgen.blocks.specs import BlockSpec, block, data_block
 from fbgen.blocks.texts import ENGLISH, Texts
 from fbgen.catalog import Catalog, ProcessDataGateway, origin
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.plant import Plant, PlantGateway
 

@@ -15,10 +15,10 @@ Sources: TOSPBDP001 manual v1.1, 9 (times); the blocks (cycles).
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from math import ceil
 
 from fbgen.catalog import Catalog, TelegramGateway
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, Severity
 from fbgen.plant import Plant, PlantGateway
 

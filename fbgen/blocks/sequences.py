@@ -1,7 +1,6 @@
 """Command sequences as templates see them: steps with their telegrams spelled out in SCL."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from fbgen.blocks.literals import NOTHING, SclText, comno, milliseconds, one_line, real, word
 from fbgen.blocks.texts import Texts
@@ -26,6 +25,7 @@ from fbgen.catalog import (
     WriteStep,
     origin,
 )
+from fbgen.dataclass import dataclass
 
 _SIGNS = {"equals": "=", "at_least": ">=", "at_most": "<="}
 _SCL_TYPES = {"BOOL": "Bool", "INT": "Int", "WORD": "Word", "REAL": "Real", "TIME": "Time"}

@@ -1,10 +1,11 @@
 """The units to generate: which template, under which name, and what only this unit is told."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from fbgen.blocks.gateways import GatewayView
 from fbgen.blocks.sequences import SequenceView
+from fbgen.dataclass import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,10 +1,11 @@
 """Control and status words as templates see them: masks and shifts by the catalogue's names."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from fbgen.blocks.literals import SclText, word
 from fbgen.catalog import Word, origin
+from fbgen.dataclass import dataclass
 from fbgen.source import Origin
 
 

@@ -7,7 +7,7 @@ beside a plant file are the highest layer for that plant.
 
 from collections.abc import Iterator, Mapping
 from collections.abc import Sequence as Row
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
@@ -25,6 +25,7 @@ from fbgen.catalog.sequences import Sequence
 from fbgen.catalog.telegram_gateways import TelegramGateway
 from fbgen.catalog.words import Word
 from fbgen.catalog.yaml_nodes import Document, load_yaml
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
 from fbgen.nearest import nearest
 from fbgen.resources import shipped

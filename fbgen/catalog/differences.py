@@ -6,13 +6,13 @@ beside each other.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from difflib import SequenceMatcher
 from itertools import zip_longest
 from typing import Literal
 
 from fbgen.catalog.catalog import Catalog
 from fbgen.catalog.located import Located
+from fbgen.dataclass import dataclass
 from fbgen.source import Span
 
 _NAMES = ("id", "name", "display", "code")

@@ -1,7 +1,6 @@
 """Cyclic data of a DP slave: configuration identifiers and the fields they carry."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cache
 from typing import Literal
 
@@ -9,6 +8,7 @@ from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
 from fbgen.catalog.scalars import Count, EntryId, Flag, Octets, SnakeName, Text
 from fbgen.catalog.sourced import Sourced, unknown_fields
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 from fbgen.wire.profibus import (
     Consistency,

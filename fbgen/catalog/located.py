@@ -9,7 +9,7 @@ none in its neighbours or in the whole.
 
 import re
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Self, TypeVar
 
 from pydantic import (
@@ -24,6 +24,7 @@ from pydantic import (
 from pydantic_core import ErrorDetails, PydanticCustomError
 
 from fbgen.catalog.yaml_nodes import Document, YamlFloat, YamlInt, YamlMapping, YamlSequence, locate
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.nearest import near_names, nearest
 from fbgen.source import Origin, Span

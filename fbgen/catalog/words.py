@@ -1,7 +1,6 @@
 """16-bit words made of named bits: command words, status words, control words."""
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import combinations
 from typing import Literal
 
@@ -10,6 +9,7 @@ from pydantic import Field
 from fbgen.catalog.located import Located
 from fbgen.catalog.scalars import BitRange, HexWord, Number, SnakeName, Text
 from fbgen.catalog.sourced import Sourced, Status
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
 from fbgen.nearest import nearest
 

@@ -12,10 +12,11 @@ means a hexadecimal number can read `0009` or `1388` as written.
 """
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import yaml
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
 from fbgen.source import Source, Span
 

@@ -6,12 +6,13 @@ programs, or files whose syntax alone is checked, are shared out.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import partial
 from pathlib import Path
 
 from fbgen.cli.plc_files import ProgramFiles
 from fbgen.cli.progress import Progress
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang import ast
 from fbgen.lang.analysis.cpu import missing_on

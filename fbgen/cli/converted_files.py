@@ -2,12 +2,12 @@
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from os.path import commonpath
 from pathlib import Path
 
 import typer
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.ast import File
 from fbgen.lang.containers import NewFile, new_files
 

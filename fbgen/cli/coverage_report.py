@@ -1,7 +1,6 @@
 """Coverage on the command line: options of `fbgen test`, the table, reports, what is demanded."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, TypeAlias
 
 import typer
@@ -9,6 +8,7 @@ import typer
 from fbgen.cli.files import write_files
 from fbgen.cli.output import result
 from fbgen.cli.table import table
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 
 if TYPE_CHECKING:

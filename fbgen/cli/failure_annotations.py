@@ -1,12 +1,13 @@
 """`fbgen test --annotations HOST`: failures at their lines, where a code host shows them."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeAlias
 
 import typer
+
+from fbgen.dataclass import dataclass
 
 if TYPE_CHECKING:
     from fbgen.diagnostics import Diagnostic

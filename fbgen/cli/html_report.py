@@ -1,11 +1,12 @@
 """`fbgen test --html FILE`: the results with timing diagrams, as one page for a browser."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeAlias
 
 import typer
+
+from fbgen.dataclass import dataclass
 
 if TYPE_CHECKING:
     from fbgen.diagnostics import Diagnostic

@@ -1,11 +1,12 @@
 """`fbgen test --junit FILE`: the results as JUnit XML."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeAlias
 
 import typer
+
+from fbgen.dataclass import dataclass
 
 if TYPE_CHECKING:
     from fbgen.diagnostics import Diagnostic

@@ -9,12 +9,12 @@ import sys
 import traceback
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 
 import typer
 
 from fbgen import __version__
 from fbgen.cli import READER_GONE
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, Severity, render
 
 _COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.INFO: "blue"}

@@ -5,10 +5,11 @@ dialect are one program; the suffix tells the dialect.
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import typer
+
+from fbgen.dataclass import dataclass
 
 _PATTERN = frozenset("*?[")
 

@@ -2,11 +2,12 @@
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+from fbgen.dataclass import dataclass
 
 if TYPE_CHECKING:
     from fbgen.diagnostics import Diagnostic

@@ -6,10 +6,11 @@ hash of the inputs, which changes with everything, does not count.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from difflib import SequenceMatcher
 
 from fbgen.catalog.differences import Difference
+from fbgen.dataclass import dataclass
 from fbgen.emit.generated import GeneratedFile, GeneratedSet
 from fbgen.lang.printer import LineOrigins
 from fbgen.source import Origin, Span

@@ -7,9 +7,10 @@ one of the template says the same about a subject of another name; otherwise it 
 
 import re
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from hashlib import sha256
 
+from fbgen.dataclass import dataclass
 from fbgen.emit.rendering import RenderedUnit
 from fbgen.lang.origins import MARK
 from fbgen.plant import with_prefix

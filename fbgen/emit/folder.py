@@ -8,10 +8,10 @@ a person.
 import json
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.emit.block_list import BlockChanges, GeneratedBlock, block_changes
 from fbgen.emit.generated import GeneratedSet

@@ -1,7 +1,6 @@
 """What the generator gives: files with their text and where each line is from."""
 
-from dataclasses import dataclass
-
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 from fbgen.emit.block_list import GeneratedBlock
 from fbgen.lang import ast

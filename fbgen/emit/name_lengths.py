@@ -5,9 +5,9 @@ characters in a symbol or a variable, and reads M1 and DB10 as addresses whereve
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from fbgen.catalog import Catalog, Parameter, Result
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 from fbgen.lang import ast
 from fbgen.lang.dialects import dialect_named

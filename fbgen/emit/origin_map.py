@@ -7,10 +7,10 @@ file that was changed since is not explained wrongly.
 
 import json
 from collections.abc import Iterable
-from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.emit.generated import GeneratedFile
 from fbgen.lang.printer import LineOrigins

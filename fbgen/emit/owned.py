@@ -5,9 +5,9 @@ user's file stays as it is, and what is missing or too much in it is told.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, Severity
 from fbgen.emit.folder import read_content
 from fbgen.emit.generated import GeneratedFile, GeneratedSet

@@ -1,9 +1,8 @@
 """From template to parsed canonical SCL, with every piece knowing where it came from."""
 
-from dataclasses import dataclass
-
 from fbgen.blocks.plan import BlockPlan
 from fbgen.blocks.specs import BlockSpec
+from fbgen.dataclass import dataclass
 from fbgen.emit.environment import TemplateRenderer
 from fbgen.emit.heading import with_head
 from fbgen.lang import ast

@@ -13,7 +13,8 @@ its line of the template. What Jinja fills in (`{{ ... }}`) may stand elsewhere 
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+
+from fbgen.dataclass import dataclass
 
 Translation = Callable[[str], str]
 """A text of a template in another language."""

@@ -4,9 +4,9 @@ Source: TIA Portal help, "Rules for external source files": ANSI, UTF-8 and UTF-
 """
 
 import codecs
-from dataclasses import dataclass
 from pathlib import Path
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from fbgen.source import Source
 

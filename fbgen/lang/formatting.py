@@ -10,9 +10,9 @@ formatting it once more changes nothing.
 import re
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, Severity
 from fbgen.lang.ast import File, TriviaKind
 from fbgen.lang.containers import Document, read_document

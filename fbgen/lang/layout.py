@@ -14,9 +14,9 @@ its largest part. STRING[n] is n + 1 bytes with a zero behind the text.
 Sources: CODESYS help, "Data types" and "Alignment"; TwinCAT 3 help, "Alignment".
 """
 
-from dataclasses import dataclass
 from weakref import WeakKeyDictionary
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.types import (
     ArrayType,

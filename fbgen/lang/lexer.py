@@ -16,11 +16,11 @@ and TITLE lines and for comments in comments.
 
 import re
 from bisect import bisect_left
-from dataclasses import dataclass
 from functools import cache
 from itertools import accumulate, compress
 from typing import NamedTuple
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 from fbgen.lang.ast import Trivia, TriviaKind
 from fbgen.lang.dialects.dialect import Dialect, Feature

@@ -6,9 +6,9 @@ Ranges are the checker's business, as they may depend on where the literal stand
 """
 
 import re
-from dataclasses import dataclass
 from datetime import date
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.ast import LiteralKind
 from fbgen.lang.dialects.words import words
 from fbgen.lang.types import ALIASES, ELEMENTARY, Family

@@ -6,8 +6,8 @@ works on sources works on them.
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from fbgen.lang import ast
 from fbgen.lang.literals import BadLiteralError, read_literal

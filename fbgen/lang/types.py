@@ -9,10 +9,11 @@ Sources: IEC 61131-3 third edition, table 10; TIA Portal help, "Overview of the 
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
 from typing import TypeAlias
+
+from fbgen.dataclass import dataclass
 
 
 class Family(Enum):

@@ -7,8 +7,9 @@ that was lost altogether only the words in its place are known, which may be nam
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, Severity
 from fbgen.lang import ast
 from fbgen.source import Span

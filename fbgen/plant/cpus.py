@@ -9,9 +9,9 @@ Sources: "documented" figures stand in a public text with the order number (S7-1
 were found in no document at hand.
 """
 
-from dataclasses import dataclass
 from types import MappingProxyType
 
+from fbgen.dataclass import dataclass
 from fbgen.plant.families import PlcFamily
 
 

@@ -4,9 +4,10 @@ Sources: TIA Portal help, DPRD_DAT and DPWR_DAT; the sizes of the address areas 
 largest CPU of a family (recalled from the CPU manuals, found in no document at hand).
 """
 
-from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Literal
+
+from fbgen.dataclass import dataclass
 
 PlcFamily = Literal["s7-1200", "s7-1500", "s7-300", "s7-400", "iec", "twincat"]
 PlantDialect = Literal["tia", "step7", "iec", "twincat", "plcopen"]

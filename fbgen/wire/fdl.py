@@ -13,9 +13,10 @@ bits 5-4 kind of station (00 slave), bits 3-0 function. Segment addresses (bits 
 extension byte) are for couplers between networks and are refused.
 """
 
-from dataclasses import dataclass
 from enum import IntEnum
 from typing import TypeAlias
+
+from fbgen.dataclass import dataclass
 
 SD1, SD2, SD3, SD4, SC = 0x10, 0x68, 0xA2, 0xDC, 0xE5
 END = 0x16

@@ -9,8 +9,9 @@ manufacturer bytes (EN 50170 volume 2, service Chk_Cfg). Inputs and outputs are 
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from enum import Enum
+
+from fbgen.dataclass import dataclass
 
 _NORMAL_DIRECTION = 0x30
 _INPUTS = 0x10

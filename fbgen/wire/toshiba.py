@@ -5,10 +5,11 @@ manual E6581315, pp. 7-20; VF-S15 RS485 manual E6581913, pp. 5-14. The spelling 
 `toshiba_binary` and `toshiba_ascii`; `toshiba_stream` finds frames in what comes over a line.
 """
 
-from dataclasses import dataclass
 from enum import Enum, IntEnum
 from functools import lru_cache
 from typing import NamedTuple
+
+from fbgen.dataclass import dataclass
 
 BINARY_START = 0x2F
 ASCII_START = 0x28

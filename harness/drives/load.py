@@ -11,9 +11,10 @@ more current. With the motor as it is by default (I0 = 30 %) a load of 32.7 % of
 at 50 Hz draws 43.28 %, the current in the example of the TOSPBDP001 manual, section 8 G.
 """
 
-from dataclasses import dataclass
 from enum import Enum
 from math import hypot, sqrt
+
+from fbgen.dataclass import dataclass
 
 
 class LoadShape(Enum):

@@ -9,11 +9,12 @@ run; jog needs the run bit; with a preset speed its frequency counts whatever bi
 for jogging; after coasting the inverter starts at 0 Hz and does not search the speed.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum
 from math import inf
 
 from fbgen.catalog import Drive
+from fbgen.dataclass import dataclass
 from harness.drives.load import Load, Motor
 from harness.drives.ramp import Ramp, standing
 from harness.drives.registers import Registers

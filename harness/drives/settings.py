@@ -1,9 +1,10 @@
 """How one inverter of a plant is set up."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal
 
+from fbgen.dataclass import dataclass
 from harness.drives.load import Load, Motor
 from harness.kernel import NS_PER_MS
 

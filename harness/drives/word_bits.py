@@ -1,9 +1,10 @@
 """The bits of command and status word as masks, looked up once by their names in the catalogue."""
 
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import Self
 
 from fbgen.catalog import Word
+from fbgen.dataclass import dataclass
 
 _NEEDED = ("network_command", "network_frequency", "fault_reset", "run", "reverse", "running")
 

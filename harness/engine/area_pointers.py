@@ -10,8 +10,7 @@ TIA Portal help, "ANY pointer". Which code a structure has is inferred from "arr
 are identified as a number of data types".
 """
 
-from dataclasses import dataclass
-
+from fbgen.dataclass import dataclass
 from fbgen.lang.layout import S7_SIZES
 from fbgen.lang.types import (
     BOOL,

@@ -10,8 +10,9 @@ STEP 7 System and Standard Functions, SFB 0 to 5 (lengths on S7-300/400).
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import (
     IN_OUTS,
     Block,

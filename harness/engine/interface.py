@@ -6,10 +6,10 @@ the layout of memory, and nothing that calculates.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, Protocol, TypeAlias
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import AnyBlock, Block, Program
 from fbgen.lang.types import Scalar, Type
 from harness.engine.environment import Environment

@@ -7,10 +7,10 @@ DATE, in 32 bits.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from struct import pack, unpack
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.layout import Sizes
 from fbgen.lang.types import (
     DATE_AND_TIME,

@@ -11,8 +11,9 @@ library of STEP 7 V5 for the short names of the error blocks (recalled).
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Program

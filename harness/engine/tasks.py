@@ -6,8 +6,8 @@ CONFIGURATION says; without one every PROGRAM that no block calls runs once a cy
 """
 
 from collections import Counter
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Block, Program, Task

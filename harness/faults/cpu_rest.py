@@ -1,9 +1,9 @@
 """The CPU at rest, in STOP or without supply: shared by the faults that bring it there."""
 
-from dataclasses import dataclass
 from enum import IntEnum
 from functools import partial
 
+from fbgen.dataclass import dataclass
 from harness.installation import Installation
 from harness.installation.holds import Hold
 from harness.plc import Cpu, Restart
@@ -28,7 +28,10 @@ class Awakening:
     keeps_data: bool = False
 
 
-def cpu_at_rest(plant: Installation, rest: Rest, awakening: Awakening = Awakening()) -> Hold[Rest]:
+_WARM = Awakening()
+
+
+def cpu_at_rest(plant: Installation, rest: Rest, awakening: Awakening = _WARM) -> Hold[Rest]:
     """Hold the CPU at rest, from its cycle checkpoint on. The fault that ends last starts it."""
     cpu = plant.cpu
     return Hold(

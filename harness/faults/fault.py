@@ -1,7 +1,6 @@
 """What a fault is: something that begins, goes on and ends, at one place of the plant."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import Enum
 from typing import Annotated, Protocol
 
@@ -9,6 +8,7 @@ from pydantic import Field
 
 from fbgen.catalog import Located
 from fbgen.catalog.scalars import Real
+from fbgen.dataclass import dataclass
 from harness.installation import Installation
 
 Probability = Annotated[Real, Field(gt=0, le=1)]

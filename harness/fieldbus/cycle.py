@@ -5,9 +5,10 @@ arithmetic and no event. Jitter delays single instants; it depends on the plant'
 number of the cycle only, so that it is the same however often somebody asks.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from random import Random
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from harness.kernel import NS_PER_MS
 

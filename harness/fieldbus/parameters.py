@@ -5,9 +5,9 @@ section 5.4.1.1. What the TOSPBDP001 is stands in its GSD file (TOSPBDP001 manua
 ident number 1803, sync and freeze, no user parameters.
 """
 
-from dataclasses import dataclass
 from enum import Enum
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from fbgen.wire.dp import DIAGNOSIS_BYTES, PrmStatus
 from harness.kernel import NS_PER_MS

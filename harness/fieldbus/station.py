@@ -7,11 +7,11 @@ configuration stays refused until something about it changes.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from enum import Enum
 from functools import partial
 from typing import NamedTuple, Protocol
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from fbgen.wire.dp import DiagnosisStatus
 from fbgen.wire.profibus import (

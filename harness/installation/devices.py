@@ -6,9 +6,10 @@ Those at a PBDP-110 have FH and the highest speed, as its manual advises (3), an
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from fbgen.catalog import Catalog, Drive, OptionValue, ProcessDataGateway
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of
 from harness.drives import Inverter, InverterSettings, ReplyTime

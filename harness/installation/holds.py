@@ -5,8 +5,10 @@ thing is as the others hold it; when the last one does, it is as it was before t
 """
 
 from collections.abc import Callable, Hashable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Generic, TypeVar
+
+from fbgen.dataclass import dataclass
 
 Value = TypeVar("Value")
 

@@ -1,9 +1,10 @@
 """A simulated plant as a whole: PLC, PROFIBUS, gateways, lines and inverters on one clock."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from fbgen.catalog import Catalog
+from fbgen.dataclass import dataclass
 from fbgen.plant import Plant, PlantGateway
 from harness.drives import Inverter
 from harness.fieldbus import DpMaster, Station

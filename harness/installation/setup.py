@@ -1,10 +1,11 @@
 """What a plant file does not say and a simulated plant needs: seed, engine, loads, bus."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import Program
 from fbgen.source import Source
 from harness.drives import Load

@@ -6,10 +6,11 @@ undisturbed line costs nothing and a rarely disturbed one hardly more.
 
 from collections import deque
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import log
 from random import Random
 
+from fbgen.dataclass import dataclass
 from harness.kernel import NS_PER_S
 from harness.line.serial_format import (
     DATA_BITS,

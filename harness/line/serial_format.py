@@ -6,10 +6,11 @@ bit, 12 bits, and are content with one when they receive (TOSPBDP001 manual, sec
 communications manual E6581222, p. 4).
 """
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 from sys import intern
 
+from fbgen.dataclass import dataclass
 from harness.kernel import NS_PER_S
 
 DATA_BITS = 8

@@ -1,9 +1,10 @@
 """What goes over the line: one object for a run of characters, and what a receiver made of it."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from fbgen.dataclass import dataclass
 from harness.line.serial_format import SerialFormat, marks_of_mismatch
 
 if TYPE_CHECKING:

@@ -7,9 +7,9 @@ itself, of the standard slave's diagnosis and of the program's instruction; the 
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from enum import Enum
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.types import DATE_AND_TIME
 from fbgen.wire.profibus import Slot
 from harness.engine.layout import S7

@@ -1,7 +1,6 @@
 """Which byte address and which LADDR leads to which module of which slave."""
 
-from dataclasses import dataclass
-
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from fbgen.wire.profibus import Slot
 from harness.fieldbus import Station

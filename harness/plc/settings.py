@@ -4,9 +4,10 @@ Default times are plant settings, not facts of a CPU: the cycle is held at a min
 10 ms, the program is done after 1 ms, the cycle monitoring time is 150 ms, the default of S7.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from harness.engine.organization import ObSettings
 from harness.kernel import NS_PER_MS, NS_PER_US

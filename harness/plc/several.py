@@ -4,10 +4,10 @@ Worked out once for each group of accesses that stands in a program.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from operator import itemgetter
 from struct import Struct
 
+from fbgen.dataclass import dataclass
 from harness.engine.environment import places_of
 from harness.fieldbus import Station
 

@@ -7,7 +7,6 @@ and this style, by their hashes, so that nothing in a trace or a title can becom
 import json
 from base64 import b64encode
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
@@ -15,6 +14,7 @@ from pathlib import Path
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import render
 from harness.report.trace_columns import trace_columns
 from harness.results import ScenarioReport, ScenarioResult

@@ -2,9 +2,10 @@
 
 import shlex
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeVar
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, render
 
 Kind = TypeVar("Kind")

@@ -1,8 +1,8 @@
 """Replies on a line, and whether a value that the PLC has was answered to what it had asked."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.wire.toshiba import BROADCAST, TRIPPED_BIT, is_sealed
 from harness.drives.communication import Communication
 from harness.line import Transmission

@@ -6,9 +6,9 @@ All rules about telegrams listen to the same log of a line.
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 
 from fbgen.blocks.line_times import HEARTBEAT_CHARACTERS, LONGEST_BUS_CYCLE_MS
+from fbgen.dataclass import dataclass
 from fbgen.plant import with_prefix
 from fbgen.wire.toshiba import BINARY_START
 from harness.engine.interface import Value

@@ -5,8 +5,9 @@ forgotten the trigger meanwhile: its supply was away, or zeros came while the ma
 """
 
 from collections import deque
-from dataclasses import dataclass
 from enum import Enum
+
+from fbgen.dataclass import dataclass
 
 _KEPT = 16
 

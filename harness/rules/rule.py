@@ -1,8 +1,8 @@
 """What a rule of a plant is: what holds in every scan, whatever goes wrong around it."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from harness.installation import Installation
 
 Watch = Callable[[], Iterator[str]]

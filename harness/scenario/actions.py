@@ -1,9 +1,9 @@
 """What the steps of a scenario do, with names resolved and values read."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from fbgen.dataclass import dataclass
 from fbgen.source import Span
 from harness.scenario.conditions import Check
 from harness.scenario.kinds import Found

@@ -2,10 +2,11 @@
 
 import os.path
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from fbgen.catalog import Catalog
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from harness.results import ScenarioResult
 from harness.scenario.model import Scenario, Variation

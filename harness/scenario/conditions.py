@@ -1,9 +1,9 @@
 """Paths with what is demanded of them, resolved for one plant."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from fbgen.catalog import Located
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.source import Span
 from harness.scenario.kinds import Found

@@ -1,8 +1,8 @@
 """What happens to a scenario while it runs, for those who look on."""
 
-from dataclasses import dataclass
 from enum import Enum
 
+from fbgen.dataclass import dataclass
 from harness.scenario.model import Step
 
 

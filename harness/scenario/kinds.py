@@ -7,10 +7,10 @@ scenario runs.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import TypeAlias
 
 from fbgen.catalog import Word
+from fbgen.dataclass import dataclass
 from fbgen.nearest import nearest
 from harness.engine.interface import Value
 from harness.scenario.scalars import Scalar

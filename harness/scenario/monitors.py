@@ -11,9 +11,9 @@ tells one and is silent from then on.
 from abc import ABC, abstractmethod
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
+from fbgen.dataclass import dataclass
 from harness.durations import show_duration
 from harness.scenario.conditions import Check, Conditions, all_hold
 from harness.scenario.kinds import Found

@@ -1,9 +1,9 @@
 """What a path gives that can be read, and how names are looked up."""
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.nearest import nearest
 from fbgen.source import Span

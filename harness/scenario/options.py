@@ -1,7 +1,6 @@
 """How scenarios are run, whatever their files say."""
 
-from dataclasses import dataclass
-
+from fbgen.dataclass import dataclass
 from harness.scenario.observers import ObserverMaker
 from harness.scenario.temporaries import Temporaries
 

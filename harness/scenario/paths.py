@@ -10,11 +10,11 @@ drive.NAME.ITEM     a drive, `drive.pump.frequency`, `drive.pump.comno.FE03`
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import partial
 from types import MappingProxyType
 
 from fbgen.catalog import Catalog
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.plant import with_prefix
 from fbgen.source import Span

@@ -6,8 +6,8 @@ of it at once. What is left for the run are the devices' own refusals and the ex
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.nearest import nearest
 from fbgen.source import Span

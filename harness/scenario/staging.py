@@ -2,10 +2,10 @@
 
 import os.path
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from fbgen.catalog import Catalog, with_own_sequences
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.lang.ast import LiteralKind
 from fbgen.lang.checked import Program

@@ -1,8 +1,9 @@
 """Compares the telegrams of a gateway with those that a scenario expects."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.source import Span
 from harness.scenario.model import ExpectedTelegram

@@ -1,10 +1,10 @@
 """What a scenario demands of a value, read for the path it belongs to, against what is found."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from math import isfinite, isnan
 
 from fbgen.catalog import BitField, Catalog, Word
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.nearest import nearest
 from fbgen.source import Span

@@ -1,8 +1,7 @@
 """The gateways of a plant with their inverters, for a master that is none of ours."""
 
-from dataclasses import dataclass
-
 from fbgen.catalog import Catalog
+from fbgen.dataclass import dataclass
 from fbgen.plant import Plant
 from harness.drives import Inverter
 from harness.fieldbus import NO_MASTER, DpSlave, Segment

@@ -5,9 +5,8 @@ value that it gives for a read is a number of its own, counted up over all drive
 value that the PLC shows belongs to one telegram and to no other.
 """
 
-from dataclasses import dataclass
-
 from fbgen.catalog import Drive
+from fbgen.dataclass import dataclass
 from fbgen.wire.toshiba import ErrorCode
 from harness.drives.communication import Communication
 from harness.drives.registers import Registers

@@ -6,9 +6,10 @@ combinations, and a block must work in all of them.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import product
 
+from fbgen.dataclass import dataclass
 from harness.kernel import NS_PER_MS, NS_PER_US
 
 ACCESS_LAYOUTS = {"per_identifier": "gsd10", "dpxx_dat": "whole10", "process_image": "gsd10"}

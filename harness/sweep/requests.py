@@ -1,8 +1,8 @@
 """What is asked of a line during one run of a sweep, and what came of it."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from harness.rules.repeats_allowed import is_repeatable
 
 READ, WRITE_RAM, WRITE_EEPROM, SETPOINT = 0x47, 0x50, 0x57, 0x53

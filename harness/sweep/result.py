@@ -2,9 +2,10 @@
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from fbgen.blocks.line_times import LineTimes
+from fbgen.dataclass import dataclass
 from harness.sweep.conditions import Conditions
 from harness.sweep.rules import Violation
 

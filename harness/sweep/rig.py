@@ -7,12 +7,13 @@ depends on its conditions alone, not on what ran before.
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from math import ceil
 from zlib import crc32
 
 from fbgen.blocks.line_times import line_times
 from fbgen.catalog import Catalog
+from fbgen.dataclass import dataclass
 from fbgen.lang.types import Scalar
 from fbgen.plant import Plant, with_prefix
 from fbgen.source import Source

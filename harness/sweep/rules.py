@@ -4,8 +4,8 @@ They look at what was asked and what came of it, and at the line; not into the b
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from harness.kernel import NS_PER_MS
 from harness.rules.answers import belongs
 from harness.rules.repeats_allowed import most_attempts

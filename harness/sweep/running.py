@@ -6,12 +6,13 @@ many processes, in one go or in several.
 
 from collections.abc import Callable, Container, Iterator, Sequence
 from contextlib import closing
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from functools import cache
 from itertools import groupby
 from pathlib import Path
 
 from fbgen.catalog import load_catalog, with_own_sequences
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from fbgen.plant import load_plant
 from fbgen.workers import in_order

@@ -5,8 +5,10 @@ Times are nanoseconds of the plant's own clock, which begins at 0.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal, TypeAlias
+
+from fbgen.dataclass import dataclass
 
 ChannelKind: TypeAlias = Literal["bool", "word", "integer", "real", "text", "bytes"]
 """What values a channel has: bool, int, int, float, str, bytes. A `word` is a row of bits."""

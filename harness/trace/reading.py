@@ -1,12 +1,13 @@
 """Trace files (JSON Lines): read back, checked line by line."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import inf, nan
 from typing import NoReturn
 
 from pydantic import ValidationError
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.source import Source, Span
 from harness.trace.lines import (

@@ -8,9 +8,10 @@ reply that equals the one before changes nothing on PROFIBUS: it has arrived whe
 it.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from fbgen.catalog import Layout
+from fbgen.dataclass import dataclass
 from fbgen.wire.toshiba import ASCII_START
 from harness.fieldbus import DpMaster, Station, Transfer
 from harness.line import Line, Port, Transmission

@@ -1,8 +1,8 @@
 """Inputs that somebody sets for a trial: `start=1`, `speed=50.0@3`, `name='x'@200ms`."""
 
 import re
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from fbgen.lang.ast import LiteralKind
 from fbgen.lang.literals import BadLiteralError, read_literal

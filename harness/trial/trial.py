@@ -1,8 +1,8 @@
 """Cycle after cycle: set what is due, call, note what is watched, let the cycle time pass."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.lang.types import Scalar, Type
 from harness.engine.interface import Value

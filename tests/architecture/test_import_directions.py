@@ -22,8 +22,12 @@ DEVICES = {"harness.drives", "harness.fieldbus", "harness.gateways", "harness.li
 PLANT = {*DEVICES, "harness.engine", "harness.kernel", "harness.installation", "harness.plc"}
 TEXT = {"fbgen.blocks", "fbgen.catalog", "fbgen.emit", "fbgen.lang", "fbgen.plant", "fbgen.wire"}
 
+EVERYWHERE = {"fbgen.dataclass"}
+"""What stands in for something of the standard library."""
+
 MAY_IMPORT: dict[str, set[str]] = {
     "fbgen": set(),
+    "fbgen.dataclass": set(),
     "fbgen.source": set(),
     "fbgen.resources": set(),
     "fbgen.faces": set(),
@@ -99,7 +103,7 @@ def part(module: str) -> str:
 
 def allowed(item: Import) -> bool:
     importer, imported = part(item.importer), part(item.imported)
-    if importer == imported or imported in MAY_IMPORT.get(importer, set()):
+    if importer == imported or imported in EVERYWHERE | MAY_IMPORT.get(importer, set()):
         return True
     lazily = ONLY_INSIDE_FUNCTIONS.get(importer)
     return item.lazily and lazily is not None and imported.split(".")[0] == lazily
@@ -127,6 +131,19 @@ def test_imports_go_in_the_allowed_directions() -> None:
 )
 def test_the_rule_tells_right_from_wrong(item: Import, expected: bool) -> None:
     assert allowed(item) is expected
+
+
+def test_dataclasses_write_their_methods_late() -> None:
+    """What the decorator of the standard library costs is paid by every start of every command."""
+    wrong = [
+        f"{name}:{node.lineno}"
+        for name, path in modules().items()
+        if name != "fbgen.dataclass"
+        for node in ast.walk(tree(path))
+        if isinstance(node, ast.ImportFrom) and node.module == "dataclasses"
+        if any(alias.name in {"dataclass", "make_dataclass"} for alias in node.names)
+    ]
+    assert wrong == []
 
 
 def test_devices_and_codecs_know_no_real_time_and_no_ports() -> None:

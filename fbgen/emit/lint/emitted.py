@@ -1,9 +1,9 @@
 """A generated text as the rules see it: read once, all nodes collected once, by their kinds."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, TypeVar
 
+from fbgen.dataclass import dataclass
 from fbgen.lang import ast
 from fbgen.plant.families import PlcFamily
 from fbgen.source import Source

@@ -7,9 +7,9 @@ comment allows and nobody finds is reported, so that such comments do not stay f
 
 import re
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, Severity
 from fbgen.lang import ast
 from fbgen.lang.walk import walk

@@ -1,7 +1,8 @@
 """What the paths through one block tell about it, for the rules that look at whole programs."""
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.analysis.effects import PlaceKey
 from fbgen.lang.checked import AddressRef, Block, FieldRef, FunctionCall, InstanceCall, Variable
 from fbgen.source import Span

@@ -1,10 +1,11 @@
 """What all nodes share: how they are made, and what stands between the tokens."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 from typing import TYPE_CHECKING, TypeAlias, TypeVar, dataclass_transform
 
+from fbgen.dataclass import dataclass
 from fbgen.source import Span
 
 _C = TypeVar("_C", bound=type)

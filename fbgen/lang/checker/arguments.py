@@ -1,9 +1,10 @@
 """Which argument of a call belongs to which parameter."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeVar
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.checked import Expression, Place, Variable

@@ -1,8 +1,8 @@
 """What the checking of one block's text works with."""
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import Assignment, Block, Variable
 from fbgen.lang.checker.findings import Findings
 from fbgen.lang.checker.rules import Rules

@@ -8,10 +8,10 @@ A result typed `EXPECTED` has the type that the call is used as, if it is one of
 its name ends in; else the first of them, or the common type if `results` starts with that.
 """
 
-from dataclasses import dataclass
 from enum import Enum
 from typing import TypeAlias
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.types import Elementary, Family, StringType
 
 

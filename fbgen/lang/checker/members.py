@@ -4,8 +4,7 @@ Sources: IEC 61131-3 third edition, sections 6.6.5.4 and 6.6.5.5; CODESYS online
 "SUPER" and "Object PROPERTY".
 """
 
-from dataclasses import dataclass
-
+from fbgen.dataclass import dataclass
 from fbgen.lang import ast
 from fbgen.lang.checked import (
     Block,

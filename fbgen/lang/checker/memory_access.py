@@ -4,8 +4,7 @@ Sources: TIA Portal help, "PEEK: Read memory address", "POKE: Write memory addre
 STEP 7 SCL manual, "Indexed access to memory areas of the CPU" and "... to data blocks".
 """
 
-from dataclasses import dataclass
-
+from fbgen.dataclass import dataclass
 from fbgen.lang import ast
 from fbgen.lang.checked import Assignment, Constant, Expression, MemoryRef, Variable, VariableKind
 from fbgen.lang.checker.arguments import bind

@@ -7,9 +7,9 @@ Source: IEC 61131-3 third edition, section 6.9 "Namespaces".
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any, ClassVar, TypeAlias
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.checker.findings import Findings

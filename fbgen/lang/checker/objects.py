@@ -8,9 +8,10 @@ Sources: IEC 61131-3 third edition, sections 6.6.5 to 6.6.8; CODESYS online help
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind

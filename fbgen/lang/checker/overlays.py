@@ -6,8 +6,7 @@ not larger than what it overlays, declared behind it); STEP 7 SCL manual, "Views
 published sources for overlays of in-outs.
 """
 
-from dataclasses import dataclass
-
+from fbgen.dataclass import dataclass
 from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import LIVING, Variable, VariableKind

@@ -4,9 +4,10 @@ Sources as for `routines`.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeGuard
 
+from fbgen.dataclass import dataclass
 from fbgen.lang import ast
 from fbgen.lang.checked import (
     Constant,

@@ -6,9 +6,10 @@ for BOOL on S7-300/400 the conversion functions of class A in the manual "S7-SCL
 "Type conversion operators" and "Compiler errors" C0195 to C0197.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 
 

@@ -1,9 +1,9 @@
 """What the names of a block mean: its variables and named constants."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import Variable
 from fbgen.lang.types import Enumeration, Scalar, Type
 from fbgen.source import Span

@@ -6,8 +6,7 @@ start address of the module as WORD (S7-300/400), or its hardware identifier (S7
 "MOVE_BLK_VARIANT", "Serialize", "Deserialize", "READ_LITTLE", "WRITE_BIG" and the like.
 """
 
-from dataclasses import dataclass
-
+from fbgen.dataclass import dataclass
 from fbgen.lang.types import (
     ANY,
     BYTE,

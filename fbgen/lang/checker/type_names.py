@@ -2,9 +2,9 @@
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.checked import Expression

@@ -6,8 +6,8 @@ is PROTECTED there; CODESYS and TwinCAT show it to everybody and write it from i
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Note
 from fbgen.lang import ast
 from fbgen.lang.checked import Block, Variable

@@ -10,8 +10,8 @@ Source: exports of CODESYS 3.5 and TwinCAT 3 in published projects: `pou`, `data
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.containers.embedded import content
 from fbgen.lang.containers.xml_tree import Element
 

@@ -6,9 +6,9 @@ document.rewritten(document.file)      # the bytes of the formatted file
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 from fbgen.lang.ast import File
 from fbgen.lang.containers import s7dcl, statement_lists

@@ -1,9 +1,9 @@
 """Which pieces of a container's text are code, and what is put there when it is written again."""
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.ast import File
 from fbgen.lang.containers.xml_tree import Element
 from fbgen.source import Source

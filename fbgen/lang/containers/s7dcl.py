@@ -13,8 +13,8 @@ Sources: Siemens, "SIMATIC SD" in github.com/siemens/tia-portal-ai-extensions; p
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 from fbgen.lang.containers.embedded import Assembly, EmbeddedSource
 from fbgen.lang.other_languages import foreign_body, other_language

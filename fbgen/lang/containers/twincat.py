@@ -6,8 +6,9 @@ one tree comes of it. Source: files that TwinCAT XAE writes, in published projec
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 from fbgen.lang.ast import Accessor, Action, Block, File, Globals, Interface, Property
 from fbgen.lang.containers import code_parts

@@ -1,8 +1,8 @@
 """New files from trees: what `convert` writes. The same trees give the same bytes."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.lang.ast import File
 from fbgen.lang.containers.plcopen_writing import project

@@ -6,13 +6,14 @@ which gives findings their column and lets a file be written again with only its
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from xml.etree.ElementTree import ParseError
 from xml.parsers.expat import XMLParserType
 
 from defusedxml.common import DefusedXmlException
 from defusedxml.ElementTree import DefusedXMLParser
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from fbgen.source import Source, Span
 

@@ -8,10 +8,10 @@ the system have their numbers: their symbols are in the project only if somebody
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import chain
 from typing import ClassVar
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.ast import (
     ArgumentKind,
     Assignment,

@@ -1,7 +1,9 @@
 """What can differ between dialects of the PLC language."""
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
+
+from fbgen.dataclass import dataclass
 
 
 class Feature(Enum):

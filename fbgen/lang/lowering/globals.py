@@ -1,7 +1,8 @@
 """Data blocks as global variables of a configuration."""
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.ast import (
     Argument,
     ArgumentKind,

@@ -1,6 +1,6 @@
 """How often programs run: what TIA Portal keeps in the device configuration."""
 
-from dataclasses import dataclass
+from fbgen.dataclass import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,8 +4,7 @@ Source: IEC 61131-3 second edition for `iec`, which is what MATIEC and OpenPLC t
 Information System and CODESYS help for `twincat`.
 """
 
-from dataclasses import dataclass
-
+from fbgen.dataclass import dataclass
 from fbgen.lang.dialects import Dialect, dialect_named
 from fbgen.lang.dialects.words import words
 

@@ -5,8 +5,8 @@ known; the first word of a head is told by the last one in its line: `FRO i := 0
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.parser.slips import WORDS
 from fbgen.nearest import near_names
 

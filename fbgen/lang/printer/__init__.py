@@ -9,8 +9,7 @@ way is lowered first (`fbgen.lang.lowering`); only comments are spelled here, as
 dialect has no `//`. Layout: published TIA Portal exports; IEC 61131-3 leaves it open.
 """
 
-from dataclasses import dataclass
-
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
 from fbgen.lang.ast import File
 from fbgen.lang.depth import room_for_depth

@@ -1,9 +1,9 @@
 """Whole blocks and structures as Python source: classes with slots, and functions."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import partial
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import Block, Statement, Variable, VariableKind, VariableRef
 from fbgen.lang.layout import holds_blocks
 from fbgen.lang.start_information import start_places

@@ -7,8 +7,9 @@ holds the variables where that is possible, and those that references to them ne
 
 from collections.abc import Iterable, Mapping
 from copy import copy
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import (
     LIVING,
     AddressRef,

@@ -1,9 +1,9 @@
 """Who was the last to write a variable, for those who ask from outside."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import LIVING, Block, Program
 from fbgen.lang.types import ArrayType, BlockType, StructType, Type
 from fbgen.source import Span

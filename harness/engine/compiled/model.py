@@ -6,8 +6,9 @@ of their own, which is never bound anew; the others are attributes of one object
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import AnyBlock, Block, Program, StandardBlock, Variable, VariableKind
 from fbgen.lang.types import (

@@ -5,10 +5,10 @@ change what the program does: a line is a plain Python statement about objects o
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from enum import Enum
 from typing import TypeAlias
 
+from fbgen.dataclass import dataclass
 from fbgen.lang import checked
 from fbgen.lang.checked import Expression, Program
 from harness.engine.compiled.writers import Writers

@@ -7,10 +7,10 @@ engine to one controller after the other.
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from types import CodeType
 from typing import Any
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import Block, Program, Statement
 from fbgen.lang.types import Elementary, Scalar
 from fbgen.source import Span

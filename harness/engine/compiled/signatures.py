@@ -1,7 +1,6 @@
 """How a FUNCTION looks in Python: which parameters it takes and what it gives back."""
 
-from dataclasses import dataclass
-
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import Block, Variable, VariableKind
 from harness.engine.compiled.facts import Facts
 from harness.engine.compiled.model import is_scalar

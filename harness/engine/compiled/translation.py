@@ -7,10 +7,10 @@ has to make for itself are its links. Whoever looks on by a probe has a translat
 
 from collections import OrderedDict
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from types import CodeType
 from typing import NamedTuple
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Program
 from fbgen.lang.types import StructType

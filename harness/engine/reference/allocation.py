@@ -5,8 +5,7 @@ Defaults: zero, FALSE, the empty text. On S7 a CHAR starts as a blank and dates 
 (IEC 61131-3 table 10) and dates at the beginning of their count.
 """
 
-from dataclasses import dataclass
-
+from fbgen.dataclass import dataclass
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import (
     LIVING,

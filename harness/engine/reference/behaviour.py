@@ -6,9 +6,9 @@ which differ from family to family, do not matter to it.
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
+from fbgen.dataclass import dataclass
 from harness.engine.interface import State
 from harness.engine.reference.storage import Storage
 

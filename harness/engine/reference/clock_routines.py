@@ -5,8 +5,8 @@ Sources as for `fbgen.lang.checker.routines.clock`; the units of DTL: TIA Portal
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.types import DATE_AND_TIME, Elementary, StructType
 from harness.engine.faults import stop_requested
 from harness.engine.interface import Value

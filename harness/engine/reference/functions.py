@@ -7,9 +7,9 @@ help, "Shift and rotate", for signed shifts.
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.types import Elementary, Family, Scalar, Type
 from fbgen.source import Span
 from harness.engine.faults import selector_out_of_range

@@ -5,9 +5,9 @@ controller, a data block to the program.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from struct import pack, unpack
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import Address
 from fbgen.lang.types import Elementary, Family, Scalar
 from fbgen.source import Span

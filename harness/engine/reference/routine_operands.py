@@ -1,8 +1,8 @@
 """What an instruction with several outputs works with: input values and the types around them."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.types import Type
 from fbgen.source import Span
 from harness.engine.interface import Value

@@ -6,8 +6,9 @@ is left, in BCD with the base, and in BI as a plain number of units. R wins. A c
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import astuple, dataclass
+from dataclasses import astuple
 
+from fbgen.dataclass import dataclass
 from harness.engine.interface import State, Value
 from harness.engine.reference.date_functions import S5_BASES_MS, coded, decimal_digits
 from harness.engine.reference.routine_operands import Operands

@@ -6,9 +6,9 @@ which is what "by reference" means. Keys of parts are casefolded names.
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import AnyBlock, Variable
 from fbgen.lang.types import ArrayType, Elementary, Scalar, StringType, StructType, Type
 from harness.engine.faults import reference_not_set

@@ -9,9 +9,9 @@ while the interface works, number and data stay as they came back last; a master
 idle before the response gets none.
 """
 
-from dataclasses import dataclass
 from enum import Enum
 
+from fbgen.dataclass import dataclass
 from fbgen.wire.toshiba import ErrorReply
 from harness.gateways.pbdp110.drive_link import Answer
 from harness.gateways.pbdp110.settings import AccessCodes, DriveFacts

@@ -1,10 +1,11 @@
 """How a PBDP-110 is made: its modules, codes and times. Facts: PBDP-110 manual #10407-1.100-000."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 from types import MappingProxyType
 
+from fbgen.dataclass import dataclass
 from harness.kernel import NS_PER_MS
 from harness.line import SerialFormat
 

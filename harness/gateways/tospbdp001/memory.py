@@ -1,6 +1,6 @@
 """What is in a TOSPBDP001 that had its supply all the time while the PLC was started anew."""
 
-from dataclasses import dataclass
+from fbgen.dataclass import dataclass
 
 
 @dataclass(frozen=True, slots=True)

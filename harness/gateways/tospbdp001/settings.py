@@ -6,9 +6,9 @@ printed pages 103-105; HMSI-27-306, printed page 33). Each of these choices is a
 whose first member is the default.
 """
 
-from dataclasses import dataclass
 from enum import Enum
 
+from fbgen.dataclass import dataclass
 from harness.kernel import NS_PER_MS
 from harness.line import GATEWAY_FORMAT, SerialFormat
 

@@ -7,12 +7,12 @@ same with however many workers, in whichever order, and in one go or in several.
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from contextlib import contextmanager
-from dataclasses import dataclass
 from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from fbgen.source import Source, Span
 from fbgen.workers import in_order

@@ -6,10 +6,10 @@ everything must be well: that is part of the scenario, as steps.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from random import Random
 
 from fbgen.catalog import Catalog
+from fbgen.dataclass import dataclass
 from fbgen.plant import Plant, PlantDrive
 from harness.kernel import NS_PER_MS, NS_PER_S
 from harness.verify.campaign.configurations import (

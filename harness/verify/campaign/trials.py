@@ -3,13 +3,14 @@
 A process keeps what is dear to make: the catalogue, plants and their checked programs.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import yaml
 
 from fbgen.catalog import Catalog, load_catalog, with_own_sequences
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import load_plant
 from harness.installation import PlantSetup, build_plant

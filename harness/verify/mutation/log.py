@@ -6,11 +6,12 @@ have touched is run again. With another version of fbgen the log begins anew.
 """
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import Any, TypeAlias
 
 from fbgen import __version__
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 
 Noticed: TypeAlias = tuple[str, int]

@@ -1,9 +1,9 @@
 """One small change of a block: what is exchanged in its checked tree, and in its text."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import Enum
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import Block, Expression, Statement
 from fbgen.source import Span
 from harness.verify.mutation.rebuilding import Node, with_nodes

@@ -1,9 +1,9 @@
 """Where the operators look: every expression of a block, with the statement that it stands in."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TypeVar
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import (
     Assignment,
     Binary,

@@ -5,8 +5,9 @@ they are run, the next case is looked at by another process.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.workers import Workers
 from harness.verify.mutation.log import Known, Log

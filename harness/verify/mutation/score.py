@@ -1,8 +1,8 @@
 """Figures of a mutation run: of each block and of all."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from harness.verify.mutation.session import Tried
 from harness.verify.mutation.verdict import Fate
 

@@ -2,9 +2,10 @@
 
 import random
 from collections.abc import Callable, Collection, Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from fbgen.nearest import nearest
 from fbgen.workers import Workers

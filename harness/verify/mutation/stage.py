@@ -2,9 +2,10 @@
 
 from collections.abc import Callable, Hashable, Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from fbgen.catalog import Catalog
+from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.lang.checked import Block, Program, Statement
 from harness.engine.compiled.probes import Probe

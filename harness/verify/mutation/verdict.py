@@ -1,7 +1,9 @@
 """What came of a mutant, as plain data that goes to other processes and into files."""
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from enum import Enum
+
+from fbgen.dataclass import dataclass
 
 
 class Fate(Enum):

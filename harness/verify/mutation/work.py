@@ -4,12 +4,12 @@ Each process has a stage of its own. On systems that copy a process to get anoth
 made once, before they are started.
 """
 
-from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from fbgen.catalog import load_catalog
+from fbgen.dataclass import dataclass
 from harness.scenario import scenario_cases
 from harness.scenario.runner import ScenarioRun
 from harness.trace import Recorder, Trace

@@ -1,8 +1,8 @@
 """From a line of the tables to the parameters that it describes."""
 
-from dataclasses import dataclass
 from enum import Enum
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.types import ALIASES, ELEMENTARY, VOID, StringType, Type
 
 

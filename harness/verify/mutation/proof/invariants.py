@@ -12,10 +12,10 @@ taken for granted that no person writes them from outside.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import z3
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import (
     Assignment,
     Binary,

@@ -1,11 +1,12 @@
 """The variables of a block as terms: each value of a structure apart, arrays by their index."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import TypeAlias
 
 import z3
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import (
     LIVING,
     FieldRef,

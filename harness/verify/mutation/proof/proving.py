@@ -1,11 +1,11 @@
 """Is a mutant the same as the block? Yes with a proof, no with a start that tells them apart."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import Enum
 
 import z3
 
+from fbgen.dataclass import dataclass
 from fbgen.lang.checked import (
     AnyBlock,
     Block,
