@@ -170,7 +170,7 @@ def _gateway_context(gateway: TelegramGateway) -> dict[str, object]:
 
 
 def _drive_context(drive: Drive, catalog: Catalog) -> dict[str, object]:
-    protocol = catalog.protocol(drive.protocol)
+    protocol = catalog.toshiba_protocol(drive.protocol)
     numbers = protocol.inv_numbers["binary"]
     read = protocol.command("read_padded")
     lower_case = (read.tripped_reply_code or 0) ^ (read.reply_code or 0)

@@ -14,13 +14,13 @@ from fbgen.catalog import (
     DelayStep,
     Drive,
     Parameter,
-    Protocol,
     ReadStep,
     RepeatStep,
     Result,
     Sequence,
     Setting,
     Step,
+    ToshibaProtocol,
     WaitStep,
     WriteStep,
     origin,
@@ -106,7 +106,7 @@ class SequenceView:
 
 def sequence_view(sequence: Sequence, drive: Drive, catalog: Catalog, texts: Texts) -> SequenceView:
     """The sequence as it is for one series."""
-    protocol = catalog.protocol(drive.protocol)
+    protocol = catalog.toshiba_protocol(drive.protocol)
     builder = _Steps(sequence, drive, protocol, texts)
     steps = tuple(builder.view(number) for number in range(1, len(sequence.steps) + 1))
     source = f"{texts('Source')}: {sequence.source}"
@@ -125,7 +125,9 @@ def sequence_view(sequence: Sequence, drive: Drive, catalog: Catalog, texts: Tex
 class _Steps:
     """Spells the steps of one sequence out, for one series."""
 
-    def __init__(self, sequence: Sequence, drive: Drive, protocol: Protocol, texts: Texts) -> None:
+    def __init__(
+        self, sequence: Sequence, drive: Drive, protocol: ToshibaProtocol, texts: Texts
+    ) -> None:
         self.texts = texts
         self.sequence = sequence
         self.drive = drive

@@ -7,13 +7,23 @@ from fbgen.catalog.catalog import (
     load_catalog,
     with_own_sequences,
 )
-from fbgen.catalog.drives import ComNo, Drive, Trip
+from fbgen.catalog.communication import (
+    Blocks,
+    Communication,
+    InterDrive,
+    ModbusAccess,
+    ModbusService,
+    SerialPort,
+    ToshibaService,
+)
+from fbgen.catalog.drives import ComNo, Drive, TerminalFunction, Trip
 from fbgen.catalog.gateways import Gateway, Led, LedState
 from fbgen.catalog.layouts import AccessWay, CyclicField, Layout, PlacedIdentifier
 from fbgen.catalog.located import Located, origin, validate
+from fbgen.catalog.modbus_protocol import ModbusException, ModbusFunction, ModbusProtocol
 from fbgen.catalog.options import Option, OptionValue
 from fbgen.catalog.process_data_gateways import ParameterChannel, ProcessDataGateway
-from fbgen.catalog.protocols import Command, ErrorCode, Frame, Protocol
+from fbgen.catalog.protocols import Command, ErrorCode, Frame, Protocol, ToshibaProtocol
 from fbgen.catalog.sequences import Parameter, Result, Sequence, Telegram
 from fbgen.catalog.settings import Setting, Switch
 from fbgen.catalog.steps import (
@@ -36,9 +46,11 @@ from fbgen.catalog.yaml_nodes import Document, load_yaml
 __all__ = [
     "AccessWay",
     "BitField",
+    "Blocks",
     "Catalog",
     "ComNo",
     "Command",
+    "Communication",
     "CyclicField",
     "DecodedField",
     "Delay",
@@ -53,11 +65,17 @@ __all__ = [
     "ErrorCode",
     "Frame",
     "Gateway",
+    "InterDrive",
     "Layout",
     "Led",
     "LedState",
     "Located",
     "OWN_SEQUENCES",
+    "ModbusAccess",
+    "ModbusException",
+    "ModbusFunction",
+    "ModbusProtocol",
+    "ModbusService",
     "Option",
     "OptionValue",
     "Parameter",
@@ -69,12 +87,16 @@ __all__ = [
     "Replacement",
     "Result",
     "Sequence",
+    "SerialPort",
     "Setting",
     "StatusCode",
     "Step",
     "Switch",
     "Telegram",
     "TelegramGateway",
+    "TerminalFunction",
+    "ToshibaProtocol",
+    "ToshibaService",
     "Trip",
     "Word",
     "WriteStep",

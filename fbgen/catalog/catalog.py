@@ -14,12 +14,15 @@ from types import MappingProxyType
 from typing import TypeVar
 
 from fbgen.catalog.drives import Drive
-from fbgen.catalog.gateway_kinds import gateway_kind
+from fbgen.catalog.gateway_kinds import GATEWAY_KINDS
 from fbgen.catalog.gateways import Gateway
+from fbgen.catalog.kinds import kind_of
 from fbgen.catalog.kinship import with_relative
 from fbgen.catalog.located import validate
+from fbgen.catalog.modbus_protocol import ModbusProtocol
 from fbgen.catalog.process_data_gateways import ProcessDataGateway
-from fbgen.catalog.protocols import Protocol
+from fbgen.catalog.protocol_kinds import PROTOCOL_KINDS
+from fbgen.catalog.protocols import Protocol, ToshibaProtocol
 from fbgen.catalog.references import unresolved
 from fbgen.catalog.sequences import Sequence
 from fbgen.catalog.telegram_gateways import TelegramGateway
@@ -35,12 +38,16 @@ Entry = Drive | Gateway | Protocol | Sequence
 KINDS: Mapping[str, type[Entry]] = MappingProxyType(
     {"drives": Drive, "gateways": Gateway, "protocols": Protocol, "sequences": Sequence}
 )
-"""Folder name -> model of the files in it; of gateways there are kinds."""
+"""Folder name -> model of the files in it."""
+_KINDS_OF: Mapping[str, Mapping[str, type[Gateway] | type[Protocol]]] = MappingProxyType(
+    {"gateways": GATEWAY_KINDS, "protocols": PROTOCOL_KINDS}
+)
+"""Folder name -> the kinds of models, where there are several."""
 OWN_SEQUENCES = "sequences"
 """The folder beside a plant file in which its own sequences lie."""
 
 EntryType = TypeVar("EntryType", Drive, Gateway, Protocol, Sequence)
-GatewayType = TypeVar("GatewayType", bound=Gateway)
+KindType = TypeVar("KindType", bound=Gateway | Protocol)
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,15 +81,26 @@ class Catalog:
 
     def telegram_gateway(self, name: str) -> TelegramGateway:
         """The gateway of an id, if it is one for telegrams. Raises FB1205, or FB1206 if not."""
-        return _of_kind(self, name, TelegramGateway, "telegrams")
+        return _of_kind(self.gateway(name), self.gateways, TelegramGateway, "gateway for telegrams")
 
     def process_data_gateway(self, name: str) -> ProcessDataGateway:
         """The gateway of an id, if it is one for process data. Raises FB1205, or FB1206 if not."""
-        return _of_kind(self, name, ProcessDataGateway, "process data")
+        kind = "gateway for process data"
+        return _of_kind(self.gateway(name), self.gateways, ProcessDataGateway, kind)
 
     def protocol(self, name: str) -> Protocol:
         """The protocol of an id. Raises DiagnosticError FB1205 with the nearest ids."""
         return _entry(self.protocols, name, "protocol")
+
+    def toshiba_protocol(self, name: str) -> ToshibaProtocol:
+        """The protocol of an id, if it is Toshiba's. Raises FB1205, or FB1206 if not."""
+        kind = "Toshiba inverter protocol"
+        return _of_kind(self.protocol(name), self.protocols, ToshibaProtocol, kind)
+
+    def modbus_protocol(self, name: str) -> ModbusProtocol:
+        """The protocol of an id, if it is MODBUS. Raises FB1205, or FB1206 if not."""
+        kind = "MODBUS protocol"
+        return _of_kind(self.protocol(name), self.protocols, ModbusProtocol, kind)
 
     def sequence(self, name: str) -> Sequence:
         """The sequence of an id. Raises DiagnosticError FB1205 with the nearest ids."""
@@ -224,7 +242,8 @@ def _enter(file: _File, layers: _Layers) -> None:
     try:
         if kind == "drives":
             document = with_relative(document, layers.series)
-        model = gateway_kind(document) if kind == "gateways" else KINDS[kind]
+        kinds = _KINDS_OF.get(kind)
+        model = KINDS[kind] if kinds is None else kind_of(document, kinds)
         entry = validate(document, model)
     except DiagnosticError as failure:
         layers.found += failure.diagnostics
@@ -299,13 +318,17 @@ def _entry(entries: Mapping[str, EntryType], name: str, kind: str) -> EntryType:
     raise error("FB1205", f"there is no {kind} '{name}'", help=nearest(name, entries))
 
 
-def _of_kind(catalog: Catalog, name: str, kind: type[GatewayType], title: str) -> GatewayType:
-    gateway = catalog.gateway(name)
-    if isinstance(gateway, kind):
-        return gateway
-    others = [item.id for item in catalog.gateways.values() if isinstance(item, kind)]
+def _of_kind(
+    entry: Gateway | Protocol,
+    entries: Mapping[str, Gateway] | Mapping[str, Protocol],
+    kind: type[KindType],
+    title: str,
+) -> KindType:
+    if isinstance(entry, kind):
+        return entry
+    others = [item.id for item in entries.values() if isinstance(item, kind)]
     raise error(
         "FB1206",
-        f"the gateway '{gateway.id}' is not one for {title}",
-        help=f"gateways for {title} are {', '.join(others) or 'not in the catalogue'}",
+        f"'{entry.id}' is no {title}",
+        help=f"a {title} is {', '.join(others) or 'not in the catalogue'}",
     )

@@ -5,10 +5,11 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from fbgen.catalog.communication import Communication, Parity, SerialPort, baud_rate_of, parity_of
 from fbgen.catalog.located import Located
-from fbgen.catalog.named import no_duplicates, pick
+from fbgen.catalog.named import no_duplicates, pick, unknown_name
 from fbgen.catalog.options import Option
-from fbgen.catalog.scalars import EntryId, Flag, HexWord, Number, Real, SnakeName, Text
+from fbgen.catalog.scalars import Count, EntryId, Flag, HexWord, Number, Real, SnakeName, Text
 from fbgen.catalog.settings import Setting, Switch
 from fbgen.catalog.sourced import Duration, Sourced, unknown_fields
 from fbgen.catalog.words import Word
@@ -144,10 +145,23 @@ class CommandLink(Located):
     command_source: SnakeName | None = None
 
 
-class Confirmed(Sourced):
-    """ComNos that a series was found to have as well as the one that it is like."""
+class TerminalFunction(Sourced):
+    """A function that an input terminal can be given, by its number; `inverted` acts while off."""
 
-    comnos: tuple[HexWord, ...]
+    name: SnakeName
+    number: Count
+    inverted: Count | None = None
+    title: Text
+
+
+CommunicationPart = Literal["ports", "blocks", "toshiba", "modbus", "inter_drive"]
+
+
+class Confirmed(Sourced):
+    """ComNos and parts of the communication that a series was found to have like the other one."""
+
+    comnos: tuple[HexWord, ...] = ()
+    communication: tuple[CommunicationPart, ...] = ()
 
 
 def _number(key: str) -> int | None:
@@ -160,7 +174,8 @@ class Drive(Sourced):
     """One series of inverters.
 
     `like` names a series of which this one takes over what it does not have itself: words, ComNos,
-    trips and options. All of that is unverified, but for ComNos that are `confirmed`.
+    trips, terminal functions, options and parts of the communication. All of that is unverified,
+    but for what is `confirmed`.
     """
 
     version: Literal[1]
@@ -173,9 +188,11 @@ class Drive(Sourced):
     description: Text | None = None
     link: CommandLink
     times: DriveTimes
+    communication: Communication | None = None
     words: tuple[Word, ...] = ()
     comnos: tuple[ComNo, ...] = ()
     trips: tuple[Trip, ...] = ()
+    terminal_functions: tuple[TerminalFunction, ...] = ()
     options: tuple[Option, ...] = ()
     settings: tuple[Setting, ...] = ()
     switches: tuple[Switch, ...] = ()
@@ -208,6 +225,16 @@ class Drive(Sourced):
         assert word is not None, "checked when the entry was read"
         return self.word(word)
 
+    def baud_rates(self, port: SerialPort) -> dict[int, int]:
+        """Value of the port's ComNo -> bit/s."""
+        texts = self.comno(port.baud_rate).values
+        return {value: rate for value, text in texts.items() if (rate := baud_rate_of(text))}
+
+    def parities(self, port: SerialPort) -> dict[int, Parity]:
+        """Value of the port's ComNo -> parity."""
+        texts = self.comno(port.parity).values
+        return {value: parity for value, text in texts.items() if (parity := parity_of(text))}
+
     def trip(self, code: int) -> Trip | None:
         """What a trip code means, or None where the catalogue does not say."""
         return next((trip for trip in self.trips if trip.code == code), None)
@@ -224,16 +251,26 @@ class Drive(Sourced):
         yield from no_duplicates(self.trips, "code", lambda item: f"{item.code:04X}", "trip")
         yield from no_duplicates(self.options, "id", lambda item: item.id, "option")
         yield from no_duplicates(self.settings, "comno", lambda item: item.comno, "setting")
+        functions = self.terminal_functions
+        yield from no_duplicates(functions, "name", lambda item: item.name, "terminal function")
         names = {comno.name for comno in self.comnos}
-        words = {word.name for word in self.words}
         for role in CommandLink.model_fields:
-            yield from _known(self.link, role, getattr(self.link, role), names, "ComNo")
+            yield from unknown_name(self.link, role, getattr(self.link, role), names, "ComNo")
         for setting in self.settings:
-            yield from _known(setting, "comno", setting.comno, names, "ComNo")
+            yield from unknown_name(setting, "comno", setting.comno, names, "ComNo")
+        yield from self._problems_of_comnos(names)
+        yield from self._problems_of_words(names)
+        if self.communication is not None:
+            yield from self.communication.unknown_comnos(names)
+            for port in self.communication.ports:
+                yield from self._problems_of_port(port)
+
+    def _problems_of_comnos(self, names: set[str]) -> Iterable[Diagnostic]:
+        words = {word.name for word in self.words}
         for comno in self.comnos:
-            yield from _known(comno, "limited_by", comno.limited_by, names, "ComNo")
-            yield from _known(comno, "frozen_copy_of", comno.frozen_copy_of, names, "ComNo")
-            yield from _known(comno, "word", comno.word, words, "word")
+            yield from unknown_name(comno, "limited_by", comno.limited_by, names, "ComNo")
+            yield from unknown_name(comno, "frozen_copy_of", comno.frozen_copy_of, names, "ComNo")
+            yield from unknown_name(comno, "word", comno.word, words, "word")
             if comno.name == self.link.command and comno.word is None:
                 yield Diagnostic(
                     "FB1105",
@@ -242,14 +279,49 @@ class Drive(Sourced):
                     "add word: with the name of a word",
                 )
 
+    def _problems_of_words(self, names: set[str]) -> Iterable[Diagnostic]:
+        bits = {f"{word.name}.{field.name}" for word in self.words for field in word.bits}
+        functions = {item.name for item in self.terminal_functions}
+        for word in self.words:
+            for name in word.overridden_by:
+                yield from unknown_name(word, "overridden_by", name, functions, "terminal function")
+            if word.needs is not None:
+                yield from unknown_name(word, "needs", _whole(word, word.needs), bits, "bit")
+            for field in word.bits:
+                for name in field.ored_with:
+                    yield from unknown_name(field, "ored_with", _whole(word, name), bits, "bit")
+                for comnos in field.parameters.values():
+                    for name in comnos:
+                        yield from unknown_name(field, "parameters", name, names, "ComNo")
 
-def _known(
-    owner: Located, field: str, name: str | None, known: set[str], kind: str
-) -> Iterable[Diagnostic]:
-    if name is not None and name not in known:
-        yield Diagnostic(
-            "FB1105",
-            f"there is no {kind} '{name}' in this drive",
-            owner.span_of(field),
-            nearest(name, known),
-        )
+    def _problems_of_port(self, port: SerialPort) -> Iterable[Diagnostic]:
+        """FB1113: a value of F800 or F801 that does not say what it means."""
+        by_name = {comno.name: comno for comno in self.comnos}
+        for name, meaning, example in (
+            (port.baud_rate, baud_rate_of, "4: 19200 bit/s"),
+            (port.parity, parity_of, "1: even"),
+        ):
+            comno = by_name.get(name)
+            if comno is None:
+                continue
+            codes = range(comno.minimum_word, comno.maximum_word + 1)
+            wrong = [
+                str(code)
+                for code in {*comno.values, *(codes if len(codes) <= _MOST_CODES else ())}
+                if code not in codes or meaning(comno.values.get(code, "")) is None
+            ]
+            if wrong:
+                yield Diagnostic(
+                    "FB1113",
+                    f"{comno.hex} '{name}' does not say what {', '.join(sorted(wrong))} means",
+                    comno.span_of("values"),
+                    f"give each value from minimum to maximum its meaning, such as {example}",
+                )
+
+
+_MOST_CODES = 16
+
+
+def _whole(word: Word, name: str) -> str:
+    """`word.bit` of a bit that may be named without its word."""
+    return name if "." in name else f"{word.name}.{name}"

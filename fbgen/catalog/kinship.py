@@ -1,9 +1,10 @@
 """Series of inverters that are like another: what they take over of its file.
 
-A series with `like: vf-s9` has the words, ComNos, trips and options of the VF-S9 beside its own.
-What it takes over is `unverified`, with the source of the other as what the guess rests on: that
-two series are alike is no fact about either. `confirmed` names the ComNos of which a document says
-that this series has them, too.
+A series with `like: vf-s9` has the words, ComNos, trips, terminal functions and options of the
+VF-S9 beside its own, and those parts of its communication that it does not have itself. What it
+takes over is `unverified`, with the source of the other as what the guess rests on: that two series
+are alike is no fact about either. `confirmed` names the ComNos and parts of the communication of
+which a document says that this series has them, too.
 """
 
 from collections.abc import Iterator, Mapping
@@ -17,9 +18,11 @@ _SHARED: Mapping[str, tuple[str, ...]] = {
     "words": ("name",),
     "comnos": ("number", "name"),
     "trips": ("code",),
+    "terminal_functions": ("name",),
     "options": ("id",),
 }
 """Lists that are taken over -> keys by which an own item replaces one of the other series."""
+_COMMUNICATION = "communication"
 
 
 def with_relative(document: Document, known: Mapping[str, Document]) -> Document:
@@ -61,8 +64,49 @@ def _merged(document: Document, known: Mapping[str, Document], seen: tuple[str, 
         whole[key] = joined
         whole.key_spans.setdefault(key, place)
         whole.value_spans.setdefault(key, place)
+    _communicate(whole, base, like, place)
     _all_taken_over(data, base, like)
     return Document(document.source, whole, document.span)
+
+
+def _communicate(whole: YamlMapping, base: YamlMapping, like: str, place: Span) -> None:
+    """Give a series those parts of the other one's communication that it has not itself."""
+    own, theirs = whole.get(_COMMUNICATION), base.get(_COMMUNICATION)
+    if not isinstance(theirs, YamlMapping) or not isinstance(own, YamlMapping | None):
+        return
+    sources = {
+        part: entry.get("source")
+        for entry, _ in _items(whole.get("confirmed"))
+        for part in _names(entry.get(_COMMUNICATION))
+    }
+    joined = YamlMapping(place) if own is None else _copy(own)
+    for part, value in theirs.items():
+        if part not in joined:
+            joined[part] = _part(value, like, sources.get(part))
+            joined.key_spans[part] = theirs.key_spans[part]
+            joined.value_spans[part] = theirs.value_spans[part]
+    whole[_COMMUNICATION] = joined
+    whole.key_spans.setdefault(_COMMUNICATION, place)
+    whole.value_spans.setdefault(_COMMUNICATION, place)
+
+
+def _part(value: object, like: str, source: object) -> object:
+    """A part of the communication: confirmed by a source, or unverified in all that it holds."""
+    if isinstance(value, YamlSequence):
+        items = YamlSequence(value.span)
+        items.extend(_part(item, like, source) for item in value)
+        items.item_spans = list(value.item_spans)
+        return items
+    if not isinstance(value, YamlMapping):
+        return value
+    copy = _copy(value)
+    for key, item in value.items():
+        copy[key] = _part(item, like, source)
+    if source is not None and value.get("status") != "unverified":
+        copy["source"] = source
+    elif "source" in value or "status" in value:
+        copy = _taken_over(copy, like, {})
+    return copy
 
 
 def _taken_over(item: YamlMapping, like: str, confirmed: Mapping[str, object]) -> YamlMapping:
@@ -96,6 +140,10 @@ def _confirmed(data: YamlMapping) -> Iterator[tuple[str, object, Span]]:
         if isinstance(numbers, YamlSequence):
             for number, span in zip(numbers, numbers.item_spans, strict=True):
                 yield _text(number), entry.get("source"), span
+
+
+def _names(value: object) -> list[str]:
+    return [str(item) for item in value] if isinstance(value, YamlSequence) else []
 
 
 def _items(value: object) -> Iterator[tuple[YamlMapping, Span]]:

@@ -1,6 +1,6 @@
 """Lists of things that have a name: nothing twice, and one picked by its name."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from typing import Protocol, TypeVar
 
 from fbgen.catalog.located import Located
@@ -47,3 +47,26 @@ def pick(items: Iterable[NamedItem], name: str, code: str, message: str) -> Name
             return item
         known.append(item.name)
     raise error(code, message, help=nearest(name, known))
+
+
+def named_in(
+    owner: Located, field: str, name: str, known: Collection[str], kind: str
+) -> Iterator[Diagnostic]:
+    """FB1105 for a name in a field of `owner` that nothing has."""
+    if name not in known:
+        yield Diagnostic(
+            "FB1105", f"there is no {kind} '{name}'", owner.span_of(field), nearest(name, known)
+        )
+
+
+def unknown_name(
+    owner: Located, field: str, name: str | None, known: Collection[str], kind: str
+) -> Iterator[Diagnostic]:
+    """FB1105 for a name in a field of a part of a drive that nothing in that drive has."""
+    if name is not None and name not in known:
+        yield Diagnostic(
+            "FB1105",
+            f"there is no {kind} '{name}' in this drive",
+            owner.span_of(field),
+            nearest(name, known),
+        )

@@ -1,12 +1,15 @@
-"""A drive protocol: frame layouts, commands, error codes and limits."""
+"""The protocols of inverters: what every one has, and the Toshiba inverter protocol.
+
+There are two kinds, which say in `kind` which they are: the Toshiba inverter protocol with its
+frame layouts, commands and error codes, and MODBUS-RTU (`modbus_protocol`).
+"""
 
 from collections.abc import Iterable
 from typing import Literal
 
-from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
-from fbgen.catalog.scalars import Count, EntryId, Flag, HexByte, HexWord, Real, SnakeName, Text
-from fbgen.catalog.sourced import Duration, Sourced
+from fbgen.catalog.scalars import Count, EntryId, Flag, HexByte, HexWord, SnakeName, Text
+from fbgen.catalog.sourced import Sourced
 from fbgen.diagnostics import Diagnostic
 
 Mode = Literal["binary", "ascii"]
@@ -82,16 +85,8 @@ class ErrorCode(Sourced):
     modes: tuple[Mode, ...]
 
 
-class Limits(Located):
-    """Limits of the protocol. `frame_gap_characters`: silence that ends a frame, 0 for none."""
-
-    max_frame_bytes: Count
-    frame_gap_characters: Real
-    reception_timeout: Duration
-
-
 class Protocol(Sourced):
-    """One protocol. Error replies use `error_reply_code`, `tripped_error_reply_code` if tripped."""
+    """What every protocol says: the characters on the line and the rates it is known with."""
 
     version: Literal[1]
     id: EntryId
@@ -99,6 +94,12 @@ class Protocol(Sourced):
     description: Text | None = None
     character: Character
     baud_rates: tuple[Count, ...]
+
+
+class ToshibaProtocol(Protocol):
+    """Error replies use `error_reply_code`, `tripped_error_reply_code` if tripped."""
+
+    kind: Literal["toshiba"] = "toshiba"
     start_codes: dict[Mode, HexByte]
     inv_numbers: dict[Mode, NumberRange]
     checksums: dict[Mode, Checksum]
@@ -107,7 +108,6 @@ class Protocol(Sourced):
     error_reply_code: HexByte
     tripped_error_reply_code: HexByte
     errors: tuple[ErrorCode, ...]
-    limits: Limits
 
     def command(self, name: str) -> Command:
         """The command of a name. Raises DiagnosticError FB1105 with the nearest names."""

@@ -3,13 +3,14 @@
 from collections.abc import Collection, Iterator, Mapping
 from typing import TYPE_CHECKING
 
+from fbgen.catalog.communication_references import unresolved_communication
 from fbgen.catalog.drives import ComNo, Drive
 from fbgen.catalog.located import Located
+from fbgen.catalog.named import named_in
 from fbgen.catalog.sequences import Parameter, Result, Sequence
 from fbgen.catalog.step_values import read_value, written_value
 from fbgen.catalog.steps import CheckStep, Condition, ReadStep, WaitStep, WriteStep
 from fbgen.diagnostics import Diagnostic, DiagnosticError
-from fbgen.nearest import nearest
 from fbgen.source import Span
 
 if TYPE_CHECKING:
@@ -29,25 +30,18 @@ def unresolved(catalog: "Catalog", broken: Collection[tuple[str, str]]) -> Itera
     protocols = {*catalog.protocols, *lost["protocols"]}
     series = {*catalog.drives, *lost["drives"]}
     for drive in catalog.drives.values():
-        yield from _named(drive, "protocol", drive.protocol, protocols, "protocol")
+        yield from named_in(drive, "protocol", drive.protocol, protocols, "protocol")
+        if drive.communication is not None:
+            yield from unresolved_communication(drive, drive.communication, catalog, protocols)
     for gateway in catalog.gateways.values():
-        yield from _named(gateway, "protocol", gateway.protocol, protocols, "protocol")
+        yield from named_in(gateway, "protocol", gateway.protocol, protocols, "protocol")
         for name in gateway.series:
-            yield from _named(gateway, "series", name, series, "drive series")
+            yield from named_in(gateway, "series", name, series, "drive series")
     for sequence in catalog.sequences.values():
         for name in sequence.series:
-            yield from _named(sequence, "series", name, series, "drive series")
+            yield from named_in(sequence, "series", name, series, "drive series")
             if (wanted := catalog.drives.get(name)) is not None:
                 yield from _sequence(sequence, wanted)
-
-
-def _named(
-    owner: Located, field: str, name: str, known: Collection[str], kind: str
-) -> Iterator[Diagnostic]:
-    if name not in known:
-        yield Diagnostic(
-            "FB1105", f"there is no {kind} '{name}'", owner.span_of(field), nearest(name, known)
-        )
 
 
 def _sequence(sequence: Sequence, drive: Drive) -> Iterator[Diagnostic]:

@@ -2,27 +2,43 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import combinations
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from fbgen.catalog.located import Located
-from fbgen.catalog.scalars import BitRange, HexWord, Number, SnakeName, Text
+from fbgen.catalog.scalars import BitRange, Flag, HexWord, Number, SnakeName, Text
 from fbgen.catalog.sourced import Sourced, Status
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
 from fbgen.nearest import nearest
 
 Party = Literal["plc", "gateway", "drive"]
+End = Literal["cleared", "power_off", "reset", "factory_setting"]
+"""What ends the effect of a bit that stays."""
+
+BitName = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*(\.[a-z][a-z0-9_]*)?$", max_length=120)]
+"""A bit of the same word, or `word.bit` for one of another word of the same device."""
 
 
 class BitField(Located):
-    """One bit or a row of bits of a word. `source` and `status` default to the word's."""
+    """One bit or a row of bits of a word. `source` and `status` default to the word's.
+
+    How a bit of a command acts: `always`, even where the bit that the word `needs` is 0; it
+    `stays_until` one of these once it was set; it is combined by OR with those in `ored_with`; at a
+    value the `parameters` count, by the names of their ComNos; a word with a bit that is not
+    `answered` gets no reply.
+    """
 
     name: SnakeName
     bit: BitRange
     title: Text
     values: dict[Number, Text] = Field(default_factory=dict)
+    always: Flag = False
+    stays_until: tuple[End, ...] = ()
+    ored_with: tuple[BitName, ...] = ()
+    parameters: dict[Number, tuple[SnakeName, ...]] = Field(default_factory=dict)
+    answered: Flag = True
     remark: Text | None = None
     source: Text | None = None
     status: Status | None = None
@@ -53,14 +69,15 @@ class BitField(Located):
 
     def problems(self) -> Iterable[Diagnostic]:
         """FB1104: a meaning for a value that does not fit."""
-        for value in self.values:
-            if value > self.maximum:
-                yield Diagnostic(
-                    "FB1104",
-                    f"the value {value} does not fit into bit {self.bit} of '{self.name}'",
-                    self.span_of("values"),
-                    f"the greatest value is {self.maximum}",
-                )
+        for key, values in (("values", self.values), ("parameters", self.parameters)):
+            for value in values:
+                if value > self.maximum:
+                    yield Diagnostic(
+                        "FB1104",
+                        f"the value {value} does not fit into bit {self.bit} of '{self.name}'",
+                        self.span_of(key),
+                        f"the greatest value is {self.maximum}",
+                    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +90,11 @@ class DecodedField:
 
 
 class Word(Sourced):
-    """A word with its bit table. `name` is unique within its drive or gateway."""
+    """A word with its bit table. `name` is unique within its drive or gateway.
+
+    `needs` is the bit that gives a command word priority: while it is 0, only bits that act
+    `always` do. `overridden_by` names terminal functions that have priority over the word.
+    """
 
     name: SnakeName
     title: Text
@@ -81,6 +102,8 @@ class Word(Sourced):
     written_by: Party
     read_by: Party
     bits: tuple[BitField, ...]
+    needs: BitName | None = None
+    overridden_by: tuple[SnakeName, ...] = ()
     remark: Text | None = None
 
     def problems(self) -> Iterable[Diagnostic]:

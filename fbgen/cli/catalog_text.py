@@ -23,25 +23,15 @@ from fbgen.catalog import (
 from fbgen.catalog import Sequence as CommandSequence
 from fbgen.catalog.catalog import Entry
 from fbgen.catalog.options import Option
-from fbgen.catalog.sourced import Sourced
+from fbgen.cli.communication_text import communication_text
+from fbgen.cli.protocol_text import protocol_text
 from fbgen.cli.table import paragraph, table
-from fbgen.cli.word_tables import bits_text, source_list, source_number
-
-
-class _Sources:
-    """The sources of one text, numbered as they appear."""
-
-    def __init__(self) -> None:
-        self.found: list[str] = []
-
-    def of(self, item: Sourced) -> str:
-        """How a table refers to the source of an entry."""
-        return source_number(item.source or "", item.status, self.found)
+from fbgen.cli.word_tables import Sources, bits_text, source_list
 
 
 def entry_text(entry: Entry) -> str:
     """Everything a person may want to know of an entry, with its sources at the end."""
-    sources = _Sources()
+    sources = Sources()
     head = f"{entry.id}: {entry.title} {sources.of(entry)}"
     parts = [head]
     if entry.description:
@@ -52,7 +42,7 @@ def entry_text(entry: Entry) -> str:
         case Gateway():
             parts += _gateway(entry, sources)
         case Protocol():
-            parts += _protocol(entry, sources)
+            parts += protocol_text(entry, sources)
         case CommandSequence():
             parts += _sequence(entry, sources)
     return "\n\n".join([*parts, source_list(sources.found)])
@@ -62,7 +52,7 @@ def part_text(path: str, part: Word | ComNo) -> str:
     """A word or a ComNo under the path by which it was asked for."""
     if isinstance(part, Word):
         return bits_text(path, part)
-    sources = _Sources()
+    sources = Sources()
     rows = [
         ["ComNo", f"{part.hex} {part.name}" + (f" ({part.display})" if part.display else "")],
         ["unit", f"{part.resolution:g} {part.unit} a count".replace("  ", " ")],
@@ -82,7 +72,7 @@ _ACCESS = {"r": "read only", "w": "write only", "rw": "read and write"}
 _EFFECT = {"at_once": "takes effect at once", "after_restart": "takes effect after a restart"}
 
 
-def _drive(drive: Drive, sources: _Sources) -> list[str]:
+def _drive(drive: Drive, sources: Sources) -> list[str]:
     times = [
         [name, f"{time.ms:g} ms", sources.of(time)]
         for name, time in (
@@ -91,6 +81,7 @@ def _drive(drive: Drive, sources: _Sources) -> list[str]:
             ("reset_silence", drive.times.reset_silence),
         )
     ]
+    wire = communication_text(drive, sources)
     words = [[f"{drive.id}.{word.name}", sources.of(word), word.title] for word in drive.words]
     comnos = [
         [
@@ -112,8 +103,10 @@ def _drive(drive: Drive, sources: _Sources) -> list[str]:
     headings = ["ComNo", "name", "panel", "access", "in", "count", "range", "source", "title"]
     return [
         table(["time", "value", "source"], times),
+        *wire,
         table(["word", "source", "title"], words),
         table(headings, comnos),
+        *_terminal_functions(drive, sources),
         table(["trip", "panel", "source", "meaning"], trips),
         *_settings(drive, sources),
         *_switches(drive.switches, sources),
@@ -121,7 +114,22 @@ def _drive(drive: Drive, sources: _Sources) -> list[str]:
     ]
 
 
-def _settings(drive: Drive, sources: _Sources) -> list[str]:
+def _terminal_functions(drive: Drive, sources: Sources) -> list[str]:
+    rows = [
+        [
+            str(item.number),
+            "" if item.inverted is None else str(item.inverted),
+            item.name,
+            sources.of(item),
+            item.title,
+        ]
+        for item in drive.terminal_functions
+    ]
+    headings = ["terminal function", "inverted", "name", "source", "title"]
+    return [table(headings, rows)] if rows else []
+
+
+def _settings(drive: Drive, sources: Sources) -> list[str]:
     rows = [
         [
             drive.comno(item.comno).display or drive.comno(item.comno).hex,
@@ -134,7 +142,7 @@ def _settings(drive: Drive, sources: _Sources) -> list[str]:
     return [table(["set", "to", "source", "why"], rows)] if rows else []
 
 
-def _switches(switches: tuple[Switch, ...], sources: _Sources) -> list[str]:
+def _switches(switches: tuple[Switch, ...], sources: Sources) -> list[str]:
     rows = [[item.name, item.where, _position(item), sources.of(item)] for item in switches]
     return [table(["switch", "where", "position", "source"], rows)] if rows else []
 
@@ -145,7 +153,7 @@ def _position(switch: Switch) -> str:
     return switch.stands or f"{switch.shows} of the address"
 
 
-def _gateway(gateway: Gateway, sources: _Sources) -> list[str]:
+def _gateway(gateway: Gateway, sources: Sources) -> list[str]:
     layouts = [
         [
             item.name + (" (default)" if item.name == gateway.default_layout else ""),
@@ -182,7 +190,7 @@ def _gateway(gateway: Gateway, sources: _Sources) -> list[str]:
     ]
 
 
-def _of_the_kind(gateway: Gateway, sources: _Sources) -> list[str]:
+def _of_the_kind(gateway: Gateway, sources: Sources) -> list[str]:
     """What only one kind of gateway has."""
     match gateway:
         case TelegramGateway():
@@ -196,7 +204,7 @@ def _of_the_kind(gateway: Gateway, sources: _Sources) -> list[str]:
             return []
 
 
-def _process_data(gateway: ProcessDataGateway, sources: _Sources) -> list[str]:
+def _process_data(gateway: ProcessDataGateway, sources: Sources) -> list[str]:
     access = gateway.parameter_channel
     cyclic = [
         [way, item.field, f"{item.comno:04X}", sources.of(item), item.title]
@@ -232,26 +240,7 @@ _PROCESS_DATA_TIMES = (
 )
 
 
-def _protocol(protocol: Protocol, sources: _Sources) -> list[str]:
-    commands = [
-        [f"{item.code:02X} '{item.letter}'", item.name, item.keeps, sources.of(item), item.title]
-        for item in protocol.commands
-    ]
-    frames = [
-        [item.name, item.mode, item.direction, sources.of(item), " ".join(item.fields)]
-        for item in protocol.frames
-    ]
-    errors = [
-        [f"{item.code:04X}", item.name, sources.of(item), item.title] for item in protocol.errors
-    ]
-    return [
-        table(["command", "name", "keeps in", "source", "title"], commands),
-        table(["frame", "mode", "direction", "source", "fields"], frames),
-        table(["error", "name", "source", "title"], errors),
-    ]
-
-
-def _sequence(sequence: CommandSequence, sources: _Sources) -> list[str]:
+def _sequence(sequence: CommandSequence, sources: Sources) -> list[str]:
     interface = [
         *(["input", item.name, item.type, item.unit, item.title] for item in sequence.parameters),
         *(["output", item.name, item.type, item.unit, item.title] for item in sequence.results),
@@ -298,7 +287,7 @@ def _condition(condition: Condition) -> str:
     return " and ".join([*numbers, *(f"{bit}={value}" for bit, value in condition.bits.items())])
 
 
-def _options(options: Sequence[Option], sources: _Sources) -> list[str]:
+def _options(options: Sequence[Option], sources: Sources) -> list[str]:
     rows = [
         [
             item.id,

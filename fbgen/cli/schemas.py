@@ -37,8 +37,9 @@ def schemas(
 
 def schema_texts() -> dict[str, str]:
     """The schemas by file name, each generated from the model that reads such a file."""
-    from fbgen.catalog import Drive, Protocol, Sequence
+    from fbgen.catalog import Drive, Sequence
     from fbgen.catalog.gateway_kinds import GatewayFile
+    from fbgen.catalog.protocol_kinds import ProtocolFile
     from fbgen.catalog.schema import schema_text
     from fbgen.cli.check_report import CheckReport
     from fbgen.plant import Plant
@@ -48,7 +49,7 @@ def schema_texts() -> dict[str, str]:
     models: dict[str, type[BaseModel]] = {
         "catalog-drive": Drive,
         "catalog-gateway": GatewayFile,
-        "catalog-protocol": Protocol,
+        "catalog-protocol": ProtocolFile,
         "catalog-sequence": Sequence,
         "check-report": CheckReport,
         "plant": Plant,

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from fbgen.catalog import BitField, DecodedField, Word
+from fbgen.catalog.sourced import Sourced
 from fbgen.cli.table import table
 
 
@@ -38,12 +39,19 @@ def bits_text(path: str, word: Word) -> str:
             str(field.bit),
             field.name,
             _source(word, field, sources),
-            "; ".join([field.title, *(f"{key} = {text}" for key, text in _values(field))]),
+            "; ".join(
+                [field.title, *(f"{key} = {text}" for key, text in _values(field)), *_acts(field)]
+            ),
         ]
         for field in sorted(word.bits, key=lambda item: -item.low)
     ]
     head = f"{path}\n{word.title}, from {word.written_by} to {word.read_by}"
-    remark = f"\n{word.remark}" if word.remark else ""
+    notes = [word.remark] if word.remark else []
+    if word.needs is not None:
+        notes.append(f"Acts while {word.needs} is set, apart from bits that always act.")
+    if word.overridden_by:
+        notes.append(f"Terminals have priority over it by {', '.join(word.overridden_by)}.")
+    remark = "".join(f"\n{note}" for note in notes)
     body = table(["bit", "name", "source", "meaning"], rows)
     return f"{head}{remark}\n\n{body}\n\n{source_list(sources)}"
 
@@ -72,6 +80,17 @@ def source_list(sources: Iterable[str]) -> str:
     return "\n".join(["Sources:", *lines])
 
 
+class Sources:
+    """The sources of one text, numbered as they appear."""
+
+    def __init__(self) -> None:
+        self.found: list[str] = []
+
+    def of(self, item: Sourced) -> str:
+        """How a table refers to the source of an entry."""
+        return source_number(item.source or "", item.status, self.found)
+
+
 def source_number(source: str, status: str, sources: list[str]) -> str:
     """How a table refers to a source, which is added to the list if it is new."""
     if not source:
@@ -93,6 +112,20 @@ def _value(item: DecodedField) -> str:
 def _values(field: BitField) -> Iterable[tuple[str, str]]:
     for value, text in field.values.items():
         yield (str(value) if field.maximum == 1 else f"16#{value:X}"), text
+
+
+def _acts(field: BitField) -> Iterable[str]:
+    """How a bit of a command acts."""
+    if field.always:
+        yield "always acts"
+    if field.stays_until:
+        yield f"stays until {', '.join(field.stays_until)}"
+    if field.ored_with:
+        yield f"ORed with {', '.join(field.ored_with)}"
+    for value, names in field.parameters.items():
+        yield f"{value} uses {', '.join(names)}"
+    if not field.answered:
+        yield "no reply"
 
 
 def _field_json(word: Word, item: DecodedField) -> dict[str, object]:

@@ -78,7 +78,7 @@ def gateway(item: "PlantGateway", catalog: Catalog) -> Iterator[Diagnostic]:
     if isinstance(entry, ProcessDataGateway):
         yield from process_data_gateway(item, entry)
     else:
-        yield from telegram_gateway(item, catalog.protocol(entry.protocol))
+        yield from telegram_gateway(item, catalog.toshiba_protocol(entry.protocol))
     for member in item.drives:
         known: Drive | None = catalog.drives.get(member.series)
         if known is not None and known.id not in entry.series:

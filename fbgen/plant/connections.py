@@ -7,7 +7,7 @@ without effect.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from fbgen.catalog import ProcessDataGateway, Protocol
+from fbgen.catalog import ProcessDataGateway, ToshibaProtocol
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant.modules import layout_of, why_not
 
@@ -18,7 +18,7 @@ _ONLY_PROCESS_DATA = ("identifiers", "eeprom")
 """Keys of a gateway that one for telegrams does not have."""
 
 
-def telegram_gateway(item: "PlantGateway", protocol: Protocol) -> Iterator[Diagnostic]:
+def telegram_gateway(item: "PlantGateway", protocol: ToshibaProtocol) -> Iterator[Diagnostic]:
     """FB2024 no INV-NO, or a channel; FB2007 out of range; FB2026 keys of other gateways."""
     numbers = protocol.inv_numbers["binary"]
     for member in item.drives:

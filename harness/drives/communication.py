@@ -9,6 +9,7 @@ that nobody carries out, does not restart the time-out.
 from dataclasses import replace
 from typing import Protocol
 
+from fbgen.catalog.communication import baud_rate_of
 from fbgen.wire import toshiba_ascii, toshiba_binary
 from fbgen.wire.toshiba import (
     BROADCAST,
@@ -282,8 +283,10 @@ class Communication:
 
     def _format(self) -> SerialFormat:
         baud, parity = self._registers.cell("baud_rate"), self._registers.cell("parity")
+        rate = baud_rate_of(baud.values[self._registers.word("baud_rate")])
+        assert rate is not None, "checked when the inverter was made"
         return SerialFormat(
-            _rate_of(baud.values[self._registers.word("baud_rate")]),
+            rate,
             Parity[parity.values[self._registers.word("parity")].upper()],
             _SENT_STOP_BITS,
         )
@@ -297,8 +300,3 @@ def _answer(request: Request, value: int, tripped: bool) -> bytes:
         return toshiba_binary.reply_frame(address, cmd, com_no, value)
     reply = Reply(address, command, com_no, value, tripped, request.form, request.checked)
     return toshiba_ascii.encode_reply(reply)
-
-
-def _rate_of(text: str) -> int:
-    """The rate in a value of the catalogue such as `19200 bit/s`. ValueError if there is none."""
-    return int(text.split(maxsplit=1)[0])

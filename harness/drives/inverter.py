@@ -11,6 +11,7 @@ from math import isclose
 from typing import Literal
 
 from fbgen.catalog import ComNo, Drive
+from fbgen.catalog.communication import baud_rate_of, parity_of
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.wire.toshiba import ErrorCode
 from harness.drives import communication, operation
@@ -20,10 +21,11 @@ from harness.drives.monitors import Monitors
 from harness.drives.operation import Operation, Panel
 from harness.drives.registers import Registers
 from harness.drives.settings import InverterSettings
+from harness.drives.simulated_lines import check_line, check_protocol, other_protocol
 from harness.drives.trips import TripLog
 from harness.drives.word_bits import CommandBits
 from harness.kernel import Kernel
-from harness.line import Line, Parity
+from harness.line import Line
 
 EMERGENCY_STOP = "E"
 COMMUNICATION_ERROR = "Err5"
@@ -72,6 +74,7 @@ class Inverter:
     ) -> None:
         """Raises DiagnosticError FB7101 for parameters that the series would not take.
 
+        FB7104 for a way of communicating that is not simulated.
         FB7102 and FB7103 if the series lacks trips or ComNos that the simulation stands on.
         """
         _complete(series)
@@ -81,6 +84,7 @@ class Inverter:
         self.observers: list[Callable[[], None]] = []
         self._emergency_terminal = False
         self.registers = Registers(series, _delivered(series, settings))
+        check_protocol(series, self.registers)
         self._bits = CommandBits.of(series.command_word)
         number = self.registers.number
         self._command_number = number(series.link.command)
@@ -337,6 +341,8 @@ class Inverter:
         self.registers.restart()
         self.operation.restart()
         self.communication.restart(silence_ns)
+        if other_protocol(self.series, self.registers) is not None:
+            self.communication.stop()
         if self._emergency_terminal:
             self._trip(self._emergency_code)
         self._changed()
@@ -347,7 +353,10 @@ class Inverter:
 
 
 def _complete(series: Drive) -> None:
-    """FB7103 unless the series has every ComNo that the simulation stands on, by its name."""
+    """FB7104 for a line that is not simulated; FB7103 unless the series has every ComNo that the
+    simulation stands on, by its name.
+    """
+    check_line(series)
     names = {comno.name for comno in series.comnos}
     wanted = (*operation.PARAMETERS, *communication.PARAMETERS, *_SCALING)
     if missing := [name for name in wanted if name not in names]:
@@ -358,23 +367,15 @@ def _complete(series: Drive) -> None:
             "give these ComNos under these names, as vf-s11.yaml does",
         )
     found: list[Diagnostic] = []
-    for name, is_readable in (("baud_rate", _is_rate), ("parity", _is_parity)):
+    for name, meaning in (("baud_rate", baud_rate_of), ("parity", parity_of)):
         comno = series.comno(name)
         words = range(comno.minimum_word, comno.maximum_word + 1)
-        if not all(is_readable(comno.values.get(word, "")) for word in words):
+        if any(meaning(comno.values.get(word, "")) is None for word in words):
             message = f"the values of {name} ({comno.hex}) do not say what each word means"
             help_ = "write 4: 19200 bit/s for a rate; none, even or odd for a parity"
             found.append(Diagnostic("FB7103", message, comno.span, help_))
     if found:
         raise DiagnosticError(found)
-
-
-def _is_rate(text: str) -> bool:
-    return text[:1].isdecimal() and text.split(maxsplit=1)[0].isdecimal()
-
-
-def _is_parity(text: str) -> bool:
-    return text.upper() in Parity.__members__
 
 
 def _delivered(series: Drive, settings: InverterSettings) -> dict[int, int]:

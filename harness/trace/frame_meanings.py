@@ -35,7 +35,7 @@ class FrameMeanings:
         self._first = next(iter(series.values()))
         self._writes = {
             command.code: command.writes
-            for command in catalog.protocol(self._first.protocol).commands
+            for command in catalog.toshiba_protocol(self._first.protocol).commands
         }
         self._known: dict[tuple[bytes, bool], tuple[FrameKind, str]] = {}
 

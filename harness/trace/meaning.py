@@ -1,11 +1,11 @@
 """What telegrams mean, in words, from the catalogue."""
 
-from fbgen.catalog import Catalog, Drive, Protocol
+from fbgen.catalog import Catalog, Drive, ToshibaProtocol
 
 
 def telegram_meaning(output: bytes, reply: bytes | None, drive: Drive, catalog: Catalog) -> str:
     """A telegram of the gateway's cyclic data (without padding) and its reply, as one sentence."""
-    protocol = catalog.protocol(drive.protocol)
+    protocol = catalog.toshiba_protocol(drive.protocol)
     inv_no, cmd = output[3], output[4]
     comno, data = int.from_bytes(output[5:7], "big"), int.from_bytes(output[7:9], "big")
     command = next((item for item in protocol.commands if item.code == cmd), None)
@@ -41,5 +41,5 @@ def word_meaning(drive: Drive, comno: int, data: int) -> str:
     return f"{data:04X} ({known.to_value(data):.{decimals}f}{unit})"
 
 
-def _broadcast(protocol: Protocol) -> int:
+def _broadcast(protocol: ToshibaProtocol) -> int:
     return int(protocol.inv_numbers["binary"].broadcast, 16)

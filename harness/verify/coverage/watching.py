@@ -50,7 +50,7 @@ def watch(plant: Installation, coverage: CatalogueCoverage) -> None:
         if series:
             writing = {
                 command.code
-                for command in plant.catalog.protocol(known.protocol).commands
+                for command in plant.catalog.toshiba_protocol(known.protocol).commands
                 if command.writes
             }
             _LineWatch(coverage, plant.lines[entry.name], gateway.port, series, writing)

@@ -9,7 +9,19 @@ import pytest
 import fbgen.blocks
 import fbgen.catalog
 import fbgen.plant
-from fbgen.catalog import ComNo, Layout, Located, Option, Word, load_catalog, load_yaml, validate
+from fbgen.catalog import (
+    ComNo,
+    Drive,
+    Layout,
+    Located,
+    ModbusAccess,
+    Option,
+    SerialPort,
+    Word,
+    load_catalog,
+    load_yaml,
+    validate,
+)
 from fbgen.catalog.catalog import read_source
 from fbgen.diagnostics import DiagnosticError
 from fbgen.plant import load_plant
@@ -23,6 +35,9 @@ ENTRIES: list[tuple[str, type[Located], int, int]] = [
     ("FB1106_layout_length", Layout, 5, 1),
     ("FB1108_range", ComNo, 7, 10),
     ("FB1109_option_default", Option, 4, 10),
+    ("FB1113_code_without_meaning", Drive, 23, 14),
+    ("FB1114_more_words_than_read", ModbusAccess, 1, 1),
+    ("FB1115_two_protocols", SerialPort, 10, 12),
 ]
 SEQUENCES = [
     ("FB1102_name_twice", 10, 12),

@@ -233,7 +233,7 @@ def test_a_gateway_of_the_other_kind_is_refused() -> None:
     with pytest.raises(DiagnosticError) as raised:
         CATALOG.process_data_gateway("tospbdp001")
     (found,) = raised.value.diagnostics
-    assert (found.code, found.help) == ("FB1206", "gateways for process data are pbdp110")
+    assert (found.code, found.help) == ("FB1206", "a gateway for process data is pbdp110")
 
 
 def test_a_kind_that_is_not_there_is_named_at_its_place(tmp_path: Path) -> None:

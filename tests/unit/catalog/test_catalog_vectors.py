@@ -16,7 +16,7 @@ VECTORS = Path(__file__).parents[2] / "vectors"
 CATALOG = load_catalog()
 GATEWAY = CATALOG.telegram_gateway("tospbdp001")
 DRIVE = CATALOG.drive("vf-s11")
-PROTOCOL = CATALOG.protocol("toshiba")
+PROTOCOL = CATALOG.toshiba_protocol("toshiba")
 
 
 def _entries() -> dict[str, dict[str, Any]]:

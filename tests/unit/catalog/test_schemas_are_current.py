@@ -5,8 +5,9 @@ import json
 import pytest
 from pydantic import BaseModel
 
-from fbgen.catalog import Drive, Protocol, Sequence
+from fbgen.catalog import Drive, Sequence
 from fbgen.catalog.gateway_kinds import GatewayFile
+from fbgen.catalog.protocol_kinds import ProtocolFile
 from fbgen.catalog.schema import schema_text
 from fbgen.plant import Plant
 from fbgen.resources import shipped
@@ -14,7 +15,7 @@ from fbgen.resources import shipped
 SCHEMAS: dict[str, type[BaseModel]] = {
     "catalog-drive": Drive,
     "catalog-gateway": GatewayFile,
-    "catalog-protocol": Protocol,
+    "catalog-protocol": ProtocolFile,
     "catalog-sequence": Sequence,
     "plant": Plant,
 }

@@ -212,3 +212,9 @@ def test_series_must_say_what_the_words_of_rate_and_parity_mean(name: str) -> No
     with pytest.raises(DiagnosticError, match=name) as caught:
         type(bench.add())(bench.kernel, bench.line, SERIES.model_copy(update={"comnos": comnos}))
     assert [finding.code for finding in caught.value.diagnostics] == ["FB7103"]
+
+
+def test_an_inverter_that_speaks_another_protocol_is_not_simulated() -> None:
+    with pytest.raises(DiagnosticError, match="with the protocol 'modbus'") as caught:
+        Bench().add(parameters={"protocol_selection": 1})
+    assert [finding.code for finding in caught.value.diagnostics] == ["FB7104"]
