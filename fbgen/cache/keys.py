@@ -1,7 +1,8 @@
 """The key of what is kept: a hash of everything that it was made from.
 
-fbgen itself is among it: its version, and the size and times of each of its Python files, so that
-in a checkout the next edit counts. So are the Python that runs it and the libraries that it uses.
+fbgen itself is among it: its version, and the size and times of each Python file of its packages,
+so that in a checkout the next edit counts. So are the Python that runs it and the libraries that it
+uses.
 """
 
 import os
@@ -14,6 +15,7 @@ from pathlib import Path
 
 import fbgen
 
+_PACKAGES = ("fbgen", "harness")
 _LIBRARIES = ("jinja2", "markupsafe", "pydantic", "pydantic_core", "yaml")
 """What the text of a plant goes through, beside fbgen."""
 
@@ -34,8 +36,10 @@ def key_of(parts: Iterable[str | bytes]) -> str:
 @cache
 def _made_by() -> str:
     """fbgen, its libraries and Python, as they are now. They are looked at once in a process."""
-    package = Path(fbgen.__file__).parent
-    stamps = [_stamp(path) for path in sorted(_python_files(package))]
+    around = Path(fbgen.__file__).parents[1]
+    folders = [around / name for name in _PACKAGES]
+    files = (path for folder in folders if folder.is_dir() for path in _python_files(folder))
+    stamps = [_stamp(path) for path in sorted(files)]
     for name in _LIBRARIES:
         found = find_spec(name)
         stamps.append(_stamp(found.origin) if found and found.origin else name)

@@ -1,9 +1,7 @@
-"""The kinds of gateways: which model reads a gateway's file, and the schema of both together."""
+"""The kinds of gateways: which model reads a gateway's file."""
 
 from collections.abc import Mapping
 from types import MappingProxyType
-
-from pydantic import RootModel
 
 from fbgen.catalog.gateways import Gateway
 from fbgen.catalog.process_data_gateways import ProcessDataGateway
@@ -13,7 +11,3 @@ GATEWAY_KINDS: Mapping[str, type[Gateway]] = MappingProxyType(
     {"telegrams": TelegramGateway, "process_data": ProcessDataGateway}
 )
 """What `kind` says -> model of the file; the first where it says none."""
-
-
-class GatewayFile(RootModel[TelegramGateway | ProcessDataGateway]):
-    """A gateway's file of whatever kind."""

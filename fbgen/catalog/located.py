@@ -7,10 +7,11 @@ one DiagnosticError with everything that is wrong in the document: a finding ins
 none in its neighbours or in the whole.
 """
 
+import marshal
 import re
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Hashable, Iterable, Mapping
 from dataclasses import field
-from typing import Self, TypeVar
+from typing import NamedTuple, Self, TypeVar
 
 from pydantic import (
     BaseModel,
@@ -27,17 +28,75 @@ from fbgen.catalog.yaml_nodes import Document, YamlFloat, YamlInt, YamlMapping, 
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.nearest import near_names, nearest
-from fbgen.source import Origin, Span
+from fbgen.source import Origin, Source, Span
+
+Key = TypeVar("Key", bound=Hashable)
 
 
-@dataclass(frozen=True)
+class _Spans(NamedTuple):
+    """Of a model, of the values of its fields, of their names, and of items inside of fields."""
+
+    own: Span | None
+    fields: Mapping[str, Span]
+    keys: Mapping[str, Span]
+    items: Mapping[str, Mapping[int | str, Span]]
+
+
 class _Place:
-    """Where a model stands. Two models with equal fields are equal wherever they stand."""
+    """Where a model stands. Two models with equal fields are equal wherever they stand.
 
-    span: Span | None = field(default=None, compare=False)
-    fields: dict[str, Span] = field(default_factory=dict, compare=False)
-    keys: dict[str, Span] = field(default_factory=dict, compare=False)
-    items: dict[str, dict[int | str, Span]] = field(default_factory=dict, compare=False)
+    A kept catalogue has thousands of spans, and few are asked for: the spans of a model are plain
+    numbers with their sources until somebody asks for one.
+    """
+
+    __slots__ = ("_kept", "_spans")
+
+    def __init__(
+        self, spans: _Spans | None = None, kept: tuple[bytes, tuple[Source, ...]] | None = None
+    ) -> None:
+        self._spans = spans or (None if kept else _Spans(None, {}, {}, {}))
+        self._kept = kept
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Place)
+
+    def __hash__(self) -> int:
+        return 0
+
+    @property
+    def spans(self) -> _Spans:
+        """The spans themselves."""
+        if self._spans is None:
+            assert self._kept is not None, "one of both is there"
+            own, fields, keys, items = marshal.loads(self._kept[0])
+            self._spans = _Spans(
+                None if own is None else self._span(own),
+                self._all(fields),
+                self._all(keys),
+                {name: self._all(inside) for name, inside in items.items()},
+            )
+        return self._spans
+
+    def _span(self, found: tuple[int, int, int]) -> Span:
+        assert self._kept is not None, "only kept spans are numbers"
+        return Span(self._kept[1][found[0]], found[1], found[2])
+
+    def _all(self, found: Mapping[Key, tuple[int, int, int]]) -> dict[Key, Span]:
+        return {key: self._span(one) for key, one in found.items()}
+
+    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
+        own, fields, keys, items = self.spans
+        sources: dict[Source, int] = {}
+
+        def number(span: Span) -> tuple[int, int, int]:
+            return sources.setdefault(span.source, len(sources)), span.start, span.end
+
+        def numbers(spans: Mapping[Key, Span]) -> dict[Key, tuple[int, int, int]]:
+            return {key: number(span) for key, span in spans.items()}
+
+        inside = {name: numbers(spans) for name, spans in items.items()}
+        content = own and number(own), numbers(fields), numbers(keys), inside
+        return _Place, (None, (marshal.dumps(content), tuple(sources)))
 
 
 @dataclass(slots=True)
@@ -84,7 +143,7 @@ class Located(BaseModel):
             model = handler(data)
         if isinstance(data, YamlMapping):
             items = {key: _item_spans(value) for key, value in data.items()}
-            model._place = _Place(data.span, data.value_spans, data.key_spans, items)
+            model._place = _Place(_Spans(data.span, data.value_spans, data.key_spans, items))
         found = tuple(model.problems())
         if reading is not None:
             reading.findings += found
@@ -105,20 +164,22 @@ class Located(BaseModel):
     @property
     def span(self) -> Span | None:
         """Where the model stands; None for one that was made in Python."""
-        return self._place.span
+        return self._place.spans.own
 
     def span_of(self, name: str) -> Span | None:
         """Where the value of a field stands, or the model itself where the field is not written."""
-        return self._place.fields.get(name, self._place.span)
+        spans = self._place.spans
+        return spans.fields.get(name, spans.own)
 
     def item_span_of(self, name: str, item: int | str) -> Span | None:
         """Where an item of a list (by index) or of a mapping (its value, by key) stands, or the
         whole list or mapping where items have no place."""
-        return self._place.items.get(name, {}).get(item, self.span_of(name))
+        return self._place.spans.items.get(name, {}).get(item, self.span_of(name))
 
     def key_span_of(self, name: str) -> Span | None:
         """Where the name of a field stands, or the model itself where the field is not written."""
-        return self._place.keys.get(name, self._place.span)
+        spans = self._place.spans
+        return spans.keys.get(name, spans.own)
 
 
 def _item_spans(value: object) -> dict[int | str, Span]:

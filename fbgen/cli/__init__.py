@@ -47,11 +47,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(arguments: Sequence[str] | None) -> int:
     from fbgen.cli.output import report, report_defect, report_inaccessible
-    from fbgen.cli.program import program
+    from fbgen.cli.program import program_for
     from fbgen.diagnostics import DiagnosticError
 
     try:
-        program(args=arguments, prog_name="fbgen")
+        given = sys.argv[1:] if arguments is None else arguments
+        program_for(given)(args=given, prog_name="fbgen")
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else 0
     except DiagnosticError as failure:

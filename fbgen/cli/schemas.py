@@ -38,8 +38,7 @@ def schemas(
 def schema_texts() -> dict[str, str]:
     """The schemas by file name, each generated from the model that reads such a file."""
     from fbgen.catalog import Drive, Sequence
-    from fbgen.catalog.gateway_kinds import GatewayFile
-    from fbgen.catalog.protocol_kinds import ProtocolFile
+    from fbgen.catalog.file_models import GatewayFile, ProtocolFile
     from fbgen.catalog.schema import schema_text
     from fbgen.cli.check_report import CheckReport
     from fbgen.plant import Plant

@@ -11,7 +11,7 @@ Sources: IEC 61131-3 third edition, table 10; TIA Portal help, "Overview of the 
 from collections.abc import Callable
 from enum import Enum
 from functools import cached_property
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from fbgen.dataclass import dataclass
 
@@ -37,6 +37,10 @@ class Elementary:
     name: str
     family: Family
     bits: int
+
+    def __reduce__(self) -> str | tuple[Any, ...]:
+        """One type is one object, also in what was kept or copied: only its name goes along."""
+        return _NAMES.get(self) or object.__reduce_ex__(self, 4)
 
     @property
     def minimum(self) -> int:
@@ -150,6 +154,8 @@ TIMER = Elementary("TIMER", Family.UNSIGNED, 16)
 COUNTER = Elementary("COUNTER", Family.UNSIGNED, 16)
 BLOCK_DB = Elementary("BLOCK_DB", Family.UNSIGNED, 16)
 DB_ANY = Elementary("DB_ANY", Family.UNSIGNED, 16)
+
+_NAMES = {kind: name for name, kind in globals().items() if isinstance(kind, Elementary)}
 
 NUMBER_TYPES = {kind.name: kind for kind in (TIMER, COUNTER, BLOCK_DB, DB_ANY)}
 """Types of parameters on S7: the number of a timer, a counter or a data block."""

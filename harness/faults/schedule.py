@@ -26,16 +26,6 @@ class FaultEvent(NamedTuple):
         """When it is over; the beginning for what has no end."""
         return self.at_ns + (self.lasts_ns or 0)
 
-    def as_json(self) -> dict[str, object]:
-        """The fault as plain data."""
-        return {
-            "at_ns": self.at_ns,
-            "lasts_ns": self.lasts_ns,
-            "inject": self.name,
-            "on": self.on,
-            "settings": dict(self.settings),
-        }
-
     def __str__(self) -> str:
         place = f" on {self.on}" if self.on else ""
         lasts = "" if self.lasts_ns is None else f" for {self.lasts_ns / 1e6:g} ms"

@@ -15,7 +15,7 @@ from harness.engine.loading import engine_named, read_program
 from harness.fieldbus import DpMaster, Parameters, Station, StationSettings, watchdog_factors
 from harness.installation.devices import FieldDevices, build_devices
 from harness.installation.plant import Installation
-from harness.installation.programs import generated_program
+from harness.installation.programs import generated_program, keep_loaded
 from harness.installation.setup import PlantSetup
 from harness.kernel import NS_PER_MS, Kernel
 from harness.plc import Cpu, CpuFamily, CpuSettings, Mounting
@@ -62,6 +62,7 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
         program = read_program(setup.sources, plan.code_dialect)
     load = setup.factory or engine_named(setup.engine, setup.probes)
     cpu.load(program, load)
+    keep_loaded(program)
     return Installation(
         *(plan, catalog, kernel, cpu, master, devices, stations),
         memories=setup.memories,

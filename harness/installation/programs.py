@@ -1,21 +1,25 @@
 """The text and the checked program of a plant. Tests run many scenarios on one plant, and
-generating, reading and checking its text takes longer than simulating a minute of it: so programs
-are kept while the process lasts, and texts on disk for the next one."""
+generating, reading, checking and translating its text takes longer than simulating a minute of it:
+so programs are kept while the process lasts, and texts and programs on disk for the next one."""
 
 from collections import OrderedDict
 from collections.abc import Iterator
 
 from fbgen import cache
+from fbgen.cache.objects import packed_objects, unpacked_objects
 from fbgen.cache.texts import packed, unpacked
-from fbgen.catalog import Catalog
+from fbgen.catalog import Catalog, load_catalog
 from fbgen.lang.checked import Program
 from fbgen.plant import Plant
 from fbgen.resources import shipped
 from fbgen.source import Source
+from harness.engine.compiled import translation
 from harness.engine.loading import read_program
 
 _KEPT = 32
 _programs: OrderedDict[str, Program] = OrderedDict()
+_kept: dict[str, int] = {}
+"""How many translations lie on disk, by the key of the program."""
 
 
 def generated_sources(plan: Plant, catalog: Catalog) -> list[Source]:
@@ -33,11 +37,42 @@ def generated_program(plan: Plant, catalog: Catalog) -> Program:
     """
     key = _key(plan, catalog)
     if key not in _programs:
-        _programs[key] = read_program(_sources(plan, catalog, key), plan.code_dialect)
+        program = _kept_program(key)
+        if program is None:
+            program = read_program(_sources(plan, catalog, key), plan.code_dialect)
+        _programs[key] = program
         while len(_programs) > _KEPT:
             _programs.popitem(last=False)
     _programs.move_to_end(key)
     return _programs[key]
+
+
+def _kept_program(key: str) -> Program | None:
+    """The program that another process had, with what it was translated to."""
+    data = cache.kept(_place(key))
+    if data is None:
+        return None
+    program: Program
+    program, known = unpacked_objects(data)
+    translation.share(program, known)
+    _kept[key] = len(known)
+    return program
+
+
+def keep_loaded(program: Program) -> None:
+    """Keep a program that was generated, with its translations, if there is something new in it."""
+    key = next((key for key, one in _programs.items() if one is program), None)
+    known = translation.shared(program)
+    if key is None or _kept.get(key, 0) >= len(known) or cache.cache_folder() is None:
+        return
+    _kept[key] = len(known)
+    content = packed_objects((program, known))
+    if content is not None:
+        cache.keep(_place(key), content)
+
+
+def _place(key: str) -> str:
+    return f"{key}-program"
 
 
 def _sources(plan: Plant, catalog: Catalog, key: str) -> list[Source]:
@@ -66,9 +101,10 @@ def _inputs(plan: Plant, catalog: Catalog) -> Iterator[str | bytes]:
     if plan.span is not None:
         yield plan.span.source.name
         yield plan.span.source.text
-    for entries in (catalog.drives, catalog.gateways, catalog.protocols, catalog.sequences):
-        for entry in entries.values():
-            yield entry.model_dump_json()
+    if catalog is not load_catalog():  # the shipped one is as it was written
+        for entries in (catalog.drives, catalog.gateways, catalog.protocols, catalog.sequences):
+            for entry in entries.values():
+                yield entry.model_dump_json()
     for source in catalog.sources:
         yield source.name
         yield source.text

@@ -1,7 +1,7 @@
 """What came of a scenario."""
 
 import shlex
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import field
 from typing import TypeVar
 
@@ -20,7 +20,6 @@ class ScenarioResult:
     `plant` is the plant file, `ran_dialect` the dialect of the text that ran: empty if none did,
     because something was wrong in the files. `warnings` say what a run that has passed does not
     show. With an `expected_failure`, the reason for it, a scenario passes by having failures.
-    `faults` are those that came by the clock, drawn ones included, in their order, as plain data.
     `observations` are what the observers of the run have left, such as its trace.
     """
 
@@ -39,7 +38,6 @@ class ScenarioResult:
     expected_failure: str | None = None
     observations: tuple[object, ...] = ()
     temporaries: str = ""
-    faults: tuple[Mapping[str, object], ...] = ()
 
     def observed(self, kind: type[Kind]) -> Kind | None:
         """The observation of this kind, `result.observed(Trace)`; None if nobody has made one."""
@@ -68,7 +66,6 @@ class ScenarioResult:
             "virtual_ns": self.virtual_ns,
             "replay": self.replay,
             "expected_failure": self.expected_failure,
-            "faults": list(self.faults),
             "warnings": [warning.as_json() for warning in self.warnings],
             "failures": [failure.as_json() for failure in self.failures],
         }

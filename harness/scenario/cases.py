@@ -110,7 +110,6 @@ def run_case(
         warnings=run.warnings,
         checks=run.checks,
         virtual_ns=run.stage.kernel.now_ns,
-        faults=tuple(fault.as_json() for fault in run.faults),
     )
     left = (observer.finish(result) for observer in watching)
     return replace(result, observations=tuple(item for item in left if item is not None))

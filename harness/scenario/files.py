@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from functools import cache, partial
 from pathlib import Path
 
+from fbgen.cache import remembered
 from fbgen.catalog import Catalog, load_catalog, load_yaml
 from fbgen.catalog.catalog import read_source
 from fbgen.diagnostics import Diagnostic, DiagnosticError
@@ -50,7 +51,9 @@ def scenario_cases(path: Path, options: RunOptions | None = None) -> tuple[Scena
     options = options or RunOptions()
     cases: list[ScenarioCase] = []
     temporaries = options.temporaries
-    for row, scenario in filled_in(load_yaml(read_source(path, path.as_posix()))):
+    source = read_source(path, path.as_posix())
+    parts = ("scenario", source.name, source.text)
+    for row, scenario in remembered(parts, lambda: filled_in(load_yaml(source))):
         if temporaries is not None:
             scenario = scenario.model_copy(update={"temporaries": temporaries})
         seeds = seeds_of(scenario.seed, scenario.seeds)

@@ -42,7 +42,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "fbgen.pages": {"fbgen.diagnostics", "fbgen.resources"},
     "fbgen.wire": BASE,
     "fbgen.lang": BASE,
-    "fbgen.catalog": BASE | {"fbgen.wire"},
+    "fbgen.catalog": BASE | {"fbgen.cache", "fbgen.wire"},
     "fbgen.plant": BASE | {"fbgen.catalog", "fbgen.lang", "fbgen.wire"},
     "fbgen.blocks": BASE | {"fbgen.catalog", "fbgen.lang", "fbgen.plant", "fbgen.wire"},
     "fbgen.emit": BASE | TEXT,
@@ -77,7 +77,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.scenario": BASE
     | TEXT
     | PLANT
-    | {"harness.durations", "harness.faults", "harness.results", "harness.rules"}
+    | {"fbgen.cache", "harness.durations", "harness.faults", "harness.results", "harness.rules"}
     | {"harness.trace", "harness.trial"},
     "harness.verify": BASE
     | TEXT

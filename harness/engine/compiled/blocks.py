@@ -1,9 +1,8 @@
 """Whole blocks and structures as Python source: classes with slots, and functions."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import partial
 
-from fbgen.dataclass import dataclass
 from fbgen.lang.checked import Block, Statement, Variable, VariableKind, VariableRef
 from fbgen.lang.layout import holds_blocks
 from fbgen.lang.start_information import start_places
@@ -27,11 +26,12 @@ from harness.engine.compiled.model import Model, Part, Record, has_memory, is_sc
 from harness.engine.compiled.outside_calls import input_types
 from harness.engine.compiled.placement import Bytes
 from harness.engine.compiled.probes import Probe
-from harness.engine.compiled.procedure import BlockContext, FrameNeededError, Link, Procedure
+from harness.engine.compiled.procedure import BlockContext, FrameNeededError, Procedure
 from harness.engine.compiled.shapes import Shapes
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.statements import write_long
 from harness.engine.compiled.temporaries import read_unfilled
+from harness.engine.compiled.written import Written
 from harness.engine.interface import Value
 from harness.engine.layout import S7
 from harness.engine.leftovers import left_over, values_left
@@ -41,19 +41,6 @@ for module in (
     routines,
 ):
     enter(module.EXPRESSIONS)
-
-
-@dataclass(frozen=True, slots=True)
-class Written:
-    """The Python of one block, and what its source refers to by name: objects, and links."""
-
-    listing: Listing
-    tables: Mapping[str, object]
-    links: Mapping[str, Link]
-
-    def names(self, data: Bytes) -> dict[str, object]:
-        """All that the source refers to, on one controller."""
-        return {**self.tables, **{name: link.on(data) for name, link in self.links.items()}}
 
 
 def write_block(

@@ -8,7 +8,6 @@ functions share; such a block is written a second time with `framed` set.
 
 import re
 from collections.abc import Callable, Sequence, Set
-from typing import NamedTuple
 
 from fbgen.diagnostics import error
 from fbgen.lang import checked
@@ -25,6 +24,7 @@ from harness.engine.compiled.paths import Path
 from harness.engine.compiled.placement import Bytes
 from harness.engine.compiled.probes import Moment, Probe, Probed
 from harness.engine.compiled.shapes import Shapes
+from harness.engine.compiled.written import Link
 
 DEEPEST_EXPRESSION = 60
 DEEPEST_INDENT = 60
@@ -35,17 +35,6 @@ DEEPEST_NESTING = 1000
 
 class FrameNeededError(Exception):
     """The block is nested so deep that its variables must be shared between functions."""
-
-
-class Link(NamedTuple):
-    """Something that refers to the memory of one controller, and is made for each of them."""
-
-    make: Callable[[Bytes, Type], object]
-    kind: Type
-
-    def on(self, data: Bytes) -> object:
-        """What it is on a controller."""
-        return self.make(data, self.kind)
 
 
 class BlockContext:

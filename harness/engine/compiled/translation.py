@@ -6,25 +6,21 @@ has to make for itself are its links. Whoever looks on by a probe has a translat
 """
 
 from collections import OrderedDict
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from types import CodeType
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from fbgen.dataclass import dataclass
-from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Program
-from fbgen.lang.types import StructType
-from harness.engine.compiled.blocks import Written, write_block, write_structures
-from harness.engine.compiled.code import Listing
-from harness.engine.compiled.facts import Facts
-from harness.engine.compiled.generation import room_for_generation
-from harness.engine.compiled.initials import Initializer
-from harness.engine.compiled.model import GLOBALS, Model, bytes_name, is_scalar
-from harness.engine.compiled.passes import may_exceed
-from harness.engine.compiled.probes import Probe
-from harness.engine.compiled.shapes import Shapes
 from harness.engine.environment import Environment
 from harness.engine.interface import Limits
+
+if TYPE_CHECKING:
+    from harness.engine.compiled.facts import Facts
+    from harness.engine.compiled.model import Model
+    from harness.engine.compiled.probes import Probe
+    from harness.engine.compiled.shapes import Shapes
+    from harness.engine.compiled.written import Written
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +28,7 @@ class Unit:
     """A piece of the Python, compiled."""
 
     file_name: str
-    written: Written
+    written: "Written"
     code: CodeType
 
 
@@ -41,15 +37,15 @@ class Translation:
     """All of a program: a unit for each block, then the classes of structures, then a unit that
     gives the global variables their first values."""
 
-    model: Model
-    facts: Facts
-    shapes: Shapes
+    model: "Model"
+    facts: "Facts"
+    shapes: "Shapes"
     blocks: tuple[Unit, ...]
     structures: Unit
     globals: Unit
 
 
-class _Kind(NamedTuple):
+class Kind(NamedTuple):
     """What a translation depends on beside the program: a kind of controller."""
 
     image_sizes: tuple[int, int, int]
@@ -60,7 +56,7 @@ class _Kind(NamedTuple):
 
 
 _KEPT = 32
-_translations: OrderedDict[tuple[int, _Kind], Translation] = OrderedDict()
+_translations: OrderedDict[tuple[int, Kind], Translation] = OrderedDict()
 
 
 def translation_of(
@@ -68,7 +64,7 @@ def translation_of(
     library: Mapping[str, type],
     environment: Environment,
     limits: Limits,
-    probe: Probe | None,
+    probe: "Probe | None",
 ) -> Translation:
     """The translation for a kind of controller; without a probe one that others may have, too.
 
@@ -77,7 +73,7 @@ def translation_of(
     """
     areas = (environment.inputs, environment.outputs, environment.markers)
     inputs, outputs, markers = map(len, areas)
-    kind = _Kind(
+    kind = Kind(
         *((inputs, outputs, markers), environment.classic),
         environment.services.leftovers is not None,
         *(limits.call_depth, limits.loop_passes),
@@ -85,59 +81,33 @@ def translation_of(
     if probe is not None:
         return _translated(program, library, kind, probe)
     key = id(program), kind
-    known = _translations.get(key)
-    if known is None:
-        known = _translations[key] = _translated(program, library, kind, None)
-        while len(_translations) > _KEPT:
-            _translations.popitem(last=False)
+    if key not in _translations:
+        _enter(program, kind, _translated(program, library, kind, None))
     _translations.move_to_end(key)
-    return known
+    return _translations[key]
+
+
+def shared(program: Program) -> dict[Kind, Translation]:
+    """The known translations of a program, by the kinds of controller that they are for."""
+    return {kind: one for (key, kind), one in _translations.items() if key == id(program)}
+
+
+def share(program: Program, known: Mapping[Kind, Translation]) -> None:
+    """Let a program have these translations, which another process has made of it."""
+    for kind, translation in known.items():
+        _enter(program, kind, translation)
+
+
+def _enter(program: Program, kind: Kind, translation: Translation) -> None:
+    _translations[id(program), kind] = translation
+    while len(_translations) > _KEPT:
+        _translations.popitem(last=False)
 
 
 def _translated(
-    program: Program, library: Mapping[str, type], kind: _Kind, probe: Probe | None
+    program: Program, library: Mapping[str, type], kind: Kind, probe: "Probe | None"
 ) -> Translation:
-    model = Model(program, library)
-    sizes = dict(zip("IQM", kind.image_sizes, strict=True))
-    shapes = Shapes(model, sizes, leaves=kind.leaves)
-    facts = Facts(program, kind.call_depth)
-    with room_for_generation():
-        facts.counts_loops = may_exceed(program, facts, kind.loop_passes)
-        blocks = tuple(_blocks(facts, shapes, probe))
-    variables = _globals(model)
-    # The structures come last, because writing blocks and globals discovers them.
-    structures = _unit("<structures>", Written(write_structures(model), {}, {}))
-    return Translation(model, facts, shapes, blocks, structures, variables)
+    # What is kept needs nothing of what writes Python, which takes longer to import than to run.
+    from harness.engine.compiled.translating import translated  # noqa: PLC0415
 
-
-def _blocks(facts: Facts, shapes: Shapes, probe: Probe | None) -> Iterator[Unit]:
-    problems: list[DiagnosticError] = []
-    for block in shapes.model.program.bodies:
-        try:
-            written = write_block(block, facts, shapes, probe=probe)
-        except DiagnosticError as problem:
-            problems.append(problem)
-            continue
-        yield _unit(f"<{block.name}>", written)
-    if problems:
-        raise DiagnosticError([one for problem in problems for one in problem.diagnostics])
-
-
-def _globals(model: Model) -> Unit:
-    """First values of all global variables; composite ones get their module-level names, too."""
-    initializer = Initializer(model)
-    listing = Listing()
-    for part in model.global_record.parts:
-        lines = initializer.part(f"{GLOBALS}.{part.slot}", part)
-        if part.bit is not None and isinstance(part.type, StructType):
-            model.discover(part.type)
-            lines = [f"{GLOBALS}.{part.slot} = {bytes_name(part)}"]
-        for line in lines:
-            listing.add(line)
-        if not is_scalar(part.type):
-            listing.add(f"{part.slot} = {GLOBALS}.{part.slot}")
-    return _unit("<globals>", Written(listing, {}, {}))
-
-
-def _unit(file_name: str, written: Written) -> Unit:
-    return Unit(file_name, written, compile(written.listing.text, file_name, "exec"))
+    return translated(program, library, kind, probe)

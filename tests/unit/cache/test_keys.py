@@ -8,14 +8,16 @@ import pytest
 
 from fbgen.cache import key_of, keys
 
+_FILES = ("fbgen/__init__.py", "fbgen/lang/lexer.py", "harness/engine/names.py")
+
 
 @pytest.fixture
 def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A package that stands for fbgen, looked at anew for each key."""
-    (tmp_path / "lang").mkdir()
-    for name in ("__init__.py", "lang/lexer.py"):
+    """A folder with packages that stand for fbgen, looked at anew for each key."""
+    for name in _FILES:
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text("x = 1\n", encoding="utf-8")
-    monkeypatch.setattr(keys.fbgen, "__file__", str(tmp_path / "__init__.py"))
+    monkeypatch.setattr(keys.fbgen, "__file__", str(tmp_path / _FILES[0]))
     monkeypatch.setattr(keys, "_made_by", keys._made_by.__wrapped__)
     return tmp_path
 
@@ -39,7 +41,7 @@ def saved_later(file: Path) -> None:
     os.utime(file, ns=(before.st_atime_ns, before.st_mtime_ns + 1_000_000))
 
 
-@pytest.mark.parametrize("name", ["__init__.py", "lang/lexer.py"])
+@pytest.mark.parametrize("name", _FILES)
 @pytest.mark.parametrize("change", [edited, saved_later, Path.unlink])
 def test_another_state_of_fbgen_is_another_key(
     package: Path, name: str, change: Callable[[Path], None]
@@ -57,9 +59,10 @@ def test_another_version_is_another_key(monkeypatch: pytest.MonkeyPatch) -> None
     assert key_of(["part"]) != before
 
 
-def test_every_python_file_of_fbgen_counts() -> None:
+@pytest.mark.parametrize("package", ["fbgen", "harness"])
+def test_every_python_file_of_fbgen_counts(package: str) -> None:
     counted = {
         Path(line.rsplit(" ", 3)[0]) for line in keys._made_by().split("\n") if ".py " in line
     }
-    package = Path(keys.fbgen.__file__).parent
-    assert counted >= set(package.rglob("*.py"))
+    folder = Path(keys.fbgen.__file__).parents[1] / package
+    assert counted >= set(folder.rglob("*.py"))

@@ -6,8 +6,7 @@ import pytest
 from pydantic import BaseModel
 
 from fbgen.catalog import Drive, Sequence
-from fbgen.catalog.gateway_kinds import GatewayFile
-from fbgen.catalog.protocol_kinds import ProtocolFile
+from fbgen.catalog.file_models import GatewayFile, ProtocolFile
 from fbgen.catalog.schema import schema_text
 from fbgen.plant import Plant
 from fbgen.resources import shipped

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from fbgen.cli import main
+from fbgen.cli import main, program
 from tests.unit.cli.running import Fbgen
 
 COMMAND = [sys.executable, "-m", "fbgen.cli"]
@@ -231,3 +231,27 @@ def _break_decode(monkeypatch: pytest.MonkeyPatch, problem: BaseException) -> No
         raise problem
 
     monkeypatch.setattr("fbgen.catalog.load_catalog", fail)
+
+
+def test_a_command_imports_no_other_command() -> None:
+    script = (
+        "import sys\n"
+        "from fbgen.cli import main\n"
+        "main(['decode', 'tospbdp001.status', '9F00'])\n"
+        "from fbgen.cli.program import COMMANDS\n"
+        "print([name for name in COMMANDS if f'fbgen.cli.{name}' in sys.modules])\n"
+        "print('harness' in sys.modules)\n"
+    )
+    shown = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, cwd=ROOT, check=True
+    )
+    assert shown.stdout.splitlines()[-2:] == ["['decode']", "False"]
+
+
+def test_the_help_names_every_command_that_there_is(fbgen: Fbgen) -> None:
+    shown = fbgen("--help").out.partition("Commands:")[2].partition("Examples:")[0]
+    named = [line.split()[0] for line in shown.splitlines() if line.strip()]
+    modules = (ROOT / "fbgen" / "cli").glob("*.py")
+    registered = {path.stem for path in modules if "def register(" in path.read_text("utf-8")}
+    assert named == list(program.COMMANDS)
+    assert set(program.COMMANDS) == registered

@@ -5,7 +5,7 @@ import pytest
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Program
 from fbgen.source import Source
-from harness.engine.compiled import CompiledEngine, Moment, Probe, translation
+from harness.engine.compiled import CompiledEngine, Moment, Probe, translating
 from harness.engine.compiled.probes import Probed
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.interface import Limits
@@ -63,7 +63,7 @@ def test_the_python_of_a_program_is_written_once(
     program: Program, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     first = CompiledEngine(program, StandaloneEnvironment())
-    monkeypatch.delattr(translation, "write_block")
+    monkeypatch.delattr(translating, "write_block")
     second = CompiledEngine(program, StandaloneEnvironment())
     assert second.python_source("Count") == first.python_source("Count")
 

@@ -1,6 +1,5 @@
 """Faults that come by the clock, and rules of the plant."""
 
-import json
 import re
 from pathlib import Path
 
@@ -50,23 +49,6 @@ def test_what_is_drawn_depends_on_the_seed_only(tmp_path: Path) -> None:
         assert event.at_ns >= 100 * NS_PER_MS
         assert event.lasts_ns is not None
         assert event.end_ns <= 2000 * NS_PER_MS
-
-
-def test_results_as_data_have_what_was_drawn(tmp_path: Path) -> None:
-    noise = "inject: line_noise, on: gw1, settings: {bit_error_rate: 0.1}"
-    drawn = "{random: 2, before: 300 ms, lasts: 20 ms, kinds: [line_broken]}"
-    faults = f"faults: [{{at: 400 ms, lasts: 1 ms, {noise}}}, {drawn}]\n"
-    result = ran(tmp_path, faults + steps("- wait: 500 ms", "- expect: {cpu.mode: RUN}"))
-    *random, last = json.loads(json.dumps(result.as_json()))["faults"]
-    assert last == {
-        "at_ns": 400_000_000,
-        "lasts_ns": 1_000_000,
-        "inject": "line_noise",
-        "on": "gw1",
-        "settings": {"bit_error_rate": 0.1},
-    }
-    assert [(fault["inject"], fault["on"]) for fault in random] == [("line_broken", "gw1")] * 2
-    assert random[0]["at_ns"] <= random[1]["at_ns"] < 300_000_000
 
 
 def test_only_what_the_plant_can_have_is_drawn(tmp_path: Path) -> None:

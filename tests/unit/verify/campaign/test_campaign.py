@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from fbgen.catalog import load_catalog
-from fbgen.cli.program import program
+from fbgen.cli.program import program_for
 from fbgen.diagnostics import DiagnosticError
 from harness.scenario import run_case, scenario_cases
 from harness.verify.campaign import Campaign, CampaignSettings
@@ -236,7 +236,7 @@ def test_the_command_tells_what_failed_and_writes_its_file(tmp_path: Path) -> No
     file.write_text(FAILING, encoding="utf-8")
     out = tmp_path / "out"
     asked = ["campaign", str(file), "--seeds", "4", "-o", str(out), "--json"]
-    run = CliRunner().invoke(program, asked)
+    run = CliRunner().invoke(program_for(asked), asked)
     assert run.exit_code == 1, run.output
     found = json.loads(run.stdout)
     assert found["seeds"] == 4

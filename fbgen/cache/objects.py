@@ -1,0 +1,43 @@
+"""Whole objects as bytes, and back: models, trees, and Python that was compiled.
+
+That is what Python's own `__pycache__` is for modules: reading it runs what lies there. So these
+bytes are for a folder that belongs to the user alone, under a key with everything that wrote them.
+"""
+
+import copyreg
+import io
+import marshal
+import pickle
+from types import CodeType, MappingProxyType
+from typing import Any
+
+_PROTOCOL = 5
+
+
+def packed_objects(content: object) -> bytes | None:
+    """The bytes; None for what is nested deeper than Python can follow."""
+    stream = io.BytesIO()
+    pickler = pickle.Pickler(stream, _PROTOCOL)
+    pickler.dispatch_table = {**copyreg.dispatch_table, CodeType: _code, MappingProxyType: _proxy}
+    try:
+        pickler.dump(content)
+    except RecursionError:
+        return None
+    return stream.getvalue()
+
+
+def unpacked_objects(data: bytes) -> Any:
+    """The objects that `packed_objects` made these bytes from."""
+    return pickle.loads(data)
+
+
+def _code(code: CodeType) -> tuple[Any, ...]:
+    return marshal.loads, (marshal.dumps(code),)
+
+
+def _proxy(proxy: MappingProxyType[Any, Any]) -> tuple[Any, ...]:
+    return _proxied, (dict(proxy),)
+
+
+def _proxied(content: dict[Any, Any]) -> MappingProxyType[Any, Any]:
+    return MappingProxyType(content)
