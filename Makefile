@@ -31,7 +31,7 @@ demo: environment
 	@$(BIN)/fbgen demo
 
 test: spelling
-	$(BIN)/python tools/checks.py -n $(JOBS)
+	$(BIN)/python tools/checks.py -n $(JOBS) --dist worksteal
 
 check: spelling
 	$(BIN)/mypy
@@ -41,7 +41,7 @@ spelling: environment
 	$(BIN)/ruff format --check .
 
 sweep: environment
-	$(BIN)/python -m pytest -n $(JOBS) -m slow
+	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m slow
 
 phases: environment
 	$(BIN)/python -m harness.sweep tests/unit/sweep/line.yaml -j $(JOBS) --journal build/phases.jsonl

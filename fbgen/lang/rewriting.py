@@ -20,6 +20,14 @@ _PARTS: dict[type, tuple[str, ...]] = {
     if isinstance(kind, type) and "span" in getattr(kind, "__slots__", ())
 }
 
+_LISTS = ("body", "closing")
+"""The parts that are a list of statements, which `Rewriter.statements` rewrites together."""
+
+_OTHERS: dict[type, tuple[str, ...]] = {
+    kind: tuple(name for name in parts if name not in _LISTS) if "body" in parts else parts
+    for kind, parts in _PARTS.items()
+}
+
 
 class Rewriter:
     """Rebuilds trees by `rules`, which are keyed by the kind of node."""
@@ -33,19 +41,25 @@ class Rewriter:
 
     def inside(self, node: _N) -> _N:
         """The same node with everything in it rewritten; itself if nothing changed."""
-        kind: Any = type(node)
+        kind = type(node)
         if isinstance(node, ast.Binary):
             return self._chain(node)  # type: ignore[return-value]  # a chain may end as any operand
-        before = {name: getattr(node, name) for name in _PARTS[kind]}
-        after = {
-            name: value if name == "body" else self._part(value) for name, value in before.items()
-        }
-        if "body" in before:
-            after["body"], after["closing"] = self.statements(before["body"], before["closing"])
-        if all(after[name] is value for name, value in before.items()):
-            return node
-        rebuilt: _N = kind(getattr(node, "span"), **after)  # noqa: B009 - every node has one
-        return rebuilt
+        changes: dict[str, object] = {}
+        for name in _OTHERS[kind]:
+            value = getattr(node, name)
+            if type(value) is tuple:
+                new = self._items(value) if value else value
+            else:
+                new = self.rewrite(value) if type(value) in _PARTS else value
+            if new is not value:
+                changes[name] = new
+        if _OTHERS[kind] is not _PARTS[kind]:
+            before: Any = node
+            lists = before.body, before.closing
+            for name, old, new in zip(_LISTS, lists, self.statements(*lists), strict=True):
+                if new is not old:
+                    changes[name] = new
+        return replaced(node, **changes) if changes else node
 
     def statements(
         self, statements: tuple[Statement, ...], closing: TriviaList
@@ -81,18 +95,15 @@ class Rewriter:
                 waiting.clear()
             result.append(piece)
 
-    def _part(self, value: Any) -> Any:
-        if type(value) in _PARTS:
-            return self.rewrite(value)
-        if type(value) is not tuple:
-            return value
+    def _items(self, items: tuple[object, ...]) -> tuple[object, ...]:
+        """What stands in the place of nodes and others; the same tuple if nothing changed."""
         changed = False
-        items: list[object] = []
-        for item in value:
+        result: list[object] = []
+        for item in items:
             new = self.rewrite(item) if type(item) in _PARTS else item
             changed = changed or new is not item
-            items += new if type(new) is tuple else (new,)
-        return tuple(items) if changed else value
+            result += new if type(new) is tuple else (new,)
+        return tuple(result) if changed else items
 
     def _chain(self, node: ast.Binary) -> Expression:
         """A chain of operands, down its left side without recursion."""

@@ -37,6 +37,8 @@ _FAMILIES_OF_NUMBERS = (
 
 def accept(program: Program, path: str, kind: Type, value: object) -> Value:
     """The value as a variable of the type takes it, names as declared. Raises FB6020, FB6021."""
+    if isinstance(kind, Elementary):
+        return accept_scalar(path, kind, value)
     if isinstance(kind, OpenArrayType):
         kind = array_of(path, kind, value)
         value = _flat(value, len(kind.bounds))

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from types import MappingProxyType
+from types import CodeType, MappingProxyType
 from typing import Any, NoReturn
 
 from fbgen.diagnostics import DiagnosticError
@@ -60,7 +60,7 @@ class CompiledEngine:
     __slots__ = (
         *("_bytes", "_cpu", "_environment", "_facts", "_globals", "_initial", "_listings", "_own"),
         *("_located", "_makers", "_memory", "_model", "_namespace", "_program", "programs"),
-        *("_records", "_routines", "_runs", "_stopper", "writers"),
+        *("_fresh_code", "_records", "_routines", "_runs", "_stopper", "writers"),
     )
 
     def __init__(
@@ -113,6 +113,7 @@ class CompiledEngine:
         self._own = [key for key in self.programs if program.program_variable(key) is None]
         self._runs: dict[str, Callable[[], Any]] = {}
         self._makers: dict[str, Callable[..., Any]] = {}
+        self._fresh_code: dict[Variable, CodeType] = {}
         self._records = {
             self._namespace[record.class_name]: record for record in self._model.block_records
         }
@@ -284,9 +285,13 @@ class CompiledEngine:
         return OpenArray(scope["fresh"], array.bounds)
 
     def _fresh(self, variable: Variable) -> Any:
-        lines = Initializer(self._model).statements("fresh", variable.type, variable.initial)
+        code = self._fresh_code.get(variable)
+        if code is None:
+            lines = Initializer(self._model).statements("fresh", variable.type, variable.initial)
+            code = compile("\n".join(lines), f"<a fresh {variable.name}>", "exec")
+            self._fresh_code[variable] = code
         scope: dict[str, Any] = {}
-        exec("\n".join(lines), self._namespace, scope)
+        exec(code, self._namespace, scope)
         return scope["fresh"]
 
     def call_function(self, name: str, arguments: Mapping[str, Value]) -> FunctionResult:

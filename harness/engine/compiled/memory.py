@@ -12,9 +12,11 @@ from fbgen.lang.layout import holds_blocks
 from fbgen.lang.types import (
     ArrayType,
     BlockType,
+    Elementary,
     OpenArrayType,
     ReferenceType,
     Scalar,
+    StringType,
     StructType,
     Type,
 )
@@ -91,6 +93,13 @@ class Memory:
             return self.export(ArrayType(data.bounds, kind.element), data.elements)
         if isinstance(kind, StructType | BlockType):
             record = self._model.record_of(kind)
+            if record.block is None:
+                return {
+                    part.name: getattr(data, part.slot)
+                    if isinstance(part.type, Elementary | StringType)
+                    else self.export(part.type, getattr(data, part.slot))
+                    for part in record.parts
+                }
             return {
                 part.name: self.export(part.type, self.location(data, part).read())
                 for part in record.parts
@@ -129,9 +138,11 @@ class Memory:
         assert isinstance(kind, StructType | BlockType)
         if not isinstance(value, Mapping):
             raise wrong_value(path, value, kind, "it is a mapping of names to values")
+        record = self._model.record_of(kind)
         for name, part_value in value.items():
-            part = self._part(self._model.record_of(kind), name)
-            self.load(f"{path}.{name}", self.location(data, part), part_value)
+            part = self._part(record, name)
+            if not _stays(record, data, part, part_value):
+                self.load(f"{path}.{name}", self.location(data, part), part_value)
 
     # --- paths --------------------------------------------------------------------------------
 
@@ -291,6 +302,11 @@ class Memory:
         assert isinstance(kind, StructType | BlockType)
         record = self._model.record_of(kind)
         self.restore(record, data, state, remanent_too=remanent_too)
+
+
+def _stays(record: Record, owner: object, part: Part, value: Value) -> bool:
+    """Whether a part of a structure holds this very value, which then was accepted before."""
+    return value is not None and record.block is None and getattr(owner, part.slot) is value
 
 
 def _kept(record: Record) -> list[Part]:
