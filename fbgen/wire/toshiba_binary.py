@@ -49,7 +49,7 @@ REPLY_TAILS: Mapping[int, int] = {
 
 def encode_request(request: Request) -> bytes:
     """The frame of a request. Binary has no groups and no number over 3FH: a ValueError."""
-    number = _number(request.address)
+    number = number_bytes(request.address)
     if request.command is Command.R:
         return seal(number + _READ_WITHOUT_DATA(request.command, request.com_no))
     return seal(number + _TELEGRAM(request.command, request.com_no, request.data))
@@ -59,14 +59,14 @@ def encode_reply(reply: Reply | ErrorReply) -> bytes:
     """The frame of a reply or refusal, with lower-case CMD if the drive is tripped."""
     case = TRIPPED_BIT if reply.tripped else 0
     if isinstance(reply, ErrorReply):
-        return seal(_number(reply.address) + _ERROR(_ERROR_CMD | case, reply.error))
+        return seal(number_bytes(reply.address) + _ERROR(_ERROR_CMD | case, reply.error))
     return reply_frame(reply.address, reply.command | case, reply.com_no, reply.data)
 
 
 @lru_cache(maxsize=4096)
 def reply_frame(address: Address, cmd: int, com_no: int, data: int) -> bytes:
     """The frame of a reply by its parts. Drives say the same over and over, so frames are kept."""
-    return seal(_number(address) + _TELEGRAM(cmd, com_no, data))
+    return seal(number_bytes(address) + _TELEGRAM(cmd, com_no, data))
 
 
 def frame_length(begin: bytes | bytearray, tails: Mapping[int, int]) -> int | None:
@@ -76,7 +76,7 @@ def frame_length(begin: bytes | bytearray, tails: Mapping[int, int]) -> int | No
     """
     if len(begin) < 2:
         return None
-    command_at = 2 if _is_number(begin[1]) else 1
+    command_at = 2 if is_number(begin[1]) else 1
     if len(begin) <= command_at:
         return None
     tail = tails.get(begin[command_at])
@@ -89,7 +89,7 @@ def parse_request(frame: bytes) -> Request | BadRequest | None:
     size = len(frame)
     if size < 2 or frame[0] != BINARY_START or frame_length(frame, REQUEST_TAILS) != size:
         return None
-    address, at = _split(frame)
+    address, at = split(frame)
     if sum(frame) - frame[-1] & 0xFF != frame[-1]:
         return BadRequest(address, ErrorCode.CHECKSUM)
     command = _COMMANDS[frame[at]]
@@ -105,7 +105,7 @@ def parse_reply(frame: bytes) -> Reply | ErrorReply | None:
         return None
     if sum(frame) - frame[-1] & 0xFF != frame[-1]:
         return None
-    address, at = _split(frame)
+    address, at = split(frame)
     tripped = bool(frame[at] & TRIPPED_BIT)
     code = frame[at] & ~TRIPPED_BIT
     word = frame[at + 1] << 8 | frame[at + 2]
@@ -115,18 +115,20 @@ def parse_reply(frame: bytes) -> Reply | ErrorReply | None:
     return Reply(address, _COMMANDS[code], word, frame[at + 3] << 8 | frame[at + 4], tripped)
 
 
-def _is_number(byte: int) -> bool:
+def is_number(byte: int) -> bool:
+    """True if a second byte is an INV-NO and not the CMD already."""
     return byte <= HIGHEST_BINARY_INV_NO or byte == BROADCAST
 
 
-def _split(frame: bytes) -> tuple[int | None, int]:
+def split(frame: bytes) -> tuple[int | None, int]:
     """INV-NO and the index of the CMD."""
-    return (frame[1], 2) if _is_number(frame[1]) else (None, 1)
+    return (frame[1], 2) if is_number(frame[1]) else (None, 1)
 
 
-def _number(address: Address) -> bytes:
+def number_bytes(address: Address) -> bytes:
+    """INV-NO as it stands in a frame. ValueError for a group and for a number over 3FH."""
     if address is None:
         return b""
-    if isinstance(address, int) and _is_number(address):
+    if isinstance(address, int) and is_number(address):
         return bytes((address,))
     raise ValueError(f"a binary frame cannot be addressed to {address}")
