@@ -6,7 +6,7 @@ import pytest
 import yaml
 
 from fbgen.catalog import load_catalog
-from fbgen.wire import toshiba_ascii, toshiba_binary
+from fbgen.wire import toshiba_ascii, toshiba_binary, toshiba_block
 from fbgen.wire.toshiba import (
     BadRequest,
     Command,
@@ -17,6 +17,7 @@ from fbgen.wire.toshiba import (
     is_sealed,
     seal,
 )
+from fbgen.wire.toshiba_block import BlockReply, BlockRequest
 
 _VECTORS = Path(__file__).parents[2] / "vectors" / "toshiba_frames.yaml"
 _BLOCK_COMMANDS = ("58", "59")
@@ -61,6 +62,23 @@ def test_block_frame_of_the_manuals_has_the_checksum_that_it_should(entry: Entry
     frame = bytes.fromhex(entry["bytes"])
     assert is_sealed(frame) is entry.get("checksum_ok", True)
     assert (seal(frame[1:-1]) == frame) is is_sealed(frame)
+
+
+@pytest.mark.parametrize("entry", BLOCKS, ids=_name)
+def test_block_frame_of_the_manuals_is_understood_and_written_the_same(entry: Entry) -> None:
+    frame = bytes.fromhex(entry["bytes"])
+    if entry["direction"] == "reply":
+        reply = toshiba_block.parse_reply(frame)
+        assert isinstance(reply, BlockReply)
+        assert [f"{word:04X}" for word in reply.words] == list(entry["words"])
+        assert toshiba_block.encode_reply(reply) == frame
+        return
+    request = toshiba_block.parse_request(frame)
+    if is_sealed(frame):
+        assert isinstance(request, BlockRequest)
+        assert toshiba_block.encode_request(request) == frame
+    else:
+        assert request == BadRequest(None, ErrorCode.CHECKSUM)
 
 
 @pytest.mark.parametrize("entry", ASCII, ids=_name)
