@@ -7,8 +7,9 @@ E6581913, pp. 25-39). Nothing here knows an inverter: which of them takes how ma
 numbers exist, is the catalogue's. `modbus_rtu` spells the messages in bytes.
 """
 
-from dataclasses import dataclass
 from enum import IntEnum
+
+from fbgen.dataclass import dataclass
 
 BROADCAST = 0
 """Address of a request to all devices. None answers it, so it makes sense for writing only."""

@@ -5,6 +5,7 @@ with its `&`; a reply carries INV-NO and SUM only if the request did (VF-S11 com
 E6581222, pp. 8-10; VF-AS1 RS485 manual E6581315, p. 7). A frame has at most 17 bytes.
 """
 
+import re
 from functools import lru_cache
 
 from fbgen.wire.toshiba import (
@@ -34,6 +35,15 @@ _COMMANDS: dict[int, Command] = {
     int(command): command for command in (Command.R, Command.W, Command.P)
 }
 _ERROR_CMDS = b"Nn"
+_FORM = re.compile(rb"\((\*\*|\*\d|\d\*|\d\d)?([A-Za-z][A-Za-z0-9]*)(?:&([0-9A-F]{2}))?\)\r")
+_ADDRESSES: dict[bytes | None, Address] = {
+    None: None,
+    b"**": BROADCAST,
+    **{b"%02d" % number: number for number in range(100)},
+    **{b"*%d" % digit: Group(None, digit) for digit in range(10)},
+    **{b"%d*" % digit: Group(digit, None) for digit in range(10)},
+}
+"""INV-NO by its two characters. One digit alone is none (VF-AS1 RS485 manual E6581315, p. 20)."""
 
 
 def encode_request(request: Request) -> bytes:
@@ -68,9 +78,10 @@ def parse_request(frame: bytes) -> Request | BadRequest | None:
     command = _COMMANDS.get(body[0])
     if command is None:
         return BadRequest(address, ErrorCode.COMMAND, Form.ASCII, checked)
-    com_no, data = _word(body[1:5]), body[5:]
-    if com_no is None or not _HEX.issuperset(data):
+    digits = body[1:]
+    if len(digits) < 4 or not _HEX.issuperset(digits):
         return None
+    com_no, data = int(digits[:4], 16), digits[4:]
     if len(data) > 4 or not (data or command is Command.R):
         return BadRequest(address, ErrorCode.DATA, Form.ASCII, checked)
     value = 0 if command is Command.R else int(data, 16)
@@ -84,18 +95,19 @@ def parse_reply(frame: bytes) -> Reply | ErrorReply | None:
     if parts is None or not parts[3]:
         return None
     address, body, checked, _ = parts
-    tripped = bool(body[0] & TRIPPED_BIT)
-    first = _word(body[1:5])
-    if first is None:
+    digits = body[1:]
+    if len(digits) not in (4, 8) or not _HEX.issuperset(digits):
         return None
-    if body[0] in _ERROR_CMDS and len(body) == 5:
-        if first > max(ErrorCode):
+    tripped = bool(body[0] & TRIPPED_BIT)
+    first = int(digits[:4], 16)
+    if len(digits) == 4:
+        if body[0] not in _ERROR_CMDS or first > max(ErrorCode):
             return None
         return ErrorReply(address, ErrorCode(first), tripped, Form.ASCII, checked)
-    command, data = _COMMANDS.get(body[0] & ~TRIPPED_BIT), _word(body[5:])
-    if command is None or data is None:
+    command = _COMMANDS.get(body[0] & ~TRIPPED_BIT)
+    if command is None:
         return None
-    return Reply(address, command, first, data, tripped, Form.ASCII, checked)
+    return Reply(address, command, first, int(digits[4:], 16), tripped, Form.ASCII, checked)
 
 
 def _frame(address: Address, body: bytes, checked: bool) -> bytes:
@@ -108,36 +120,14 @@ def _frame(address: Address, body: bytes, checked: bool) -> bytes:
 
 def _take_apart(frame: bytes) -> tuple[Address, bytes, bool, bool] | None:
     """Address, what stands from CMD on, whether there is a SUM, and whether it is right."""
-    if not (frame.startswith(b"(") and frame.endswith(b")\r")) or len(frame) > LONGEST_FRAME:
+    found = _FORM.fullmatch(frame) if len(frame) <= LONGEST_FRAME else None
+    if found is None:
         return None
-    inner, checked, sum_is_right = frame[1:-2], False, True
-    if inner[-3:-2] == b"&":
-        given = inner[-2:]
-        if not _HEX.issuperset(given):
-            return None
-        inner, checked = inner[:-3], True
-        sum_is_right = int(given, 16) == checksum(b"(" + inner + b"&")
-    if not inner or not (_DIGITS | _LETTERS).issuperset(inner.lstrip(b"*0123456789")):
-        return None
-    if inner[0] in _LETTERS:
-        return None, inner, checked, sum_is_right
-    address = _address(inner[:2])
-    if address is None or inner[2:3] == b"" or inner[2] not in _LETTERS:
-        return None
-    return address, inner[2:], checked, sum_is_right
-
-
-def _address(two: bytes) -> Address:
-    """INV-NO from its two characters; None if they are none, such as a number of one digit."""
-    if two == b"**":
-        return BROADCAST
-    digits = [int(char) if char.isdigit() else None for char in two.decode("ascii")]
-    tens, units = digits if len(digits) == 2 else (None, None)
-    if tens is not None and units is not None:
-        return 10 * tens + units
-    if (tens is None and two[:1] != b"*") or (units is None and two[1:] != b"*"):
-        return None
-    return Group(tens, units)
+    number, body, given = found.groups()
+    if given is None:
+        return _ADDRESSES[number], body, False, True
+    sum_is_right = int(given, 16) == sum(frame[:-4]) & 0xFF
+    return _ADDRESSES[number], body, True, sum_is_right
 
 
 def _number(address: Address) -> bytes:
@@ -151,7 +141,3 @@ def _number(address: Address) -> bytes:
     if 0 <= address <= 99:
         return b"%02d" % address
     raise ValueError(f"an ASCII frame cannot be addressed to {address}")
-
-
-def _word(digits: bytes) -> int | None:
-    return int(digits, 16) if len(digits) == 4 and _HEX.issuperset(digits) else None

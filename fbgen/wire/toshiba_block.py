@@ -12,9 +12,9 @@ words to read above 5 is taken as 0 (E6581913, p. 13). A wrong sum is refused wi
 as many W as nW says; that a tripped drive answers with y, 79H, as with all other commands.
 """
 
-from dataclasses import dataclass
 from struct import Struct
 
+from fbgen.dataclass import dataclass
 from fbgen.wire import toshiba_binary
 from fbgen.wire.toshiba import (
     BINARY_START,

@@ -7,8 +7,7 @@ the wire such a set-point is a request like others; this names what is in it. A 
 too (TOSPBDP001 manual v1.1, 8 D and 8 F).
 """
 
-from dataclasses import dataclass
-
+from fbgen.dataclass import dataclass
 from fbgen.wire import toshiba_binary
 from fbgen.wire.toshiba import BROADCAST, Address, Command, Request
 
