@@ -4,7 +4,7 @@ Every error that a user can cause is a `Diagnostic`. Functions that can find sev
 and raise one `DiagnosticError` with all of them. `docs/reference/diagnostics/CODE.md` explains
 each code with a failing and a fixed example; `fbgen explain CODE` prints it.
 
-Ranges of codes: FB1 catalogue and YAML, FB2 plant file, FB3 reading PLC text, FB4 checking PLC
+Ranges of codes: FB1 catalogue, YAML, GSD, FB2 plant file, FB3 reading PLC text, FB4 checking PLC
 text, FB5 generating, FB6 running PLC text, FB7 plant simulation, FB8 scenarios, FB9 command line
 and files. A code is never used again for something else.
 """

@@ -16,8 +16,9 @@ _HEAD = """\
 right. Errors stop the work. Warnings are likely mistakes; `// fbgen: allow CODE` silences one
 place, and `fbgen check --strict` makes them count. Hints are shown with `--severity info`.
 
-Ranges: FB1 catalogue and YAML, FB2 plant file, FB3 reading PLC text, FB4 checking PLC text, FB5
-generating, FB6 running PLC text, FB7 plant simulation, FB8 scenarios, FB9 command line and files.
+Ranges: FB1 catalogue, YAML and GSD, FB2 plant file, FB3 reading PLC text, FB4 checking PLC text,
+FB5 generating, FB6 running PLC text, FB7 plant simulation, FB8 scenarios, FB9 command line and
+files.
 
 This list is made from the pages by `python tools/diagnostics_index.py`.
 

@@ -17,8 +17,16 @@ from fbgen.catalog.communication import (
     ToshibaService,
 )
 from fbgen.catalog.drives import ComNo, Drive, TerminalFunction, Trip
-from fbgen.catalog.gateways import Gateway, Led, LedState
-from fbgen.catalog.layouts import AccessWay, CyclicField, Layout, PlacedIdentifier
+from fbgen.catalog.gateways import Gateway, Led, LedState, PublishedProfibus
+from fbgen.catalog.layouts import (
+    AccessWay,
+    CyclicField,
+    Layout,
+    PlacedIdentifier,
+    access_ways,
+    covers_all,
+    placed_identifiers,
+)
 from fbgen.catalog.located import Located, origin, validate
 from fbgen.catalog.modbus_protocol import ModbusException, ModbusFunction, ModbusProtocol
 from fbgen.catalog.options import Option, OptionValue
@@ -83,6 +91,7 @@ __all__ = [
     "PlacedIdentifier",
     "ProcessDataGateway",
     "Protocol",
+    "PublishedProfibus",
     "ReadStep",
     "Replacement",
     "Result",
@@ -100,10 +109,13 @@ __all__ = [
     "Trip",
     "Word",
     "WriteStep",
+    "access_ways",
+    "covers_all",
     "load_catalog",
     "load_yaml",
     "origin",
     "parse_word",
+    "placed_identifiers",
     "validate",
     "with_own_sequences",
 ]

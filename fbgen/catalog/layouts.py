@@ -1,6 +1,6 @@
 """Cyclic data of a DP slave: configuration identifiers and the fields they carry."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cache
 from typing import Literal
 
@@ -73,7 +73,7 @@ class Layout(Sourced):
     @property
     def parsed_identifiers(self) -> tuple[PlacedIdentifier, ...]:
         """The identifiers one by one. They were checked when the entry was read."""
-        return _all_placed(self.identifiers)
+        return placed_identifiers(self.identifiers)
 
     @property
     def output_length(self) -> int:
@@ -92,19 +92,12 @@ class Layout(Sourced):
     @property
     def consistent(self) -> bool:
         """Whether one identifier that is consistent over its whole length carries everything."""
-        parsed = self.parsed_identifiers
-        return len(parsed) == 1 and parsed[0].consistent
+        return covers_all(self.parsed_identifiers)
 
     @property
     def access_ways(self) -> tuple[AccessWay, ...]:
-        """How a PLC can reach the data.
-
-        One DPRD_DAT/DPWR_DAT (SFC14/15) reaches one identifier, so `dpxx_dat` needs one consistent
-        identifier over the whole frame; without it the data are reached identifier by identifier.
-        The process image is there in both cases.
-        """
-        first: AccessWay = "dpxx_dat" if self.consistent else "per_identifier"
-        return (first, "process_image")
+        """How a PLC can reach the data."""
+        return access_ways(self.parsed_identifiers)
 
     def problems(self) -> Iterable[Diagnostic]:
         """FB1103 no source; FB1106 identifiers and fields that do not agree."""
@@ -148,8 +141,25 @@ class Layout(Sourced):
             )
 
 
+def covers_all(identifiers: Sequence[PlacedIdentifier]) -> bool:
+    """Whether one identifier that is consistent over its whole length carries everything."""
+    return len(identifiers) == 1 and identifiers[0].consistent
+
+
+def access_ways(identifiers: Sequence[PlacedIdentifier]) -> tuple[AccessWay, ...]:
+    """How a PLC can reach the data of these identifiers.
+
+    One DPRD_DAT/DPWR_DAT (SFC14/15) reaches one identifier, so `dpxx_dat` needs one consistent
+    identifier over the whole frame; without it the data are reached identifier by identifier. The
+    process image is there in both cases.
+    """
+    first: AccessWay = "dpxx_dat" if covers_all(identifiers) else "per_identifier"
+    return (first, "process_image")
+
+
 @cache
-def _all_placed(identifiers: bytes) -> tuple[PlacedIdentifier, ...]:
+def placed_identifiers(identifiers: bytes) -> tuple[PlacedIdentifier, ...]:
+    """Identifiers that can be decoded, one by one, each with its place in the cyclic data."""
     return tuple(_placed(slot) for slot in slot_table(decode_identifiers(identifiers)))
 
 

@@ -13,6 +13,7 @@ from fbgen.plant.families import (
     PlantDialect,
     PlcFamily,
 )
+from fbgen.plant.gsd_file import read_gsd_file
 from fbgen.plant.loading import load_plant, read_plant
 from fbgen.plant.modules import layout_of
 from fbgen.plant.plant import (
@@ -23,6 +24,7 @@ from fbgen.plant.plant import (
     PlantGateway,
 )
 from fbgen.plant.prefix import with_prefix
+from fbgen.plant.reach import OLDER_CPUS_MOVE, Move, Refusal, move_of, not_a_way, refusal
 
 __all__ = [
     "BlockNumbers",
@@ -34,19 +36,26 @@ __all__ = [
     "FileLayout",
     "HIGHEST_BLOCK",
     "LANGUAGES",
+    "Move",
+    "OLDER_CPUS_MOVE",
     "OWN_SEQUENCE_FILE",
     "Plant",
     "PlantDialect",
     "PlantDrive",
     "PlantGateway",
     "PlcFamily",
+    "Refusal",
     "changed",
     "cpus_of",
     "in_dialect",
     "layout_of",
     "load_plant",
+    "move_of",
+    "not_a_way",
     "problems_of",
+    "read_gsd_file",
     "read_plant",
+    "refusal",
     "with_prefix",
     "write_commented_plant",
     "write_own_sequence",

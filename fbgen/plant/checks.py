@@ -21,6 +21,7 @@ from fbgen.plant.families import FAMILIES, FILE_LAYOUTS, Family
 from fbgen.plant.modules import layout_of
 from fbgen.plant.names import name_problems
 from fbgen.plant.prefix import prefix_problems
+from fbgen.plant.reach import not_a_way, refusal
 
 if TYPE_CHECKING:
     from fbgen.plant.plant import BlockNumbers, Plant, PlantDrive, PlantGateway
@@ -101,17 +102,12 @@ def _layout(item: "PlantGateway", entry: Gateway) -> Iterator[Diagnostic]:
     if item.access in layout.access_ways:
         return
     others = [other.name for other in entry.layouts if item.access in other.access_ways]
-    reason = (
-        "no single identifier covers the frame consistently"
-        if item.access == "dpxx_dat"
-        else "one identifier covers the whole frame"
-    )
     help_text = f"use {' or '.join(layout.access_ways)}"
     if others:
         help_text += f", or the layout {' or '.join(others)}"
     yield Diagnostic(
         "FB2005",
-        f"layout '{layout.name}' cannot be reached by {item.access}: {reason}",
+        f"layout '{layout.name}' cannot be reached by {item.access}: {not_a_way(item.access)}",
         item.span_of("access"),
         help_text,
     )
@@ -282,50 +278,12 @@ def _is_process_data(part: "PlantGateway", catalog: Catalog) -> bool:
 
 
 def _reachable(part: "PlantGateway", layout: Layout, family: Family) -> Iterator[Diagnostic]:
-    if part.access == "dpxx_dat" and not family.whole_frame:
-        yield Diagnostic(
-            "FB2005",
-            f"{family.title} has no DPRD_DAT and DPWR_DAT",
-            part.span_of("access"),
-            "use process_image, or per_identifier where the layout has several identifiers",
-        )
-        return
-    if part.access == "per_identifier" and not family.peripheral:
-        yield Diagnostic(
-            "FB2005",
-            f"{family.title} has no direct access to single inputs and outputs",
-            part.span_of("access"),
-            "use process_image",
-        )
-        return
-    if part.access == "per_identifier" and (torn := _only_as_a_whole(layout)):
-        yield Diagnostic(
-            "FB2005",
-            f"{torn} bytes of layout '{layout.name}' are consistent as a whole, and no single "
-            "access moves so many",
-            part.span_of("access"),
-            "choose a module whose identifiers are consistent by words, or one that a single "
-            "identifier covers in both directions",
-        )
-        return
-    if part.access == "process_image" and layout.consistent and not family.image_moves_whole:
-        yield Diagnostic(
-            "FB2005",
-            f"the process image of {family.title} cannot hold the consistent data of "
-            f"layout '{layout.name}'",
-            part.span_of("access"),
-            "use dpxx_dat",
-        )
+    found = refusal(part.access, layout.parsed_identifiers, family, f"layout '{layout.name}'")
+    if found is not None:
+        yield Diagnostic("FB2005", found.message, part.span_of("access"), found.help)
+        if part.access != "process_image":
+            return
     by_identifier = part.access == "dpxx_dat" and family.hardware_identifiers
-    if by_identifier and len(layout.parsed_identifiers) > 1:
-        yield Diagnostic(
-            "FB2005",
-            f"layout '{layout.name}' has {len(layout.parsed_identifiers)} modules, each with a "
-            f"hardware identifier of its own on {family.title}",
-            part.span_of("access"),
-            "choose a module that one identifier covers in both directions, or process_image",
-        )
-        return
     needed = ["hardware_identifier"] if by_identifier else ["input_address", "output_address"]
     for field in needed:
         if getattr(part, field) is None:
@@ -335,17 +293,6 @@ def _reachable(part: "PlantGateway", layout: Layout, family: Family) -> Iterator
                 part.span_of("access"),
                 f"add {field}: as the device configuration of gateway '{part.name}' shows it",
             )
-
-
-def _only_as_a_whole(layout: Layout) -> int:
-    """The length of an identifier that only DPRD_DAT and DPWR_DAT can move; 0 for none."""
-    lengths = [
-        length
-        for item in layout.parsed_identifiers
-        if item.consistent
-        for length in (item.output_length, item.input_length)
-    ]
-    return max((one for one in lengths if one == 3 or one > 4), default=0)
 
 
 def _overlaps(

@@ -13,6 +13,7 @@ from fbgen.lang.printer import print_file
 from fbgen.plant.loading import read_plant
 from fbgen.source import Source
 from fbgen.wire import toshiba_ascii, toshiba_binary
+from fbgen.wire.gsd import read_gsd
 from harness.scenario.model import Scenario
 
 _ROOT = Path(__file__).parents[2]
@@ -78,6 +79,10 @@ def targets() -> Mapping[str, Target]:
         "scenario": Target(
             lambda data: validate(load_yaml(Source("fuzz.yaml", _text(data))), Scenario),
             _files("tests/scenarios/*.scenario.yaml"),
+        ),
+        "gsd": Target(
+            lambda data: read_gsd(data, "fuzz.gsd"),
+            _files("examples/*/*.gsd", "tests/unit/wire/*.gsd", "tests/unit/bad/FB13*.gsd"),
         ),
         "frames": Target(
             _frames,

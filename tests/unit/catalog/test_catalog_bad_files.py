@@ -9,6 +9,7 @@ import pytest
 import fbgen.blocks
 import fbgen.catalog
 import fbgen.plant
+import fbgen.wire.gsd
 from fbgen.catalog import (
     ComNo,
     Drive,
@@ -124,7 +125,7 @@ def test_every_broken_file_is_tried() -> None:
 
 
 def test_every_code_has_a_page_with_a_failing_and_a_fixed_example() -> None:
-    packages = (fbgen.catalog, fbgen.plant, fbgen.blocks)
+    packages = (fbgen.catalog, fbgen.plant, fbgen.blocks, fbgen.wire.gsd)
     folders = [Path(str(package.__file__)).parent for package in packages]
     text = "\n".join(path.read_text("utf-8") for folder in folders for path in folder.glob("*.py"))
     codes = set(re.findall(r'"(FB[12]\d{3})"', text))
