@@ -16,12 +16,15 @@ READ_WORDS = "bits read from drives"
 WRITTEN = "ComNos written"
 READ = "ComNos read"
 TRIPS = "trips"
+PARAMETER_ERRORS = "error codes of parameter channels"
+DIAGNOSIS = "bits of the slave's diagnosis"
 READ_RESULTS = "RET_VAL of DPRD_DAT (SFC14)"
 WRITE_RESULTS = "RET_VAL of DPWR_DAT (SFC15)"
 STEPS = "sequence steps"
 CODES = "status codes of blocks"
 GROUPS = (
     *(GATEWAY_WORDS, WRITTEN_WORDS, READ_WORDS, WRITTEN, READ, TRIPS),
+    *(PARAMETER_ERRORS, DIAGNOSIS),
     *(READ_RESULTS, WRITE_RESULTS, STEPS, CODES),
 )
 """The groups in the order in which they are shown."""

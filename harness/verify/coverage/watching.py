@@ -1,13 +1,14 @@
 """Looks on at a plant for catalogue coverage: words, ComNos, trips, RET_VALs.
 
-Telegrams are those on the RS-485 lines, as the drives hear and answer them; the gateway's own
+Telegrams are those on the lines and cables, as the drives hear and answer them; a gateway's own
 heartbeats, in ASCII, belong to no test.
 """
 
 from collections.abc import Iterator, Mapping
 
-from fbgen.catalog import ComNo, Drive, TelegramGateway, Word
+from fbgen.catalog import Catalog, ComNo, Drive, TelegramGateway
 from fbgen.lang.types import Scalar
+from fbgen.plant import layout_of
 from fbgen.source import Span
 from fbgen.wire import toshiba_binary
 from fbgen.wire.toshiba import Address, Reply, Request
@@ -28,7 +29,9 @@ from harness.verify.coverage.catalogue import (
     WRITTEN_WORDS,
     CatalogueCoverage,
 )
+from harness.verify.coverage.interface_watch import InterfaceWatch
 from harness.verify.coverage.left_out import NEVER_READ, NEVER_WRITTEN, UNUSED, is_counted
+from harness.verify.coverage.word_items import values_in, values_of
 
 _INSTRUCTIONS = {
     "DPRD_DAT": READ_RESULTS,
@@ -48,14 +51,29 @@ def watch(plant: Installation, coverage: CatalogueCoverage) -> None:
         _GatewayWatch(coverage, plant.master, known, plant.stations[entry.name], control_at)
         series = {one.inv_no: plant.catalog.drive(one.series) for one in entry.drives}
         if series:
-            writing = {
-                command.code
-                for command in plant.catalog.toshiba_protocol(known.protocol).commands
-                if command.writes
-            }
+            writing = _writing(plant.catalog, known.protocol)
             _LineWatch(coverage, plant.lines[entry.name], gateway.port, series, writing)
+    _watch_interfaces(plant, coverage)
     _watch_trips(plant, coverage)
     _watch_instructions(plant, coverage)
+
+
+def _watch_interfaces(plant: Installation, coverage: CatalogueCoverage) -> None:
+    for entry in plant.interface_entries:
+        known = plant.catalog.process_data_gateway(entry.type)
+        device, station = plant.interfaces[entry.name], plant.stations[entry.name]
+        watching = InterfaceWatch(coverage, known, layout_of(entry, known), device, station)
+        plant.master.taps.append(watching.transferred)
+        writing = _writing(plant.catalog, known.protocol)
+        for one in entry.drives:
+            channel = (one.channel or "").lower()
+            line, port = plant.lines[f"{entry.name}.{channel}"], device.channels[channel].link.port
+            _LineWatch(coverage, line, port, {0: plant.catalog.drive(one.series)}, writing)
+
+
+def _writing(catalog: Catalog, protocol: str) -> set[int]:
+    """The commands of a protocol that write."""
+    return {command.code for command in catalog.toshiba_protocol(protocol).commands if command.writes}
 
 
 class _GatewayWatch:
@@ -78,7 +96,7 @@ class _GatewayWatch:
         self._control_at = control_at
         self._last = b"", b""
         for word in (self._control, self._status):
-            items = _values(f"{known.id}.{word.name}", word)
+            items = values_of(f"{known.id}.{word.name}", word)
             coverage.know(GATEWAY_WORDS, (item for item in items if item not in UNUSED))
         master.taps.append(self._transferred)
 
@@ -91,7 +109,9 @@ class _GatewayWatch:
             return
         self._last = last
         for word, data in zip((self._control, self._status), last, strict=True):
-            for item in _found(f"{self._known.id}.{word.name}", word, int.from_bytes(data, "big")):
+            for item in values_in(
+                f"{self._known.id}.{word.name}", word, int.from_bytes(data, "big")
+            ):
                 self._coverage.see(GATEWAY_WORDS, item)
 
 
@@ -108,7 +128,8 @@ class _LineWatch:
         series: Mapping[int, Drive],
         writing: set[int],
     ) -> None:
-        """`series` are the drives by INV-NO, `writing` the commands that write."""
+        """`series` are the drives by INV-NO, `writing` the commands that write. A telegram without
+        INV-NO belongs to the first one."""
         self._coverage = coverage
         self._gateway = gateway
         self._series = series
@@ -120,7 +141,7 @@ class _LineWatch:
             coverage.know(READ, _comnos(drive, "r"))
             for comno in drive.comnos:
                 if comno.word is not None and is_counted(drive.word(comno.word)):
-                    items = list(_values(f"{drive.id}.{comno.word}", drive.word(comno.word)))
+                    items = list(values_of(f"{drive.id}.{comno.word}", drive.word(comno.word)))
                     for group, access in ((WRITTEN_WORDS, "w"), (READ_WORDS, "r")):
                         if access in comno.access:
                             coverage.know(group, items)
@@ -149,7 +170,7 @@ class _LineWatch:
             return
         self._coverage.see(group, _comno(drive, comno))
         if comno.word is not None:
-            for item in _found(f"{drive.id}.{comno.word}", drive.word(comno.word), data):
+            for item in values_in(f"{drive.id}.{comno.word}", drive.word(comno.word), data):
                 self._coverage.see(words, item)
 
 
@@ -203,14 +224,3 @@ def _comnos(drive: Drive, access: str) -> Iterator[str]:
 
 def _comno(drive: Drive, comno: ComNo) -> str:
     return f"{drive.id} {comno.hex} {comno.name}"
-
-
-def _values(name: str, word: Word) -> Iterator[str]:
-    """Each bit as 0 and as 1; a wider field with each value that has a meaning."""
-    for field in word.bits:
-        values = (0, 1) if field.low == field.high else field.values
-        yield from (f"{name}.{field.name} = {value}" for value in values)
-
-
-def _found(name: str, word: Word, data: int) -> Iterator[str]:
-    return (f"{name}.{one.field.name} = {one.value}" for one in word.decode(data))
