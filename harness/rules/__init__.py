@@ -6,8 +6,10 @@ from types import MappingProxyType
 from harness.rules import (
     cpu_runs,
     inputs_shown,
+    jobs_answered,
     lost_is_told,
     no_command_unasked,
+    no_run_again,
     one_telegram_at_once,
     repeats_allowed,
     telegrams_asked_for,
@@ -19,8 +21,14 @@ from harness.rules.rule import Rule, Watch
 __all__ = ["RULES", "Rule", "Watch"]
 
 _MODULES = (
-    *(cpu_runs, inputs_shown, lost_is_told, no_command_unasked, one_telegram_at_once),
-    *(repeats_allowed, telegrams_asked_for, telegrams_spaced, values_answered),
+    *(cpu_runs, inputs_shown, jobs_answered, lost_is_told, no_command_unasked, no_run_again),
+    *(
+        one_telegram_at_once,
+        repeats_allowed,
+        telegrams_asked_for,
+        telegrams_spaced,
+        values_answered,
+    ),
 )
 
 RULES: Mapping[str, Rule] = MappingProxyType({item.RULE.name: item.RULE for item in _MODULES})

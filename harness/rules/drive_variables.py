@@ -1,8 +1,8 @@
 """The variables of the drives in TOS_Plant, for rules."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
-from fbgen.plant import with_prefix
+from fbgen.plant import PlantGateway, with_prefix
 from harness.engine.interface import Value
 from harness.installation import Installation
 
@@ -10,11 +10,13 @@ ReadDrives = Callable[[], "list[tuple[str, Sequence[Value]]]"]
 """The values of each drive, with its name."""
 
 
-def drive_reader(plant: Installation, variables: Sequence[str]) -> ReadDrives:
-    """What reads these variables, such as `polled.lost`, of all drives at once; fast."""
+def drive_reader(
+    plant: Installation, gateways: Iterable[PlantGateway], variables: Sequence[str]
+) -> ReadDrives:
+    """What reads these variables, such as `polled.lost`, of all drives of the gateways at once."""
     data = with_prefix("TOS_Plant", plant.plan.prefix)
     names, paths = [], []
-    for gateway in plant.telegram_entries:
+    for gateway in gateways:
         for drive in gateway.drives:
             names.append(drive.name)
             paths += [f"{data}.{gateway.name}.{drive.name}.{name}" for name in variables]

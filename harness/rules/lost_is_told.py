@@ -1,6 +1,7 @@
 """A drive that has tripped or whose answer is missing is not shown as running or ready.
 
-For one scan it may be: the poll tells what it has read behind the block of the drive.
+For one scan it may be: the poll tells what it has read behind the block of the drive. Behind a
+gateway for process data a drive that is not online is one whose answer is missing.
 """
 
 from collections.abc import Iterator
@@ -9,17 +10,25 @@ from harness.installation import Installation
 from harness.rules.drive_variables import drive_reader
 from harness.rules.rule import Rule, Watch
 
-_VARIABLES = ("polled.lost", "polled.tripped", "state.running", "state.ready")
+_SHOWN = ("state.running", "state.ready")
+_ON_A_LINE = ("polled.lost", "polled.tripped", *_SHOWN)
+_AT_AN_INTERFACE = ("state.online", "polled.tripped", *_SHOWN)
 
 
 def _watch(plant: Installation) -> Watch:
-    read = drive_reader(plant, _VARIABLES)
-
+    on_lines = drive_reader(plant, plant.telegram_entries, _ON_A_LINE)
+    at_interfaces = drive_reader(plant, plant.interface_entries, _AT_AN_INTERFACE)
     since: dict[str, int] = {}
+
+    def drives() -> Iterator[tuple[str, bool, bool, bool, bool]]:
+        for name, (lost, tripped, running, ready) in on_lines():
+            yield name, bool(lost), bool(tripped), bool(running), bool(ready)
+        for name, (online, tripped, running, ready) in at_interfaces():
+            yield name, not online, bool(tripped), bool(running), bool(ready)
 
     def broken() -> Iterator[str]:
         scan = plant.cpu.scans
-        for name, (lost, tripped, running, ready) in read():
+        for name, lost, tripped, running, ready in drives():
             if not (lost or tripped) or not (running or ready):
                 since.pop(name, None)
             elif since.setdefault(name, scan) != scan:

@@ -2,14 +2,17 @@
 
 Who asks: `control` with enable and run, manualRun, jog or preset, or a sequence of the drive that
 is executed. What was asked for up to 500 ms ago counts, as a telegram may have waited and been
-repeated; a restart of the CPU ends it.
+repeated; a restart of the CPU ends it. Of a gateway for process data counts what the master sends
+to it: what it does with the drives by itself is not the PLC's doing.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from fbgen.catalog import Catalog
+from fbgen.plant import layout_of
 from fbgen.wire.toshiba import Command
 from harness.drives.word_bits import CommandBits
+from harness.fieldbus import Station, Transfer
 from harness.installation import Installation
 from harness.kernel import NS_PER_MS
 from harness.line import Transmission
@@ -27,9 +30,10 @@ def _watch(plant: Installation) -> Watch:
     found: list[str] = []
     asked: dict[str, int] = {}
     variables = [f"control.{name}" for name in _CONTROL]
+    read_interfaces = drive_reader(plant, plant.interface_entries, variables)
     for name in _sequences(plant, plant.catalog):
         variables += [f"{name}.execute", f"{name}.busy"]
-    read = drive_reader(plant, variables)
+    read_lines = drive_reader(plant, plant.telegram_entries, variables)
 
     def changed(mode: CpuMode) -> None:
         if mode is not CpuMode.RUN:
@@ -55,9 +59,16 @@ def _watch(plant: Installation) -> Watch:
 
         plant.lines[gateway.name].taps.append(heard)
 
+    def sent_to(name: str, word: int) -> None:
+        since_ns = asked.get(name)
+        if since_ns is None or plant.kernel.now_ns - since_ns > _REMEMBERED_NS:
+            found.append(f"a run command ({word:04X}) went out to {name}, unasked")
+
+    _watch_interfaces(plant, sent_to)
+
     def broken() -> Iterator[str]:
         now_ns = plant.kernel.now_ns
-        for name, (enable, *values) in read():
+        for name, (enable, *values) in (*read_lines(), *read_interfaces()):
             controls, executed = values[: len(_CONTROL) - 1], values[len(_CONTROL) - 1 :]
             if any(executed) or (enable and any(controls)):
                 asked[name] = now_ns
@@ -65,6 +76,28 @@ def _watch(plant: Installation) -> Watch:
         found.clear()
 
     return broken
+
+
+def _watch_interfaces(plant: Installation, told: Callable[[str, int], None]) -> None:
+    """Tell each command word with its run bit that goes to a gateway for process data."""
+    places: dict[Station, list[tuple[str, int, int]]] = {}
+    for entry in plant.interface_entries:
+        known = plant.catalog.process_data_gateway(entry.type)
+        run = known.word("command").field("run").mask
+        offsets = {field.name: field.offset for field in layout_of(entry, known).output}
+        places[plant.stations[entry.name]] = [
+            (drive.name, offsets[f"{(drive.channel or '').lower()}_command"], run)
+            for drive in entry.drives
+        ]
+
+    def transferred(transfer: Transfer) -> None:
+        for name, at, run in places.get(transfer.station, ()):
+            word = int.from_bytes(transfer.outputs[at : at + 2], "big")
+            if word & run:
+                told(name, word)
+
+    if places:
+        plant.master.taps.append(transferred)
 
 
 def _sequences(plant: Installation, catalog: Catalog) -> tuple[str, ...]:

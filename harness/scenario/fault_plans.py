@@ -7,6 +7,7 @@ from typing import NamedTuple
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.source import Span
 from harness.faults import FAULTS, Fault
+from harness.faults.fault import Target
 from harness.faults.schedule import FaultEvent
 from harness.faults.settings import fault_settings
 from harness.installation import Installation
@@ -52,7 +53,7 @@ def possible_places(plant: Installation) -> dict[str, tuple[str, ...]]:
     for name, kind in FAULTS.items():
         settings = kind.settings()
         fitting = []
-        for on in kind.target.places(plant) or ("",):
+        for on in ("",) if kind.target is Target.WHOLE else kind.target.places(plant):
             try:
                 kind.make(plant, on, settings)
             except DiagnosticError:

@@ -11,7 +11,7 @@ from functools import cache
 from itertools import groupby
 from pathlib import Path
 
-from fbgen.catalog import load_catalog, with_own_sequences
+from fbgen.catalog import TelegramGateway, load_catalog, with_own_sequences
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from fbgen.plant import load_plant
@@ -120,7 +120,14 @@ def _sweep(plant: Path) -> Sweep:
     catalog = with_own_sequences(load_catalog(), plant.parent)
     plan = load_plant(plant, catalog)
     for item in plan.gateways:
-        catalog.telegram_gateway(item.type)  # FB1206 for one that carries no telegrams
+        if not isinstance(catalog.gateway(item.type), TelegramGateway):
+            raise error(
+                "FB1206",
+                f"the phase sweep puts cycles against the telegrams of a line, and the gateway "
+                f"'{item.name}' ({item.type}) carries none",
+                item.span_of("type"),
+                "fbgen campaign tries such a plant with other cycles and phases",
+            )
     return Sweep(plan, catalog)
 
 

@@ -9,7 +9,7 @@ each seed: boundary values of the trigger on purpose, as no counter wraps around
 from itertools import product
 from random import Random
 
-from fbgen.catalog import Catalog
+from fbgen.catalog import Catalog, TelegramGateway
 from fbgen.catalog.options import Option
 from fbgen.diagnostics import DiagnosticError
 from fbgen.plant import Plant, PlantGateway
@@ -45,16 +45,25 @@ _READS = (0xFC90, 0xFD01, 0xFD00, 0xFE03, 0xFA00)
 def variations(plan: Plant, catalog: Catalog) -> tuple[Entry, ...]:
     """The plant as it is, and every other PLC, access way and layout that its file allows.
 
-    Raises DiagnosticError FB1206 for a gateway that carries no telegrams.
+    A plant with gateways of several types keeps their layouts, as none of them is for all.
     """
-    gateways = [catalog.telegram_gateway(item.type) for item in plan.gateways]
-    layouts = [item.name for item in gateways[0].layouts]
+    types = {item.type for item in plan.gateways}
+    layouts: list[Entry] = [{}]
+    if len(types) == 1:
+        layouts = [{"layout": item.name} for item in catalog.gateway(types.pop()).layouts]
     found: list[Entry] = [{}]
     for (dialect, plc), access, layout in product(_PLCS, _ACCESS, layouts):
-        entry = {"dialect": dialect, "plc": plc, "access": access, "layout": layout}
+        entry = {"dialect": dialect, "plc": plc, "access": access, **layout}
         if is_allowed(plan, entry, catalog):
             found.append(entry)
     return tuple(found)
+
+
+def telegram_gateways(plan: Plant, catalog: Catalog) -> list[PlantGateway]:
+    """Those of a plant that carry telegrams: the others have no trigger, and forget everything."""
+    return [
+        item for item in plan.gateways if isinstance(catalog.gateway(item.type), TelegramGateway)
+    ]
 
 
 def is_allowed(plan: Plant, entry: Entry, catalog: Catalog) -> bool:
@@ -75,8 +84,9 @@ def draw_program(
     wilder = dict(entry)
     if random.random() < 0.5:
         wilder["cycle_time_ms"] = float(random.choice(_CYCLES_MS))
-    if random.random() < 0.5:
-        option = random.choice(_switches(catalog, plan.gateways[0]))
+    switches = _switches(catalog, plan.gateways[0])
+    if random.random() < 0.5 and switches:
+        option = random.choice(switches)
         positions = (True, False) if option.type == "flag" else tuple(option.choices)
         chosen = plan.gateways[0].options.get(option.id, option.default)
         others = [position for position in positions if position != chosen]
@@ -105,7 +115,9 @@ def draw_start(random: Random, plan: Plant, program: Entry, catalog: Catalog) ->
             longest_ms = int(catalog.drive(drive.series).times.reply_max.ms)
             drives[drive.name] = {"reply_time": f"{random.randint(1, longest_ms)} ms"}
     gateways = {
-        gateway.name: _left(random, gateway) for gateway in plan.gateways if random.random() < 0.5
+        gateway.name: _left(random, gateway)
+        for gateway in telegram_gateways(plan, catalog)
+        if random.random() < 0.5
     }
     parts = {"times": times, "drives": drives, "gateways": gateways}
     return {key: part for key, part in parts.items() if part}

@@ -12,14 +12,18 @@ from fbgen.catalog import Catalog
 from fbgen.dataclass import dataclass
 from fbgen.plant import Plant, PlantDrive
 from harness.kernel import NS_PER_MS, NS_PER_S
+from harness.scenario.model import Variation
+from harness.scenario.plant_changes import varied_plant
 from harness.verify.campaign.configurations import (
     SEEDS_PER_PROGRAM,
     TRIGGERS,
     draw_program,
     draw_start,
+    telegram_gateways,
 )
 from harness.verify.campaign.disturbances import BEGIN_NS, LAST_NS, draw_faults
 from harness.verify.campaign.entries import Entry, written_time
+from harness.verify.campaign.interfaces import asked_in_parameter_channel, well_at_an_interface
 
 _ACTIONS = 12
 _ROUND_NS, _WELL_NS = 4 * NS_PER_S, 10 * NS_PER_S
@@ -27,6 +31,8 @@ _BEFORE_RESETS = ("500 ms", "710 ms", "930 ms")
 """Not in step with the heartbeat: drive 00 hears nothing while it answers that."""
 _USUAL_CYCLE_MS = 10
 """In `_ROUND_NS` all drives of a line are asked with such a cycle, and a reset is through."""
+_JOBS_SHARE = 0.3
+"""Of what is asked for behind a gateway for process data."""
 _REFERENCE_SHARE = 0.02
 """The reference engine is slow; both engines give the same."""
 
@@ -49,6 +55,7 @@ def draw(seed: int, turn: int, subject: Subject, kinds: Sequence[str]) -> Entry:
     of_program = Random(f"campaign program {turn // SEEDS_PER_PROGRAM}")
     program = draw_program(of_program, plan, subject.variations, catalog)
     random = Random(f"campaign {seed}")
+    varied = varied_plant(plan, Variation.model_validate(program), catalog)
     return {
         "version": 1,
         "title": f"Seed {seed} of a campaign",
@@ -60,8 +67,8 @@ def draw(seed: int, turn: int, subject: Subject, kinds: Sequence[str]) -> Entry:
         "rules": ["all"],
         "faults": draw_faults(random, subject.places, kinds),
         "steps": [
-            *_work(random, plan, _sequences(plan, catalog)),
-            *_recovery(plan, _patience(program, plan), _sequences(plan, catalog)),
+            *_work(random, plan, catalog, _sequences(plan, catalog)),
+            *_recovery(varied, catalog, _patience(program, plan), _sequences(plan, catalog)),
         ],
     }
 
@@ -78,20 +85,25 @@ def _sequences(plan: Plant, catalog: Catalog) -> list[str]:
     ]
 
 
-def _work(random: Random, plan: Plant, sequences: Sequence[str]) -> list[Entry]:
+def _work(random: Random, plan: Plant, catalog: Catalog, sequences: Sequence[str]) -> list[Entry]:
     """What the PLC is asked for meanwhile, and where its triggers begin."""
     steps: list[Entry] = []
-    for gateway in plan.gateways:
+    lines = telegram_gateways(plan, catalog)
+    for gateway in lines:
         count = f"plc.TOS_Gateway_{gateway.name}_DB.instLine.instTelegram.instTrigger.statCount"
         steps.append({"set": {count: random.choice(TRIGGERS)}})
-    drives = [(gateway.name, drive) for gateway in plan.gateways for drive in gateway.drives]
+    drives = [(gateway, drive) for gateway in plan.gateways for drive in gateway.drives]
     left_ns = BEGIN_NS + LAST_NS + NS_PER_S
     for _ in range(_ACTIONS):
         pause_ns = random.randrange(left_ns // _ACTIONS * 2) + NS_PER_MS
-        steps += [
-            {"wait": written_time(min(pause_ns, left_ns))},
-            {"set": _asked(random, *random.choice(drives), sequences)},
-        ]
+        gateway, drive = random.choice(drives)
+        if gateway in lines:
+            asked = _asked(random, gateway.name, drive, sequences)
+        elif random.random() < _JOBS_SHARE:
+            asked = asked_in_parameter_channel(random, gateway.name, drive)
+        else:
+            asked = _asked(random, gateway.name, drive, ())
+        steps += [{"wait": written_time(min(pause_ns, left_ns))}, {"set": asked}]
         left_ns = max(left_ns - pause_ns, NS_PER_MS)
     return [*steps, {"wait": written_time(left_ns)}]
 
@@ -125,7 +137,9 @@ def _patience(program: Entry, plan: Plant) -> float:
     return max(cycle_ms / _USUAL_CYCLE_MS, 1.0)
 
 
-def _recovery(plan: Plant, patience: float, sequences: Sequence[str]) -> list[Entry]:
+def _recovery(
+    plan: Plant, catalog: Catalog, patience: float, sequences: Sequence[str]
+) -> list[Entry]:
     """Nothing is asked for, drives are reset, more than once: a reset may be lost. Then all must be
     well: everything answers and stands, and no alarm is left of the line or of a drive."""
     round_time = written_time(round(patience * _ROUND_NS))
@@ -136,7 +150,17 @@ def _recovery(plan: Plant, patience: float, sequences: Sequence[str]) -> list[En
         for drive in gateway.drives
     ]
     controls = [f"{drive}.control" for drive in drives]
-    executes = {f"{drive}.{name}.execute": False for drive in drives for name in sequences}
+    on_lines = telegram_gateways(plan, catalog)
+    executes = {
+        f"plc.TOS_Plant.{gateway.name}.{drive.name}.{name}.execute": False
+        for gateway in on_lines
+        for drive in gateway.drives
+        for name in sequences
+    }
+    for gateway in plan.gateways:
+        if gateway not in on_lines:
+            for drive in gateway.drives:
+                executes |= {f"plc.TOS_Plant.{gateway.name}.{drive.name}.parameter.execute": False}
     steps: list[Entry] = [
         {"set": {f"{line}.emergencyStop": False for line in lines}},
         {"set": {f"{control}.run": False for control in controls} | executes},
@@ -154,7 +178,9 @@ def _recovery(plan: Plant, patience: float, sequences: Sequence[str]) -> list[En
     for gateway in plan.gateways:
         for drive in gateway.drives:
             base = f"plc.TOS_Plant.{gateway.name}.{drive.name}"
-            if gateway.status_poll:
+            if gateway not in on_lines:
+                well |= well_at_an_interface(base, gateway, catalog)
+            elif gateway.status_poll:
                 well |= {f"{base}.polled.valid": True, f"{base}.polled.lost": False}
             well |= {f"{base}.state.tripped": False, f"{base}.state.running": False}
             well |= {f"{base}.alarms": 0, f"drive.{drive.name}.running": False}

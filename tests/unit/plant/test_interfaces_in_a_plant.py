@@ -13,7 +13,6 @@ from harness.installation import Installation, PlantSetup, build_plant
 from harness.kernel import NS_PER_MS, NS_PER_S
 from harness.scenario.paths import Paths
 from harness.serial import gateways_to_serve
-from harness.verify.campaign.configurations import variations
 
 SCENARIOS = Path(__file__).parents[2] / "scenarios" / "pbdp110"
 CATALOG = load_catalog()
@@ -108,9 +107,3 @@ def test_an_interface_is_served_to_a_master_of_others() -> None:
     served.kernel.run_for(10 * NS_PER_MS)
     assert served.devices.slave("gw1").powered
     assert "gw1 (address 3)" in served.state
-
-
-def test_a_campaign_is_about_telegrams() -> None:
-    with pytest.raises(DiagnosticError) as raised:
-        variations(load_plant(SCENARIOS / "plant.yaml", CATALOG), CATALOG)
-    assert raised.value.diagnostics[0].code == "FB1206"
