@@ -6,8 +6,8 @@ the gateway answers by itself have no drive to ask.
 
 from collections import deque
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
+from fbgen.dataclass import dataclass
 from fbgen.plant import PlantDrive, PlantGateway
 from fbgen.wire import toshiba_binary
 from fbgen.wire.toshiba import Command, Reply

@@ -73,7 +73,9 @@ def _watch_interfaces(plant: Installation, coverage: CatalogueCoverage) -> None:
 
 def _writing(catalog: Catalog, protocol: str) -> set[int]:
     """The commands of a protocol that write."""
-    return {command.code for command in catalog.toshiba_protocol(protocol).commands if command.writes}
+    return {
+        command.code for command in catalog.toshiba_protocol(protocol).commands if command.writes
+    }
 
 
 class _GatewayWatch:
