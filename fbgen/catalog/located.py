@@ -320,6 +320,9 @@ def _type_help(kind: str, value: object) -> str:
         if re.fullmatch(r"[-+]?[0-9]+[eE][-+]?[0-9]+", value):
             whole = "write the digits out"
             return whole if kind.startswith("int") else "write it with a decimal point"
+        if number := re.match(r"([-+]?[0-9]+)([.,][0-9]+)?(?=\s*[^\W\d]|$)", value):
+            plain = number[0].replace(",", ".") if kind.startswith("float") else number[1]
+            return f"write the number alone, with a point and without a unit: {plain}"
         if ":" in value:
             return "a number with a colon is a text here: write it in one unit"
     return ""

@@ -57,6 +57,11 @@ def drive(item: "PlantDrive", catalog: Catalog) -> Iterator[Diagnostic]:
     yield from _options(item, item.options, entry.options, entry.id)
 
 
+FIRST_SLAVE, LAST_SLAVE = 1, 125
+"""PROFIBUS addresses of slaves in use: 0 is that of programming devices, 126 the one that slaves
+have before they are given theirs, 127 is for all (Brinkmann FKO PROFIBUS manual V1.7, page 24)."""
+
+
 def gateway(item: "PlantGateway", catalog: Catalog) -> Iterator[Diagnostic]:
     """FB2001 type, FB2002 layout, FB2003 options, FB2004 address, FB2005 access way, FB2007
     INV-NO out of range, FB2008 series that the gateway does not serve."""
@@ -72,7 +77,15 @@ def gateway(item: "PlantGateway", catalog: Catalog) -> Iterator[Diagnostic]:
             "FB2004",
             f"the switches of {entry.id} cannot be set to PROFIBUS address {item.profibus_address}",
             item.span_of("profibus_address"),
-            f"use {low} to {high}",
+            f"use {max(low, FIRST_SLAVE)} to {min(high, LAST_SLAVE)}",
+        )
+    elif not FIRST_SLAVE <= item.profibus_address <= LAST_SLAVE:
+        owner = "programming devices" if item.profibus_address == 0 else "devices without address"
+        yield Diagnostic(
+            "FB2004",
+            f"PROFIBUS address {item.profibus_address} is kept for {owner}, not for slaves in use",
+            item.span_of("profibus_address"),
+            f"use {max(low, FIRST_SLAVE)} to {min(high, LAST_SLAVE)}",
         )
     yield from _layout(item, entry)
     yield from _options(item, item.options, entry.options, entry.id)

@@ -53,6 +53,16 @@ def telegram_gateway(item: "PlantGateway", protocol: ToshibaProtocol) -> Iterato
             )
 
 
+def _with_channel(entry: ProcessDataGateway, channel: str) -> str:
+    """Which layouts have it; empty if none."""
+    found = [
+        one.name
+        for one in entry.layouts
+        if channel in {each.name.upper() for each in entry.channels_of(one)}
+    ]
+    return f"it is in the layout{'s' if found[1:] else ''} {', '.join(found)}" if found else ""
+
+
 def process_data_gateway(item: "PlantGateway", entry: ProcessDataGateway) -> Iterator[Diagnostic]:
     """FB2024 channels; FB2025 identifiers; FB2026 keys of gateways for telegrams."""
     layout = next((one for one in entry.layouts if one.name == item.layout), None)
@@ -77,7 +87,7 @@ def process_data_gateway(item: "PlantGateway", entry: ProcessDataGateway) -> Ite
                 "FB2024",
                 f"layout '{item.layout}' has no channel {member.channel}",
                 member.span_of("channel"),
-                f"it has {' and '.join(channels)}",
+                _with_channel(entry, member.channel) or f"it has {' and '.join(channels)}",
             )
     if layout is not None:
         yield from _module(item, entry)

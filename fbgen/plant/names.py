@@ -10,6 +10,7 @@ from fbgen.plant.prefix import USUAL_PREFIX, reserved_beginnings
 from fbgen.source import Span
 
 LONGEST_NAME = 32
+_SPELLED = {"ä": "ae", "ö": "oe", "ü": "ue", "ß": "ss", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue"}
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*")
 
 
@@ -38,5 +39,6 @@ def name_problems(name: str, span: Span | None, prefix: str = USUAL_PREFIX) -> I
 
 
 def _repaired(name: str) -> str:
-    plain = re.sub(r"[^A-Za-z0-9]+", "_", name).strip("_")
+    spelled = "".join(_SPELLED.get(letter, letter) for letter in name)
+    plain = re.sub(r"[^A-Za-z0-9]+", "_", spelled).strip("_")
     return plain if re.match(r"[A-Za-z]", plain) else f"drive_{plain}".rstrip("_")

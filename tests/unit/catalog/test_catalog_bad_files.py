@@ -60,6 +60,7 @@ PLANTS = [
     ("FB2002_unknown_layout", 9, 13),
     ("FB2003_option", 14, 30),
     ("FB2004_profibus_address", 10, 23),
+    ("FB2004_reserved_address", 10, 23),
     ("FB2005_access", 11, 13),
     ("FB2006_inv_no_twice", 16, 33),
     ("FB2007_inv_no_range", 16, 33),

@@ -104,6 +104,22 @@ def test_a_name_that_could_not_stand_in_a_plc_program_is_refused(name: str) -> N
     assert codes(("name: gw1", f"name: {quoted}")) == ["FB2012"]
 
 
+def test_a_name_with_umlauts_is_shown_in_plain_letters() -> None:
+    ((_, help_text),) = findings(("name: infeed", "name: Förderer_süd"))
+    assert help_text.endswith(" Foerderer_sued")
+
+
+@pytest.mark.parametrize("address", [0, 126])
+def test_an_address_that_no_slave_in_use_may_have_is_refused(address: int) -> None:
+    text = (shipped("examples") / "pbdp110" / "plant.yaml").read_text("utf-8")
+    changed = text.replace("profibus_address: 3", f"profibus_address: {address}")
+    assert changed != text
+    with pytest.raises(DiagnosticError) as failure:
+        read_plant(Source("plant.yaml", changed))
+    (found,) = failure.value.diagnostics
+    assert (found.code, found.help) == ("FB2004", "use 1 to 125")
+
+
 def test_a_drive_may_not_be_called_as_a_gateway() -> None:
     assert codes(("name: infeed", "name: GW1")) == ["FB2013"]
 
