@@ -83,13 +83,19 @@ def _document(lists: PlantLists) -> Iterator[str]:
     title = lists.in_words("Parameter sheets", "Parameterblätter")
     yield f"# {title}: {plant.title or plant.name}"
     yield ""
-    yield lists.in_words(
-        "Set this by hand at each inverter, its option board and each gateway. F800, F801 and F820 "
-        "take effect when the supply was off until the display was dark.",
-        "Das ist an jedem Umrichter, seiner Optionsplatine und jedem Gateway von Hand "
-        "einzustellen. F800, F801 und F820 wirken, wenn die Versorgung aus war, bis die Anzeige "
-        "dunkel war.",
-    )
+    if lists.on_lines:
+        yield lists.in_words(
+            "Set this by hand at each inverter, its option board and each gateway. F800, F801 and "
+            "F820 take effect when the supply was off until the display was dark.",
+            "Das ist an jedem Umrichter, seiner Optionsplatine und jedem Gateway von Hand "
+            "einzustellen. F800, F801 und F820 wirken, wenn die Versorgung aus war, bis die "
+            "Anzeige dunkel war.",
+        )
+    else:
+        yield lists.in_words(
+            "Set this by hand at each inverter and each gateway.",
+            "Das ist an jedem Umrichter und jedem Gateway von Hand einzustellen.",
+        )
     yield ""
     if CHECK in plant.sequences:
         yield lists.in_words(
@@ -151,12 +157,22 @@ def _sheet(lists: PlantLists, gateway: PlantGateway, drive: PlantDrive) -> Itera
     place = f"{channel} {drive.channel}" if drive.channel else f"INV-NO {drive.inv_no}"
     yield f"{series.title}, {place}, {behind} {gateway.name}"
     yield ""
+    settings = tuple(_settings(lists, gateway, series))
+    if not settings:
+        yield lists.in_words(
+            "No document at hand says what has to be set at this series. Its highest frequency "
+            f"(FH) must be that of the plant file: **{_number(drive.max_frequency_hz)}** Hz.",
+            "Was bei dieser Baureihe einzustellen ist, sagt kein vorliegendes Dokument. Ihre "
+            "höchste Frequenz (FH) muss die der Anlagendatei sein: "
+            f"**{_number(drive.max_frequency_hz)}** Hz.",
+        )
+        return
     head = lists.in_words(
         "| | parameter | ComNo | value | meaning | why | source |",
         "| | Parameter | ComNo | Wert | Bedeutung | Grund | Quelle |",
     )
     yield from (head, "|---|---|---|---|---|---|---|")
-    for setting in _settings(lists, gateway, series):
+    for setting in settings:
         comno = series.comno(setting.comno)
         value = value_of(setting, drive)
         shown = f"**{_number(value)}** {comno.unit}".strip() if value is not None else "-"
@@ -167,8 +183,9 @@ def _sheet(lists: PlantLists, gateway: PlantGateway, drive: PlantDrive) -> Itera
             *(_meaning(lists, comno, value) or comno.title, why, _source(lists, setting)),
         )
         yield f"| {' | '.join(_cell(cell) for cell in cells)} |"
-    yield ""
-    yield from _switches(lists, series.switches, gateway.profibus_address)
+    if not lists.is_process_data(gateway):  # the option board is that of the line
+        yield ""
+        yield from _switches(lists, series.switches, gateway.profibus_address)
 
 
 def _switches(lists: PlantLists, switches: tuple[Switch, ...], address: int) -> Iterator[str]:

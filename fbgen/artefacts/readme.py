@@ -61,26 +61,33 @@ _LISTS = {
 _ACCESS = {
     "per_identifier": (
         "Access `per_identifier`: the program reads and writes each configuration identifier by an "
-        "access of its own, past the process image; each of them is consistent in itself, and the "
-        "trigger byte goes last. Keep the module's identifiers in this order at consecutive "
-        "addresses.",
+        "access of its own, past the process image; each of them is consistent in itself. Keep the "
+        "module's identifiers in this order at consecutive addresses.",
         "Zugriff `per_identifier`: Das Programm liest und schreibt jede Kennung mit einem eigenen "
-        "Zugriff am Prozessabbild vorbei; jede ist in sich konsistent, das Triggerbyte kommt "
-        "zuletzt. Die Kennungen des Moduls müssen in dieser Reihenfolge lückenlos liegen.",
+        "Zugriff am Prozessabbild vorbei; jede ist in sich konsistent. Die Kennungen des Moduls "
+        "müssen in dieser Reihenfolge lückenlos liegen.",
     ),
     "process_image": (
         "Access `process_image`: the addresses must lie in the process image that is updated "
-        "with OB1 (or with the task that calls the blocks). It is torn at identifier boundaries, "
-        "so the trigger follows its data one cycle later.",
+        "with OB1 (or with the task that calls the blocks). It is torn at identifier boundaries.",
         "Zugriff `process_image`: Die Adressen müssen im Prozessabbild liegen, das mit OB1 (oder "
-        "der aufrufenden Task) aktualisiert wird. Es reisst an Kennungsgrenzen, deshalb folgt der "
-        "Trigger seinen Daten einen Zyklus später.",
+        "der aufrufenden Task) aktualisiert wird. Es reißt an Kennungsgrenzen.",
     ),
     "dpxx_dat": (
         "Access `dpxx_dat`: one identifier with consistency over its whole length covers the "
         "frame; DPRD_DAT and DPWR_DAT (SFC14, SFC15) move it as a whole.",
         "Zugriff `dpxx_dat`: Eine Kennung mit Konsistenz über die ganze Länge deckt den "
         "Rahmen ab; DPRD_DAT und DPWR_DAT (SFC14, SFC15) übertragen ihn als Ganzes.",
+    ),
+}
+_TRIGGER = {
+    "per_identifier": (
+        "The trigger byte of a line goes last.",
+        "Das Triggerbyte einer Linie kommt zuletzt.",
+    ),
+    "process_image": (
+        "So the trigger of a line follows its data one cycle later.",
+        "Deshalb folgt der Trigger einer Linie seinen Daten einen Zyklus später.",
     ),
 }
 _INVENTED = (
@@ -138,6 +145,10 @@ def _context(
         "gsd": [_gsd(item) for item in _types_on_lines(lists)],
         "lines": bool(lists.on_lines),
         "channels": [_gateway(item, lists) for item in lists.at_channels],
+        "with_parameters": [_gateway(item, lists) for item in _with_parameters(lists)],
+        "without_parameters": [
+            item.name for item in lists.at_channels if item not in _with_parameters(lists)
+        ],
         "eeprom": [item.name for item in lists.at_channels if item.eeprom],
         "assumed": [item.name for item in lists.at_channels if lists.layout(item).unverified],
         "gateways": [_gateway(item, lists) for item in plant.gateways],
@@ -176,6 +187,15 @@ def _gateway(gateway: PlantGateway, lists: PlantLists) -> dict[str, object]:
     }
 
 
+def _with_parameters(lists: PlantLists) -> tuple[PlantGateway, ...]:
+    """The gateways whose module has a parameter channel."""
+    return tuple(
+        item
+        for item in lists.at_channels
+        if lists.catalog.process_data_gateway(item.type).has_parameter_channel(lists.layout(item))
+    )
+
+
 def _types_on_lines(lists: PlantLists) -> Iterator[TelegramGateway]:
     for name in dict.fromkeys(item.type for item in lists.on_lines):
         yield lists.catalog.telegram_gateway(name)
@@ -198,7 +218,10 @@ def _place(
 
 def _access_notes(lists: PlantLists) -> Iterator[str]:
     for access in dict.fromkeys(item.access for item in lists.plant.gateways):
-        yield lists.in_words(*_ACCESS[access])
+        note = lists.in_words(*_ACCESS[access])
+        if access in _TRIGGER and any(item.access == access for item in lists.on_lines):
+            note = f"{note} {lists.in_words(*_TRIGGER[access])}"
+        yield note
     for gateway in {item.layout: item for item in lists.plant.gateways}.values():
         if lists.layout(gateway).invented:
             yield lists.in_words(*_INVENTED).format(gateway.layout)

@@ -87,8 +87,10 @@ INHIBITED = Alarm(
     "Warnings",
     "Drive waits until the run command was taken back once",
     "Antrieb wartet, bis der Laufbefehl einmal weggenommen war",
-    "So it never starts by itself after a loss, a trip or a start of the PLC.",
-    "So läuft er nach Ausfall, Störung oder Neustart der Steuerung nie von selbst an.",
+    "So it never starts by itself after a start of the PLC, a loss, a trip, an emergency stop, a "
+    "missing interlock, coast, DC brake or a change of manual.",
+    "So läuft er nach Neustart der Steuerung, Ausfall, Störung, Nothalt, fehlender Verriegelung, "
+    "coast, dcBrake oder einem Wechsel von manual nie von selbst an.",
 )
 INTERLOCK = Alarm(
     5,

@@ -35,9 +35,31 @@ gateways:
 """
 
 
+CHANNELS = """
+version: 1
+name: hall
+dialect: tia
+plc: s7-1500
+gateways:
+  - name: gw1
+    type: pbdp110
+    layout: module2
+    profibus_address: 5
+    access: dpxx_dat
+    hardware_identifier: 270
+    drives:
+      - {name: pump, channel: A, series: vf-s11, max_frequency_hz: 50.0}
+      - {name: fan, channel: B, series: g7, max_frequency_hz: 62.5}
+"""
+
+
 def sheets(sequences: str = "check_parameters") -> dict[str, str]:
+    return made_for(PLANT.format(sequences=sequences))
+
+
+def made_for(text: str) -> dict[str, str]:
     catalog = load_catalog()
-    plant = read_plant(Source("plant.yaml", PLANT.format(sequences=sequences)), catalog)
+    plant = read_plant(Source("plant.yaml", text), catalog)
     made = with_artefacts(generate(plant, catalog), plant, catalog)
     found = {item.name: item.data for item in made.artefacts}
     return {name: data.decode("utf-8-sig") for name, data in found.items() if "parameters" in name}
@@ -94,3 +116,14 @@ def test_the_sheet_is_a_table_whatever_the_titles_say(made: dict[str, str]) -> N
     rows = [line for line in made["hall_parameters.md"].splitlines() if line.startswith("|")]
     assert rows
     assert {row.replace("\\|", "").count("|") for row in rows} <= {5, 8}
+
+
+def test_behind_a_gateway_for_process_data_nothing_of_the_line_is_asked_for() -> None:
+    pump, fan = made_for(CHANNELS)["hall_parameters.md"].split("## Drive ")[1:]
+    assert "| FH | 0011 | **50** Hz |" in pump
+    assert "RS4003Z" not in pump
+    assert "F80" not in pump
+    # a series of which no document at hand tells
+    assert "No document at hand says" in fan
+    assert "**62.5** Hz" in fan
+    assert "|" not in fan

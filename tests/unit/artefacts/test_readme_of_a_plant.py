@@ -74,6 +74,8 @@ WARNINGS = {
         "a drive that has lost its gateway runs on for ever",
         "Stop the drives first",
         "`run` has to be FALSE once",
+        "an emergency stop, a missing interlock, `coast` or `dcBrake`",
+        "nothing of `control` holds it but `emergencyStop`",
     ),
     "de": (
         "Keiner dieser Bausteine ist eine Sicherheitsfunktion",
@@ -82,7 +84,9 @@ WARNINGS = {
         "Mit der Steuerung in STOP laufen die Antriebe weiter",
         "läuft ein Antrieb, der sein Gateway verloren hat, immer weiter",
         "Zuerst die Antriebe anhalten",
-        "muss `run` einmal FALSE sein",
+        "`run` muss einmal FALSE sein",
+        "Nothalt, fehlender Verriegelung, `coast` oder `dcBrake`",
+        "nichts von `control` hält den Antrieb an außer `emergencyStop`",
     ),
 }
 
@@ -99,6 +103,36 @@ def test_it_says_what_must_not_be_overlooked(dialect: str, language: str) -> Non
     assert ("OB86" in text) is (dialect == "step7")
     assert "gsd10: `30 30 20 30 30 70 20 70`" in text
     assert "doc9: `30 30 20 30 30 70 70`" in text
+
+
+CHANNELS = """\
+version: 1
+name: hall
+dialect: tia
+plc: s7-1500
+gateways:
+  - name: north
+    type: pbdp110
+    layout: {layout}
+    profibus_address: 2
+    access: dpxx_dat
+    hardware_identifier: 270
+    drives: [{{name: pump, channel: A, series: vf-s11, max_frequency_hz: 50.0}}]
+"""
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize(("layout", "has_parameters"), [("module1", True), ("module3", False)])
+def test_of_process_data_it_tells_what_the_module_can_do(
+    layout: str, has_parameters: bool, language: str
+) -> None:
+    text = page("tia", language, CHANNELS.format(layout=layout))
+    assert ("`TOS_Plant.north.pump.parameter`" in text) is has_parameters
+    assert ("8501" in text) is has_parameters
+    assert ("`control.reset`" in text) is not has_parameters
+    # nothing of lines, sequences and tags that this plant does not have
+    assert not re.search(r"8402|8406|8407|8408|[Tt]rigger|inverter number|^6\. ", text, re.M)
+    assert re.findall(r"^(\d)\. ", text, re.M) == ["1", "2", "3", "4", "5"]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
