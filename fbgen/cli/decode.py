@@ -1,10 +1,11 @@
-"""`fbgen decode`: what the bits of a word mean."""
+"""`fbgen decode`: what the bits of a word mean, and what a frame says."""
 
 from typing import Annotated
 
 import typer
 
 from fbgen.cli.examples import examples
+from fbgen.cli.frame_kinds import SeriesOption, frame_kind
 from fbgen.cli.layers import CatalogOption, JsonOption
 from fbgen.cli.output import result, result_json
 
@@ -16,6 +17,8 @@ def register(program: typer.Typer) -> None:
             "fbgen decode tospbdp001.status 9F00",
             "fbgen decode vf-s11.command 2#1100_0100_0000_0000",
             "fbgen decode vf-s11.FA00 16#C400 --json",
+            'fbgen decode toshiba "2F 0B 50 FA 00 C4 00 48" --series vf-s11',
+            'fbgen decode modbus.reply "01 03 02 17 70 B6 50"',
         )
     )(decode)
 
@@ -24,22 +27,39 @@ def decode(
     word: Annotated[
         str,
         typer.Argument(
-            metavar="WORD", help="Device and word or ComNo: tospbdp001.status, vf-s11.FA00."
+            metavar="WORD",
+            help="Device and word or ComNo: tospbdp001.status, vf-s11.FA00. Or a kind of frame: "
+            "toshiba, toshiba.request, toshiba.reply, modbus, modbus.request, modbus.reply.",
         ),
     ],
     value: Annotated[
         str,
         typer.Argument(
-            metavar="VALUE", help="9F00, 16#9F00, 0x9F00, 9F00h, 2#1001_1111_0000_0000 or 10#40704."
+            metavar="VALUE",
+            help="9F00, 16#9F00, 0x9F00, 9F00h, 2#1001_1111_0000_0000 or 10#40704. Of a frame its "
+            'bytes, "2F 0B 50 FA 00 C4 00 48", or its text, "(PFA008400)".',
         ),
     ],
+    series: SeriesOption = None,
     catalog: CatalogOption = None,
     as_json: JsonOption = False,
 ) -> None:
-    """Show what the bits of a word mean, and where that is written."""
+    """Show what the bits of a word mean, and where that is written; or what a frame says."""
     from fbgen.catalog import load_catalog, parse_word
     from fbgen.cli.word_tables import decoded_json, decoded_text
 
+    kind = frame_kind(word)
+    if kind is not None:
+        from fbgen.cli.cell_texts import cell_texts
+        from fbgen.cli.frame_reading import reading_json, reading_text
+        from fbgen.cli.frames import frame_reading
+
+        reading = frame_reading(*kind, value, cell_texts(series, catalog))
+        if as_json:
+            result_json(reading_json(reading))
+        else:
+            result(reading_text(reading))
+        return
     bits = load_catalog(catalog or ()).word(word)
     number = parse_word(value)
     if as_json:

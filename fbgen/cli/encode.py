@@ -1,4 +1,4 @@
-"""`fbgen encode`: the word in which the named bits are set."""
+"""`fbgen encode`: the word in which the named bits are set, and the frame of some fields."""
 
 from collections.abc import Sequence
 from typing import Annotated
@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from fbgen.cli.examples import examples
+from fbgen.cli.frame_kinds import SeriesOption, frame_kind
 from fbgen.cli.layers import CatalogOption, JsonOption
 from fbgen.cli.output import result, result_json
 
@@ -17,6 +18,8 @@ def register(program: typer.Typer) -> None:
             "fbgen encode vf-s11.command run network_command network_frequency",
             "fbgen encode tospbdp001.status status_code=0x1F status_changed",
             "fbgen encode vf-s11.command run --json",
+            "fbgen encode toshiba command=P inv_no=11 com_no=FA00 data=C400",
+            "fbgen encode modbus function=06 com_no=frequency_setpoint value=50 --series vf-s11",
         )
     )(encode)
 
@@ -25,20 +28,37 @@ def encode(
     word: Annotated[
         str,
         typer.Argument(
-            metavar="WORD", help="Device and word or ComNo: vf-s11.command, vf-s11.FA00."
+            metavar="WORD",
+            help="Device and word or ComNo: vf-s11.command, vf-s11.FA00. Or a kind of frame: "
+            "toshiba.request, toshiba.reply, modbus.request, modbus.reply.",
         ),
     ],
     bits: Annotated[
         list[str],
-        typer.Argument(metavar="BIT", help="Names of bits that are 1, or name=value."),
+        typer.Argument(
+            metavar="BIT", help="Names of bits that are 1, or name=value; fields of a frame."
+        ),
     ],
+    series: SeriesOption = None,
     catalog: CatalogOption = None,
     as_json: JsonOption = False,
 ) -> None:
-    """Make a word of named bits; all others are 0."""
+    """Make a word of named bits, all others are 0; or a frame of its fields."""
     from fbgen.catalog import load_catalog
     from fbgen.cli.word_tables import decoded_json, decoded_text
 
+    kind = frame_kind(word)
+    if kind is not None:
+        from fbgen.cli.cell_texts import cell_texts
+        from fbgen.cli.frame_reading import reading_json, reading_text
+        from fbgen.cli.frames import written_frame
+
+        reading = written_frame(*kind, bits, cell_texts(series, catalog))
+        if as_json:
+            result_json(reading_json(reading))
+        else:
+            result(reading_text(reading))
+        return
     table = load_catalog(catalog or ()).word(word)
     number = table.encode(_values(bits))
     if as_json:

@@ -1,0 +1,30 @@
+"""The kinds of frames that `fbgen decode` and `fbgen encode` know, by the word that names them."""
+
+from typing import Annotated
+
+import typer
+
+PROTOCOLS = ("toshiba", "modbus")
+DIRECTIONS = ("request", "reply")
+
+SeriesOption = Annotated[
+    str | None,
+    typer.Option("--series", metavar="S", help="Of a frame: the series, to name its ComNos."),
+]
+
+
+def frame_kind(word: str) -> tuple[str, str | None] | None:
+    """Protocol and direction of `toshiba.request`, `modbus`; None for a word of the catalogue.
+
+    Raises DiagnosticError FB9044 for another direction.
+    """
+    from fbgen.diagnostics import error
+    from fbgen.nearest import nearest
+
+    protocol, dot, direction = word.lower().partition(".")
+    if protocol not in PROTOCOLS:
+        return None
+    if dot and direction not in DIRECTIONS:
+        kinds = [f"{protocol}.{way}" for way in DIRECTIONS]
+        raise error("FB9044", f"there are no frames '{word}'", help=nearest(word, kinds))
+    return protocol, direction or None

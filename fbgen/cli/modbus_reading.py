@@ -1,0 +1,216 @@
+"""Frames of MODBUS-RTU for `fbgen decode`: what each field says, and what comes back.
+
+MODBUS Application Protocol Specification V1.1b3; what an inverter answers: VF-S15 RS485 manual
+E6581913, pp. 25-39.
+"""
+
+from collections.abc import Iterator
+
+from fbgen.cli.cell_texts import CellTexts
+from fbgen.cli.frame_reading import Part, Reading, directions, no_frame, shown, size_of
+from fbgen.wire import modbus_rtu
+from fbgen.wire.modbus import (
+    BROADCAST,
+    EXCEPTION_BIT,
+    HIGHEST_ADDRESS,
+    BadRequest,
+    ExceptionCode,
+    ExceptionReply,
+    Function,
+    IdentifyReply,
+    IdentifyRequest,
+    ReadReply,
+    ReadRequest,
+    ReadWriteReply,
+    ReadWriteRequest,
+    Reply,
+    Request,
+    WriteReply,
+    WriteRequest,
+    WriteSeveralReply,
+    WriteSeveralRequest,
+    seal,
+)
+from fbgen.wire.modbus_lengths import expected_reply_length, reply_length, request_length
+
+Message = Request | BadRequest | Reply
+
+EXCEPTIONS = {
+    ExceptionCode.FUNCTION: "there is no such function",
+    ExceptionCode.ADDRESS: "there is no such ComNo",
+    ExceptionCode.VALUE: "the data or their number are outside of the range",
+    ExceptionCode.CANNOT_EXECUTE: "it cannot be executed",
+}
+_FUNCTIONS = {
+    Function.READ: "read words",
+    Function.WRITE: "write a word",
+    Function.WRITE_SEVERAL: "write words",
+    Function.READ_WRITE: "write words, then read words",
+    Function.IDENTIFY: "who are you?",
+}
+_OBJECTS = {0: "maker", 1: "product", 2: "version"}
+_SHORTEST = 4
+
+
+def modbus_reading(frame: bytes, direction: str | None, cells: CellTexts) -> Reading:
+    """The reading of a frame. Raises DiagnosticError FB9041 if it is none."""
+    ways = directions(direction)
+    right = seal(frame[:-2])
+    for way in ways if len(frame) >= _SHORTEST else ():
+        parse = modbus_rtu.parse_request if way == "request" else modbus_rtu.parse_reply
+        message = parse(right)
+        if message is not None:
+            return Reading(
+                f"MODBUS-RTU, {way}",
+                way,
+                frame,
+                right,
+                tuple(_parts(frame, right, message, cells)),
+                tuple(_remarks(message, frame, right, direction, cells)),
+            )
+    raise no_frame(
+        "frame of MODBUS-RTU", _why_not(frame, ways), "address, function, data, CRC: 2 bytes"
+    )
+
+
+def _why_not(frame: bytes, ways: tuple[str, ...]) -> str:
+    if len(frame) < _SHORTEST:
+        return f"{size_of(len(frame))} are too few"
+    if frame[0] > HIGHEST_ADDRESS:
+        return f"no device has the address {frame[0]}"
+    wanted = [(request_length if way == "request" else reply_length)(frame) for way in ways]
+    sizes = sorted({size for size in wanted if size})
+    if sizes and len(frame) not in sizes:
+        needed = " or ".join(size_of(size) for size in sizes)
+        return f"it has {size_of(len(frame))}, and with this function {needed}"
+    if None in wanted:
+        return f"{size_of(len(frame))} are too few"
+    if not sizes:
+        return f"no inverter has the function {frame[1]:02X}"
+    return "its fields do not fit together"
+
+
+def _parts(frame: bytes, right: bytes, message: Message, cells: CellTexts) -> Iterator[Part]:
+    yield Part(frame[:1], "address", _who(message.address))
+    yield Part(frame[1:2], "function", _function(frame[1]))
+    yield from _content(frame[2:-2], message, cells)
+    given, wanted = frame[-2:], right[-2:]
+    text = "right" if given == wanted else f"wrong: {shown(wanted)} is right"
+    yield Part(given, "CRC", text)
+
+
+def _function(code: int) -> str:
+    known = next((text for item, text in _FUNCTIONS.items() if item == code & ~EXCEPTION_BIT), "")
+    text = known or "none that inverters have"
+    return f"{text}: refused" if code & EXCEPTION_BIT else text
+
+
+def _who(address: int) -> str:
+    return "all devices" if address == BROADCAST else f"device {address}"
+
+
+def _content(data: bytes, message: Message, cells: CellTexts) -> Iterator[Part]:
+    match message:
+        case ReadRequest(_, start, count):
+            yield Part(data[:2], "start", cells.name(start))
+            yield Part(data[2:], "count", f"{count} to read")
+        case WriteRequest(_, start, word) | WriteReply(_, start, word):
+            yield Part(data[:2], "ComNo", cells.name(start))
+            yield Part(data[2:], "word", cells.value(start, word))
+        case WriteSeveralReply(_, start, count):
+            yield Part(data[:2], "start", cells.name(start))
+            yield Part(data[2:], "count", f"{count} written")
+        case WriteSeveralRequest(_, start, words):
+            yield from _written(data, start, words, cells)
+        case ReadWriteRequest(_, start, count, write_start, words):
+            yield Part(data[:2], "read from", cells.name(start))
+            yield Part(data[2:4], "count", f"{count} to read")
+            yield from _written(data[4:], write_start, words, cells)
+        case ReadReply(_, words) | ReadWriteReply(_, words):
+            yield Part(data[:1], "bytes", f"{len(words)} words follow")
+            for number, word in enumerate(words, start=1):
+                yield Part(data[2 * number - 1 : 2 * number + 1], f"word {number}", f"{word:04X}")
+        case IdentifyRequest(_, code, object_id):
+            yield Part(data[:1], "type", "device identification")
+            yield Part(data[1:2], "code", f"{code}")
+            yield Part(data[2:], "object", f"{object_id}, {_OBJECTS.get(object_id, 'other')}")
+        case IdentifyReply():
+            yield from _identification(data, message)
+        case ExceptionReply():
+            known = next((text for code, text in EXCEPTIONS.items() if code == message.code), "")
+            yield Part(data, "code", f"{message.code:02X}: {known or 'not known of inverters'}")
+        case BadRequest():
+            yield Part(data, "data", "")
+
+
+def _written(data: bytes, start: int, words: tuple[int, ...], cells: CellTexts) -> Iterator[Part]:
+    yield Part(data[:2], "write from", cells.name(start))
+    yield Part(data[2:4], "count", f"{len(words)} to write")
+    yield Part(data[4:5], "bytes", f"{data[4]} follow")
+    for number, word in enumerate(words):
+        at = 5 + 2 * number
+        com_no = start + number
+        text = cells.value(com_no, word)
+        yield Part(data[at : at + 2], f"word {number + 1}", f"{cells.short(com_no)}: {text}")
+
+
+def _identification(data: bytes, reply: IdentifyReply) -> Iterator[Part]:
+    yield Part(data[:1], "type", "device identification")
+    yield Part(data[1:2], "code", f"{reply.code}")
+    yield Part(data[2:3], "conformity", f"{reply.conformity:02X}")
+    more = f"yes, from object {reply.next_object} on" if reply.more_follows else "no"
+    yield Part(data[3:5], "more", more)
+    yield Part(data[5:6], "objects", f"{len(reply.objects)}")
+    at = 6
+    for number, text in reply.objects:
+        end = at + 2 + len(text)
+        name = _OBJECTS.get(number, f"object {number}")
+        yield Part(data[at:end], name, text.decode("ascii", "replace"))
+        at = end
+
+
+def _remarks(
+    message: Message, frame: bytes, right: bytes, direction: str | None, cells: CellTexts
+) -> Iterator[str]:
+    if frame != right:
+        yield "The CRC is wrong: nobody takes notice of it."
+        return
+    if isinstance(message, BadRequest):
+        reply = ExceptionReply(message.address, message.function, message.error)
+        text = "nobody answers" if message.address == BROADCAST else _encoded(reply)
+        yield f"Refused with {message.error:02X}, {EXCEPTIONS[message.error]}: {text}"
+    elif isinstance(message, Request):
+        yield from _replies(message, cells)
+        if direction is None and isinstance(message, WriteRequest) and message.address:
+            value = cells.value(message.start, message.word)
+            name = cells.short(message.start)
+            who = _who(message.address)
+            yield f"As a reply the same bytes say: {who} has taken {name} = {value}."
+
+
+def _replies(request: Request, cells: CellTexts) -> Iterator[str]:
+    size = expected_reply_length(request)
+    match request:
+        case _ if request.address == BROADCAST:
+            yield "Nobody answers what is for all."
+        case WriteRequest(address, start, word):
+            if cells.resets(start, word):
+                yield "Nobody answers: the inverter resets."
+            else:
+                yield f"Reply: {_encoded(WriteReply(address, start, word))}"
+        case WriteSeveralRequest(address, start, words):
+            yield f"Reply: {_encoded(WriteSeveralReply(address, start, len(words)))}"
+        case ReadRequest(address, _, count) | ReadWriteRequest(address, _, count):
+            head = shown(bytes((address, _function_of(request), 2 * count)))
+            yield f"Reply: {head}, the words and the CRC, {size_of(size or 0)}"
+        case IdentifyRequest():
+            yield "Reply: maker, product and version, each with its length"
+
+
+def _function_of(request: ReadRequest | ReadWriteRequest) -> Function:
+    """The function of a request for words."""
+    return Function.READ if isinstance(request, ReadRequest) else Function.READ_WRITE
+
+
+def _encoded(reply: Reply) -> str:
+    return shown(modbus_rtu.encode_reply(reply))
