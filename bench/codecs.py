@@ -16,11 +16,14 @@ from fbgen.wire.modbus import (
     WriteRequest,
     WriteSeveralRequest,
 )
+from fbgen.wire.modbus_stream import request_stream, silent_intervals
+from fbgen.wire.silence import characters_ns
 from fbgen.wire.toshiba import Command, Form, Reply, Request
 from fbgen.wire.toshiba_block import BlockReply, BlockRequest
 
 _FRAMES = 6_000
 _WINDOWS = 60
+_BAUD = 19_200
 _LIMIT = "at most 5 us (200,000 frames/s)"
 
 Message = TypeVar("Message")
@@ -53,6 +56,24 @@ def _figures(
     ):
         text = f"{name}, {size} bytes, {way}"
         yield measure(text, action, limit, per=_FRAMES, windows=_WINDOWS)
+
+
+def _heard() -> Figure:
+    """A frame between silences, from its bytes with their times to its message."""
+    frames = [modbus_rtu.encode_request(ReadRequest(1, number)) for number in range(_FRAMES)]
+    silences = silent_intervals(_BAUD)
+    byte_ns = characters_ns(1, _BAUD)
+    pause_ns = len(frames[0]) * byte_ns + silences.frame_ns
+
+    def hear_all() -> None:
+        stream = request_stream(silences)
+        now_ns = 0
+        for frame in frames:
+            stream.feed(frame, now_ns, byte_ns)
+            now_ns += pause_ns
+            stream.end(now_ns)
+
+    return measure("MODBUS 03 request, heard", hear_all, _LIMIT, per=_FRAMES, windows=_WINDOWS)
 
 
 def figures() -> Iterator[Figure]:
@@ -129,6 +150,7 @@ def figures() -> Iterator[Figure]:
         modbus_rtu.encode_request,
         modbus_rtu.parse_request,
     )
+    yield _heard()
     yield from _figures(
         "MODBUS 03 reply of 125 words",
         lambda number: ReadReply(1 + number % 247, (number,) * 125),

@@ -5,7 +5,7 @@ from typing import Annotated
 import typer
 
 from fbgen.cli.examples import examples
-from fbgen.cli.frame_kinds import SeriesOption, frame_kind
+from fbgen.cli.frame_kinds import RequestOption, SeriesOption, frame_kind
 from fbgen.cli.layers import CatalogOption, JsonOption
 from fbgen.cli.output import result, result_json
 
@@ -18,7 +18,7 @@ def register(program: typer.Typer) -> None:
             "fbgen decode vf-s11.command 2#1100_0100_0000_0000",
             "fbgen decode vf-s11.FA00 16#C400 --json",
             'fbgen decode toshiba "2F 0B 50 FA 00 C4 00 48" --series vf-s11',
-            'fbgen decode modbus.reply "01 03 02 17 70 B6 50"',
+            'fbgen decode modbus "01 03 02 17 70 B6 50" --request "01 03 FD 00 00 01 B5 A6"',
         )
     )(decode)
 
@@ -41,6 +41,7 @@ def decode(
         ),
     ],
     series: SeriesOption = None,
+    request: RequestOption = None,
     catalog: CatalogOption = None,
     as_json: JsonOption = False,
 ) -> None:
@@ -54,7 +55,7 @@ def decode(
         from fbgen.cli.frame_reading import reading_json, reading_text
         from fbgen.cli.frames import frame_reading
 
-        reading = frame_reading(*kind, value, cell_texts(series, catalog))
+        reading = frame_reading(*kind, value, cell_texts(series, catalog), request)
         if as_json:
             result_json(reading_json(reading))
         else:

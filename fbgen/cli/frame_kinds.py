@@ -12,6 +12,13 @@ SeriesOption = Annotated[
     typer.Option("--series", metavar="S", help="Of a frame: the series, to name its ComNos."),
 ]
 
+RequestOption = Annotated[
+    str | None,
+    typer.Option(
+        "--request", metavar="FRAME", help="Of a MODBUS reply: its request, which has the ComNos."
+    ),
+]
+
 
 def frame_kind(word: str) -> tuple[str, str | None] | None:
     """Protocol and direction of `toshiba.request`, `modbus`; None for a word of the catalogue.

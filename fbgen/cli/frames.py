@@ -12,13 +12,21 @@ from fbgen.cli.toshiba_writing import toshiba_frame
 from fbgen.diagnostics import error
 
 
-def frame_reading(protocol: str, direction: str | None, text: str, cells: CellTexts) -> Reading:
-    """The reading of a frame as somebody writes it.
+def frame_reading(
+    protocol: str, direction: str | None, text: str, cells: CellTexts, request: str | None
+) -> Reading:
+    """The reading of a frame as somebody writes it. A MODBUS reply may come with its request.
 
-    Raises DiagnosticError FB9040 if these are no bytes, FB9041 if they are no frame.
+    Raises DiagnosticError FB9040 if these are no bytes, FB9041 if they are no frame, FB9045 if the
+    frame is no reply to the request.
     """
     if protocol == "modbus":
-        return modbus_reading(_bytes(text), direction, cells)
+        asked = None if request is None else _bytes(request)
+        return modbus_reading(_bytes(text), direction, cells, asked)
+    if request is not None:
+        raise error(
+            "FB9045", "a reply of the Toshiba protocol names its ComNo", help="leave out --request"
+        )
     frame = _ascii(text) if text.lstrip().startswith("(") else _bytes(text)
     return toshiba_reading(frame, direction, cells)
 
@@ -33,7 +41,7 @@ def written_frame(
     way = direction or "request"
     given = Fields(fields, cells)
     if protocol == "modbus":
-        return modbus_reading(modbus_frame(way, given), way, cells)
+        return modbus_reading(modbus_frame(way, given), way, cells, None)
     return toshiba_reading(toshiba_frame(way, given), way, cells)
 
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from fbgen.cli.cell_texts import CellTexts
 from fbgen.cli.frame_reading import Part, Reading, directions, no_frame, shown, size_of
+from fbgen.cli.modbus_pairs import Message, first_word
 from fbgen.wire import modbus_rtu
 from fbgen.wire.modbus import (
     BROADCAST,
@@ -33,8 +34,6 @@ from fbgen.wire.modbus import (
 )
 from fbgen.wire.modbus_lengths import expected_reply_length, reply_length, request_length
 
-Message = Request | BadRequest | Reply
-
 EXCEPTIONS = {
     ExceptionCode.FUNCTION: "there is no such function",
     ExceptionCode.ADDRESS: "there is no such ComNo",
@@ -52,20 +51,26 @@ _OBJECTS = {0: "maker", 1: "product", 2: "version"}
 _SHORTEST = 4
 
 
-def modbus_reading(frame: bytes, direction: str | None, cells: CellTexts) -> Reading:
-    """The reading of a frame. Raises DiagnosticError FB9041 if it is none."""
-    ways = directions(direction)
+def modbus_reading(
+    frame: bytes, direction: str | None, cells: CellTexts, asked: bytes | None
+) -> Reading:
+    """The reading of a frame; of a reply with the request that it answers, if that is known.
+
+    Raises DiagnosticError FB9041 if it is none, FB9045 if it does not answer that request.
+    """
+    ways = directions(direction if asked is None else "reply")
     right = seal(frame[:-2])
     for way in ways if len(frame) >= _SHORTEST else ():
         parse = modbus_rtu.parse_request if way == "request" else modbus_rtu.parse_reply
         message = parse(right)
         if message is not None:
+            start = None if asked is None else first_word(asked, message)
             return Reading(
                 f"MODBUS-RTU, {way}",
                 way,
                 frame,
                 right,
-                tuple(_parts(frame, right, message, cells)),
+                tuple(_parts(frame, right, message, cells, start)),
                 tuple(_remarks(message, frame, right, direction, cells)),
             )
     raise no_frame(
@@ -90,10 +95,15 @@ def _why_not(frame: bytes, ways: tuple[str, ...]) -> str:
     return "its fields do not fit together"
 
 
-def _parts(frame: bytes, right: bytes, message: Message, cells: CellTexts) -> Iterator[Part]:
+def _parts(
+    frame: bytes, right: bytes, message: Message, cells: CellTexts, start: int | None
+) -> Iterator[Part]:
     yield Part(frame[:1], "address", _who(message.address))
     yield Part(frame[1:2], "function", _function(frame[1]))
-    yield from _content(frame[2:-2], message, cells)
+    if isinstance(message, ReadReply | ReadWriteReply):
+        yield from _words(frame[2:-2], message.words, cells, start)
+    else:
+        yield from _content(frame[2:-2], message, cells)
     given, wanted = frame[-2:], right[-2:]
     text = "right" if given == wanted else f"wrong: {shown(wanted)} is right"
     yield Part(given, "CRC", text)
@@ -126,10 +136,6 @@ def _content(data: bytes, message: Message, cells: CellTexts) -> Iterator[Part]:
             yield Part(data[:2], "read from", cells.name(start))
             yield Part(data[2:4], "count", f"{count} to read")
             yield from _written(data[4:], write_start, words, cells)
-        case ReadReply(_, words) | ReadWriteReply(_, words):
-            yield Part(data[:1], "bytes", f"{len(words)} words follow")
-            for number, word in enumerate(words, start=1):
-                yield Part(data[2 * number - 1 : 2 * number + 1], f"word {number}", f"{word:04X}")
         case IdentifyRequest(_, code, object_id):
             yield Part(data[:1], "type", "device identification")
             yield Part(data[1:2], "code", f"{code}")
@@ -141,6 +147,19 @@ def _content(data: bytes, message: Message, cells: CellTexts) -> Iterator[Part]:
             yield Part(data, "code", f"{message.code:02X}: {known or 'not known of inverters'}")
         case BadRequest():
             yield Part(data, "data", "")
+
+
+def _words(
+    data: bytes, words: tuple[int, ...], cells: CellTexts, start: int | None
+) -> Iterator[Part]:
+    """The words of a reply, by ComNo if it is known where they begin."""
+    yield Part(data[:1], "bytes", f"{data[0]} follow")
+    for number, word in enumerate(words):
+        text = f"{word:04X}"
+        if start is not None:
+            com_no = start + number
+            text = f"{cells.short(com_no)}: {cells.value(com_no, word)}"
+        yield Part(data[1 + 2 * number : 3 + 2 * number], f"word {number + 1}", text)
 
 
 def _written(data: bytes, start: int, words: tuple[int, ...], cells: CellTexts) -> Iterator[Part]:

@@ -2,7 +2,19 @@
 
 Facts: VF-S11 communications manual E6581222, sections 4.1 to 4.4 (pp. 6-13, 22); VF-AS1 RS485
 manual E6581315, pp. 7-20; VF-S15 RS485 manual E6581913, pp. 5-14. The spelling in bytes is in
-`toshiba_binary` and `toshiba_ascii`; `toshiba_stream` finds frames in what comes over a line.
+`toshiba_binary`, `toshiba_block` and `toshiba_ascii`; `toshiba_stream` finds frames in what comes
+over a line. The rules that the codecs keep:
+
+* Who is meant: one number, 0 to 63 in binary and 0 to 99 in ASCII; all (FFH, `**`); in ASCII all
+  with one tens or units digit; without a number the one drive on the line (E6581222, pp. 9-11, 22).
+* Who answers what is for several: number 0, or the smallest number of the group. Only W and P are
+  valid for several (E6581222, p. 22). S and s are answered by nobody (E6581315, p. 19).
+* None from a parser is what a drive meets with silence: an unknown CMD in binary, a number of one
+  digit, any other wrong form, more than two words in X (E6581222, p. 11; E6581315, p. 20; E6581913,
+  p. 13). Silent too are a number that is another's and a byte with an error: that the caller sees.
+* `BadRequest` is what it refuses: a wrong sum with 4; an unknown command, in ASCII only, with 3;
+  in ASCII data of too many digits, or none where some belong, with 1 (E6581315, p. 20).
+  Codes 0, 1 and 2 of a request in good form are the drive's own to give.
 """
 
 from enum import Enum, IntEnum

@@ -12,9 +12,12 @@ from fbgen.lang.parser import parse_recovering
 from fbgen.lang.printer import print_file
 from fbgen.plant.loading import read_plant
 from fbgen.source import Source
-from fbgen.wire import toshiba_ascii, toshiba_binary
+from fbgen.wire import modbus_rtu, toshiba_stream
 from fbgen.wire.gsd import read_gsd
+from fbgen.wire.modbus import seal
+from fbgen.wire.modbus_lengths import reply_length, request_length
 from harness.scenario.model import Scenario
+from tests.frames import ASCII_CHECKED, MODBUS, TOSHIBA_BINARY
 
 _ROOT = Path(__file__).parents[2]
 
@@ -49,10 +52,13 @@ def _text(data: bytes) -> str:
 
 
 def _frames(data: bytes) -> None:
-    toshiba_binary.parse_request(data)
-    toshiba_binary.parse_reply(data)
-    toshiba_ascii.parse_request(data)
-    toshiba_ascii.parse_reply(data)
+    toshiba_stream.parse_request(data)
+    toshiba_stream.parse_reply(data)
+    for frame in (data, seal(data)):
+        modbus_rtu.parse_request(frame)
+        modbus_rtu.parse_reply(frame)
+        request_length(frame)
+        reply_length(frame)
 
 
 def _files(*patterns: str) -> list[bytes]:
@@ -86,6 +92,6 @@ def targets() -> Mapping[str, Target]:
         ),
         "frames": Target(
             _frames,
-            [bytes.fromhex("2F0B50FA00C40048"), b"(0BPFA00C400)\r", b"(R0000&60)\r"],
+            [*TOSHIBA_BINARY.values(), *ASCII_CHECKED.values(), *MODBUS.values()],
         ),
     }

@@ -186,6 +186,71 @@ def test_encode_makes_a_frame_of_its_fields(fbgen: Fbgen, arguments: str, frame:
     assert run.out.startswith(frame)
 
 
+@pytest.mark.parametrize(
+    ("request_", "reply"),
+    [
+        ("01 03 FD 00 00 01 B5 A6", "01 03 02 17 70 B6 50"),
+        ("01 17 FD 00 00 01 18 70 00 02 04 C4 00 17 70 FA F3", "01 17 02 17 70 B3 A0"),
+    ],
+)
+def test_words_of_a_reply_have_the_names_that_its_request_gives(
+    fbgen: Fbgen, request_: str, reply: str
+) -> None:
+    run = fbgen("decode", "modbus", reply, "--request", request_, "--series", "vf-s11")
+    assert _rows(run.out)["word 1"] == "FD00 output_frequency: 1770 = 60.00 Hz"
+
+
+@pytest.mark.parametrize(
+    ("request_", "reply"),
+    [
+        ("modbus.read", "modbus.read.reply"),
+        ("modbus.read_two", "modbus.read_two.reply"),
+        ("modbus.block", "modbus.block.reply"),
+        ("modbus.block.bad_count", "modbus.block.bad_count.reply"),
+        ("modbus.identify", "modbus.identify.reply"),
+        ("write", "write"),
+    ],
+)
+def test_reply_of_the_manuals_is_one_to_its_request(
+    fbgen: Fbgen, request_: str, reply: str
+) -> None:
+    run = fbgen("decode", "modbus", MODBUS[reply].hex(), "--request", MODBUS[request_].hex())
+    assert (run.status, run.err) == (0, "")
+    assert "MODBUS-RTU, reply" in run.out
+
+
+@pytest.mark.parametrize(
+    ("word", "reply", "request_", "message"),
+    [
+        ("modbus", "01 90 04 4D C3", "01 03 FD 00 00 01 B5 A6", "FB9045: ... function, ComNo or"),
+        ("modbus", "01 10 18 70 00 02 46 B3", "010318700002C370", "FB9045: ... function, ComNo or"),
+        (
+            "modbus",
+            "01 03 02 17 70 B6 50",
+            "0103FD000002F5A7",
+            "FB9045: ... number of words differ",
+        ),
+        ("modbus", "01 06 FA 00 C4 00 EB D2", "0106FA002000A0D2", "FB9045: ... ComNo or number of"),
+        ("modbus", "02 83 03 F1 31", "01 03 FD 00 00 01 B5 A6", "FB9045: ... from device 2, and 1"),
+        (
+            "modbus",
+            "01 03 02 17 70 B6 50",
+            "01 03 FD 00 00 01 B5 A7",
+            "FB9041: ... behind --request",
+        ),
+        ("toshiba", "2F 4E 00 04 81", "2F 52 FC 90 0D", "FB9045: ... names its ComNo"),
+    ],
+)
+def test_request_that_does_not_belong_to_a_reply_is_a_diagnostic(
+    fbgen: Fbgen, word: str, reply: str, request_: str, message: str
+) -> None:
+    run = fbgen("decode", word, reply, "--request", request_)
+    assert (run.status, run.out) == (1, "")
+    code, _, text = message.partition(": ... ")
+    assert f"error[{code}]: " in run.err
+    assert text in run.err
+
+
 def test_encode_as_json_is_what_decode_gives(fbgen: Fbgen) -> None:
     made = fbgen("encode", "modbus", "function=03", "com_no=FD00", "--json").out
     assert made == fbgen("decode", "modbus.request", "01 03 FD 00 00 01 B5 A6", "--json").out

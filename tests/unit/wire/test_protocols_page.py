@@ -44,7 +44,7 @@ def test_command_of_the_page_prints_what_it_shows(
 
 
 def test_the_page_has_commands() -> None:
-    assert len(COMMANDS) == 3
+    assert len(COMMANDS) == 4
 
 
 def test_unnoticed_damage_is_counted_as_the_page_says() -> None:
