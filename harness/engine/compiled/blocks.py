@@ -6,7 +6,7 @@ from functools import partial
 from fbgen.lang.checked import Block, Statement, Variable, VariableKind, VariableRef
 from fbgen.lang.layout import holds_blocks
 from fbgen.lang.start_information import start_places
-from fbgen.lang.types import ArrayType, StructInitial, StructType
+from fbgen.lang.types import ArrayType, StructInitial, StructType, Type
 from harness.engine.compiled import (
     attempts,
     calls,
@@ -177,16 +177,17 @@ def _fill(procedure: Procedure, variable: Variable, value: str, indent: str = ""
 def _start_information(procedure: Procedure, places: Sequence[tuple[Variable, int]]) -> None:
     """Write what fills the temporary variables that the operating system fills."""
     context = procedure.context
-    kinds = [(bit, variable.type) for variable, bit in places]
-
-    def read(start: bytes) -> tuple[Value, ...]:
-        return tuple(S7.read(start, bit, kind) for bit, kind in kinds)
-
+    read = partial(_start_values, tuple((bit, variable.type) for variable, bit in places))
     values = procedure.temporary()
     procedure.line("if _cpu.start:")
     procedure.line(f"    {values} = {context.table('start', read)}(_cpu.start)")
     for number, (variable, _) in enumerate(places):
         _fill(procedure, variable, f"{values}[{number}]", "    ")
+
+
+def _start_values(kinds: Sequence[tuple[int, Type]], start: bytes) -> tuple[Value, ...]:
+    """What stands in the start information at these bits. No closure: programs are kept."""
+    return tuple(S7.read(start, bit, kind) for bit, kind in kinds)
 
 
 def _function(context: BlockContext, body: Sequence[Statement]) -> Listing:

@@ -7,6 +7,7 @@ table, and the arm by halving.
 
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
+from functools import partial
 
 from fbgen.lang.checked import Branch, Case, CaseArm, If, Statement
 from harness.engine.compiled.code import Code
@@ -144,20 +145,18 @@ def _arm_number(procedure: Procedure, node: Case, selector: Code) -> str:
         }
         table = procedure.context.table("arms", arms)
         return f"{table}.get({selector.text}, {otherwise})"
-    search = _search([first for first, _, _ in ranges], ranges, otherwise)
+    search = partial(_arm, [first for first, _, _ in ranges], ranges, otherwise)
     return f"{procedure.context.table('arms', search)}({selector.text})"
 
 
-def _search(
-    starts: list[int], ranges: list[tuple[int, int, int]], otherwise: int
-) -> Callable[[int], int]:
-    def arm(content: int) -> int:
-        position = bisect_right(starts, content) - 1
-        if position >= 0 and content <= ranges[position][1]:
-            return ranges[position][2]
-        return otherwise
-
-    return arm
+def _arm(
+    starts: list[int], ranges: list[tuple[int, int, int]], otherwise: int, content: int
+) -> int:
+    """The number of the arm for a value. No closure: programs are kept."""
+    position = bisect_right(starts, content) - 1
+    if position >= 0 and content <= ranges[position][1]:
+        return ranges[position][2]
+    return otherwise
 
 
 def _halve(
