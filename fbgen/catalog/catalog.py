@@ -320,6 +320,8 @@ def read_source(path: Path, name: str) -> Source:
         good = Source(name, data[: problem.start].decode("utf-8", "replace"))
         end = len(good.text)
         message = f"the byte {data[problem.start]:02X} behind this place is not UTF-8"
+        if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+            message = "the file is in UTF-16 (some editors call it Unicode)"
         raise error(
             "FB1008", message, Span(good, max(0, end - 1), end), "save it as UTF-8"
         ) from None

@@ -41,6 +41,19 @@ _CONSTANTS: dict[str, bool | None] = {
 }
 
 
+_SYNTAX_HELP = {
+    "expected ',' or '}'": "close the { that the note shows with a }, on its line",
+    "expected ',' or ']'": "close the [ that the note shows with a ]",
+    "mapping values are not allowed": (
+        "keys that belong together begin in the same column; a text with a colon goes in quotes"
+    ),
+    "could not find expected ':'": "a key is followed by a colon and a blank: name: hall",
+    "expected <block end>": "keys and dashes that belong together begin in the same column",
+    "found unexpected end of stream": "a quote was not closed",
+}
+"""What to do about messages of the YAML parser, by a part of them."""
+
+
 class YamlInt(int):
     """An integer that remembers how it was written."""
 
@@ -272,7 +285,8 @@ def load_yaml(source: Source) -> Document:
     if builder.findings:
         raise DiagnosticError(builder.findings)
     if builder.root is None:
-        raise error("FB1001", "the file is empty", Span(source, 0, 0))
+        hint = "write something into it; fbgen init writes a plant file to start from"
+        raise error("FB1001", "the file is empty", Span(source, 0, 0), hint)
     data, span = builder.root
     return Document(source, data, span)
 
@@ -331,8 +345,9 @@ def _syntax(source: Source, problem: yaml.MarkedYAMLError) -> Diagnostic:
     context = problem.context_mark
     if problem.context and context is not None and context.index != start:
         notes = (Note(problem.context, Span(source, context.index, context.index + 1)),)
-    hint = "" if "\t" not in source.text else "YAML does not allow tabs before a key: use blanks"
     message = problem.problem or "this is not YAML"
+    hint = "YAML does not allow tabs before a key: use blanks" if "\t" in source.text else ""
+    hint = hint or next((text for part, text in _SYNTAX_HELP.items() if part in message), "")
     return Diagnostic("FB1001", message, Span(source, start, start + 1), hint, notes)
 
 

@@ -47,6 +47,14 @@ def _known_language(name: str | None) -> str | None:
     return name
 
 
+def _known_prefix(prefix: str | None) -> str | None:
+    from fbgen.plant.prefix import prefix_problems
+
+    for found in prefix_problems(prefix, None) if prefix is not None else ():
+        raise typer.BadParameter(f"{found.message}: {found.help}")
+    return prefix
+
+
 def generate(
     plant: Annotated[Path, typer.Argument(metavar="PLANT", help="The plant file, see fbgen init.")],
     folder: Annotated[
@@ -55,7 +63,12 @@ def generate(
     dialect: PlantDialectOption = None,
     prefix: Annotated[
         str | None,
-        typer.Option("--prefix", metavar="P_", help="How names of blocks begin instead of TOS_."),
+        typer.Option(
+            "--prefix",
+            metavar="P_",
+            callback=_known_prefix,
+            help="How names of blocks begin instead of TOS_.",
+        ),
     ] = None,
     language: Annotated[
         str | None,

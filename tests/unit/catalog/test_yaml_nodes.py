@@ -189,6 +189,25 @@ def test_what_is_not_plain_yaml_is_refused(text: str, code: str) -> None:
     assert [item.code for item in failure.value.diagnostics] == [code]
 
 
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        ("a: {b: 1\nc: {d: 2}\n", "close the {"),
+        ("a: [b\nc: 1\n", "close the ["),
+        ("a: 1\n b: 2\n", "same column"),
+        ("a: 1\nb 2\nc: 3\n", "a colon and a blank"),
+        ("a:\n  - b: 1\n    c: 2\n   d: 3\n", "same column"),
+        ("a: 'b\n", "a quote"),
+        ("# nothing\n", "fbgen init"),
+    ],
+)
+def test_a_mistake_of_spelling_comes_with_a_way_out(text: str, hint: str) -> None:
+    with pytest.raises(DiagnosticError) as failure:
+        load_yaml(Source("t.yaml", text))
+    (found,) = failure.value.diagnostics
+    assert hint in found.help, found.message
+
+
 def test_a_file_that_is_too_long_is_not_even_looked_at() -> None:
     with pytest.raises(DiagnosticError) as failure:
         load_yaml(Source("t.yaml", "a: " + "x" * MAX_CHARACTERS))

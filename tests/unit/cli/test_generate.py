@@ -274,6 +274,19 @@ def test_a_layout_of_files_that_there_is_not_is_wrong_usage(fbgen: Fbgen, plant:
     assert "'two' is none of one, per_block" in run.err
 
 
+@pytest.mark.parametrize(
+    ("prefix", "hint"), [("1HALL", "underscore at the end: HALL_"), ("A" * 20 + "_", "at most")]
+)
+def test_a_wrong_prefix_is_wrong_usage_not_a_mistake_of_the_plant_file(
+    fbgen: Fbgen, plant: Path, prefix: str, hint: str
+) -> None:
+    run = fbgen("generate", str(plant), "-o", "out", "--prefix", prefix)
+    assert run.status == 2
+    assert "--prefix" in run.err
+    assert hint in " ".join(run.err.split())
+    assert "plant.yaml" not in run.err
+
+
 def test_renamed_removed_and_kept_are_told(fbgen: Fbgen, plant: Path) -> None:
     out = plant.parent / "out"
     arguments = ("generate", str(plant), "-o", str(out))

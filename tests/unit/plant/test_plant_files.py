@@ -293,6 +293,17 @@ def test_a_missing_file_is_a_diagnostic(tmp_path: Path) -> None:
         assert [item.code for item in failure.value.diagnostics] == ["FB1008"]
 
 
+@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be"])
+def test_a_file_in_utf_16_is_called_so(tmp_path: Path, encoding: str) -> None:
+    path = tmp_path / "plant.yaml"
+    path.write_bytes(("\ufeff" + TEXT).encode(encoding))
+    with pytest.raises(DiagnosticError) as failure:
+        load_plant(path)
+    (found,) = failure.value.diagnostics
+    assert (found.code, found.help) == ("FB1008", "save it as UTF-8")
+    assert "UTF-16" in found.message
+
+
 def test_a_byte_order_mark_is_no_error(tmp_path: Path) -> None:
     path = tmp_path / "plant.yaml"
     path.write_bytes(b"\xef\xbb\xbf" + TEXT.replace("\n", "\r\n").encode())
