@@ -42,8 +42,13 @@ def run(
     """Run one test file with the hooks of our conftest; exit status and output."""
     path = folder / "test_one.py"
     path.write_text(text, encoding="utf-8")
-    environment = {**os.environ, "PYTHONPATH": str(ROOT), "FBGEN_REQUIRE_ALL": require_all}
-    fixed = ["-p", "tests.conftest", "-p", "no:cacheprovider", "-n", "0", "-c", os.devnull]
+    environment = {
+        **os.environ,
+        "PYTHONPATH": str(ROOT),
+        "FBGEN_REQUIRE_ALL": require_all,
+        "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+    }
+    fixed = ["-p", "tests.conftest", "-p", "no:cacheprovider", "-c", os.devnull]
     done = subprocess.run(
         [sys.executable, "-m", "pytest", *fixed, f"--rootdir={folder}", *options, str(path)],
         check=False,

@@ -6,13 +6,13 @@ an error in a codec cannot hide an error in a vector.
 
 import re
 from collections.abc import Hashable
-from pathlib import Path
 from typing import Any
 
 import pytest
 import yaml
 
-FOLDER = Path(__file__).parent
+from tests.vectors.reading import FOLDER, LOADER
+
 FILES = (
     "dev003z_words.yaml",
     "pbdp110_words.yaml",
@@ -30,7 +30,7 @@ TEXT_KEYS = {"send", "receive", "word", "words", "hex", "comno", "comnos", "code
 Entry = dict[str, Any]
 
 
-class NoDuplicateKeys(yaml.SafeLoader):
+class NoDuplicateKeys(LOADER):
     """Refuses a key named twice, where the safe loader keeps the last one, and a key in words.
 
     A key with blanks is what follows the comma of a text that was left without quotes.

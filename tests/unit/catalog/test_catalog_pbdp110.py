@@ -4,17 +4,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import yaml
 
 from fbgen.catalog import Layout, ProcessDataGateway, load_catalog, load_yaml, validate
 from fbgen.diagnostics import DiagnosticError
 from fbgen.resources import shipped
 from fbgen.source import Source
+from tests.vectors.reading import entries
 
-VECTORS = Path(__file__).parents[2] / "vectors" / "pbdp110_words.yaml"
-ENTRIES: dict[str, dict[str, Any]] = {
-    entry["id"]: entry for entry in yaml.safe_load(VECTORS.read_text("utf-8"))["entries"]
-}
+ENTRIES = entries("pbdp110_words")
 CATALOG = load_catalog()
 FILE = shipped("catalog") / "gateways" / "pbdp110.yaml"
 GATEWAY = CATALOG.process_data_gateway("pbdp110")

@@ -4,15 +4,13 @@ The names on both sides were chosen by different people, so each comparison spel
 stands for which. A bit or figure that differs is looked up in the manual.
 """
 
-from pathlib import Path
 from typing import Any
 
 import pytest
-import yaml
 
 from fbgen.catalog import WriteStep, load_catalog
+from tests.vectors.reading import FOLDER, entries
 
-VECTORS = Path(__file__).parents[2] / "vectors"
 CATALOG = load_catalog()
 GATEWAY = CATALOG.telegram_gateway("tospbdp001")
 DRIVE = CATALOG.drive("vf-s11")
@@ -21,9 +19,8 @@ PROTOCOL = CATALOG.toshiba_protocol("toshiba")
 
 def _entries() -> dict[str, dict[str, Any]]:
     found = {}
-    for path in sorted(VECTORS.glob("*.yaml")):
-        for entry in yaml.safe_load(path.read_text(encoding="utf-8"))["entries"]:
-            found[entry["id"]] = entry
+    for path in sorted(FOLDER.glob("*.yaml")):
+        found |= entries(path.stem)
     return found
 
 

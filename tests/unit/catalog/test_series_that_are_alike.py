@@ -1,25 +1,18 @@
 """Series with `like:`: what they take over of another, and how sure it is then."""
 
 from pathlib import Path
-from typing import Any
 
 import pytest
-import yaml
 
 from fbgen.catalog import load_catalog
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from harness.drives import Inverter
 from harness.kernel import NS_PER_MS, Kernel
 from harness.line import Line
+from tests.vectors.reading import entries
 
 CATALOG = load_catalog()
-VECTORS = Path(__file__).parents[2] / "vectors"
 OTHERS = ("g7", "vf-a7", "vf-nc1", "vf-p7", "vf-s7", "vf-s9")
-
-
-def _vector(file: str, name: str) -> dict[str, Any]:
-    entries = yaml.safe_load((VECTORS / file).read_text("utf-8"))["entries"]
-    return next(entry for entry in entries if entry["id"] == name)
 
 
 def _findings(tmp_path: Path, text: str) -> list[Diagnostic]:
@@ -69,7 +62,7 @@ def test_what_is_taken_over_is_unverified_unless_it_is_confirmed(series: str) ->
 def test_the_vf_s9_has_the_words_of_the_interfaces_manual_and_no_other_bits() -> None:
     drive = CATALOG.drive("vf-s9")
     for entry, word in (("command", drive.command_word), ("status", drive.word("status"))):
-        rows = _vector("pbdp110_words.yaml", f"pbdp.{entry}_word")["bits"]
+        rows = entries("pbdp110_words")[f"pbdp.{entry}_word"]["bits"]
         theirs = {row["bit"] for row in rows if row["name"] != "Reserved"} - (
             {15} if entry == "status" else set()
         )
@@ -88,10 +81,8 @@ def test_the_words_of_the_others_are_those_of_the_vf_s9_and_unverified(series: s
     ("series", "vector"), [("vf-nc1", "vf_nc1"), ("vf-a7", "vf_a7_p7"), ("vf-p7", "vf_a7_p7")]
 )
 def test_reply_times_are_those_of_the_manual(series: str, vector: str) -> None:
-    entries = yaml.safe_load((VECTORS / "tospbdp001_telegrams.yaml").read_text("utf-8"))["entries"]
-    times = {item["id"]: item for item in entries if item["id"].startswith("tos.9.reply.")}
     time = CATALOG.drive(series).times.reply_max
-    assert time.ms == times[f"tos.9.reply.{vector}"]["maximum_ms"]
+    assert time.ms == entries("tospbdp001_telegrams")[f"tos.9.reply.{vector}"]["maximum_ms"]
     assert time.status == "verified"
 
 

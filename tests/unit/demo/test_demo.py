@@ -9,7 +9,6 @@ from pathlib import Path
 from time import process_time
 
 import pytest
-import yaml
 
 import harness.demo
 from fbgen.catalog import load_catalog
@@ -18,15 +17,9 @@ from fbgen.resources import shipped
 from harness.demo import DemoReport, run_demo
 from harness.scenario.telegram_patterns import bytes_match
 from tests.unit.scenario.scenario_files import ROOT
+from tests.vectors.reading import entries
 
-VECTORS = ROOT / "tests" / "vectors"
 ROWS = ("row1", "row2", "row3", "row4")
-
-
-def vectors(name: str) -> dict[str, dict[str, str]]:
-    """The entries of a vector file by id."""
-    text = (VECTORS / f"{name}.yaml").read_text("utf-8")
-    return {entry["id"]: entry for entry in yaml.safe_load(text)["entries"]}
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +38,7 @@ def example(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.mark.fact("tos.com")
 @pytest.mark.fact("tos.sw.ok")
 def test_the_plc_sends_and_receives_what_the_manual_prints(report: DemoReport) -> None:
-    printed = vectors("tospbdp001_telegrams")
+    printed = entries("tospbdp001_telegrams")
     assert len(report.telegrams) == report.sent_count == len(ROWS)
     for row, telegram in zip(ROWS, report.telegrams, strict=True):
         wanted = printed[f"tos.g.{row}"]
@@ -57,7 +50,7 @@ def test_the_plc_sends_and_receives_what_the_manual_prints(report: DemoReport) -
 def test_the_frames_on_the_line_are_those_of_the_manuals_with_their_checksums(
     report: DemoReport,
 ) -> None:
-    frames = vectors("toshiba_frames")
+    frames = entries("toshiba_frames")
     for row, telegram in zip(ROWS, report.telegrams, strict=True):
         request = "row3.request_zero" if row == "row3" else f"{row}.request"
         wanted = [frames[f"rs485.g.{request}"], frames[f"rs485.g.{row}.reply"]]

@@ -4,6 +4,8 @@ import os
 import shutil
 import subprocess
 import sys
+import sysconfig
+import venv
 from pathlib import Path
 
 import pytest
@@ -24,8 +26,16 @@ sys.exit(main())
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A project whose environment stands, and which cannot be installed without an index."""
+    """A project whose environment stands, and which cannot be installed without an index.
+
+    The environment has the pip of the tests: one of its own takes seconds, and a fresh clone gets
+    one from `make test`.
+    """
     folder = tmp_path_factory.mktemp("project")
+    made = folder / ".venv"
+    venv.EnvBuilder().create(made)
+    site = sysconfig.get_path("purelib", vars={"base": str(made)})
+    (Path(site) / "tests.pth").write_text(sysconfig.get_path("purelib"), encoding="utf-8")
     (folder / "tools").mkdir()
     shutil.copy(ROOT / "tools" / "environment.py", folder / "tools")
     (folder / "pyproject.toml").write_text(PROJECT, encoding="utf-8")

@@ -127,7 +127,7 @@ def _python_in(folder: Path) -> Path:
 def _install(python: Path, wheel: Path, *options: str, check: bool = True) -> int:
     """Install with the pip of the tests, so that no environment needs one of its own."""
     pip = [sys.executable, "-m", "pip", "--python", str(python)]
-    quiet = ["--quiet", "--disable-pip-version-check", "--no-warn-script-location"]
+    quiet = ["--quiet", "--disable-pip-version-check", "--no-warn-script-location", "--no-compile"]
     return _run(*pip, "install", *quiet, *options, str(wheel), check=check).returncode
 
 

@@ -1,20 +1,18 @@
 """pyprofibus, a DP master that others wrote, with our slave at the other end of the wire."""
 
 import sys
-from pathlib import Path
 
 import pytest
-import yaml
 
 from harness.fieldbus import ControlCommand, SlaveState
 from tests.unit.serial.foreign_master import WATCHDOG_MS, interplay
+from tests.vectors.reading import entries
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="only Linux makes pseudo terminals")
 
-VECTORS = Path(__file__).parents[2] / "vectors" / "tospbdp001_telegrams.yaml"
 EXAMPLE = [
     entry
-    for entry in yaml.safe_load(VECTORS.read_text("utf-8"))["entries"]
+    for entry in entries("tospbdp001_telegrams").values()
     if entry["id"].startswith("tos.g.row")
 ]
 CURRENT = 2

@@ -11,71 +11,75 @@ from harness.trace import Recorder, Trace, trace_text
 from harness.trace.model import TraceValue
 from tests.unit.trace.recorded import START, one_drive, started, traced
 
-TRACE = traced()
+
+@pytest.fixture(scope="module")
+def trace() -> Trace:
+    """The drive is started, recorded once."""
+    return traced()
 
 
 def values(trace: Trace, path: str) -> list[TraceValue]:
     return [change.value for change in trace.changes_of(path)]
 
 
-def test_the_modes_are_recorded_from_power_on() -> None:
-    assert values(TRACE, "cpu.mode") == ["STOP", "STARTUP", "RUN"]
-    assert values(TRACE, "bus.mode") == ["STOP", "CLEAR", "OPERATE"]
-    assert values(TRACE, "gateway.gw1.powered") == [False, True]
-    assert values(TRACE, "gateway.gw1.led.fieldbus_online") == ["off", "green"]
+def test_the_modes_are_recorded_from_power_on(trace: Trace) -> None:
+    assert values(trace, "cpu.mode") == ["STOP", "STARTUP", "RUN"]
+    assert values(trace, "bus.mode") == ["STOP", "CLEAR", "OPERATE"]
+    assert values(trace, "gateway.gw1.powered") == [False, True]
+    assert values(trace, "gateway.gw1.led.fieldbus_online") == ["off", "green"]
 
 
-def test_each_scan_is_there() -> None:
-    scans = TRACE.changes_of("cpu.scans")
-    assert values(TRACE, "cpu.scans") == list(range(len(scans)))
+def test_each_scan_is_there(trace: Trace) -> None:
+    scans = trace.changes_of("cpu.scans")
+    assert values(trace, "cpu.scans") == list(range(len(scans)))
     assert {round((b.time_ns - a.time_ns) / NS_PER_MS) for a, b in pairwise(scans[1:])} == {10}
 
 
-def test_variables_of_the_plant_change_with_the_scan_that_wrote_them() -> None:
-    assert values(TRACE, f"plc.{START}.execute") == [False, True]
-    assert values(TRACE, f"plc.{START}.busy") == [False, True, False]
-    assert values(TRACE, f"plc.{START}.done") == [False, True]
-    assert values(TRACE, f"plc.{START}.stepNumber")[:3] == [0, 1, 2]
-    assert TRACE.changes_of(f"plc.{START}.execute")[1].time_ns == 100 * NS_PER_MS
+def test_variables_of_the_plant_change_with_the_scan_that_wrote_them(trace: Trace) -> None:
+    assert values(trace, f"plc.{START}.execute") == [False, True]
+    assert values(trace, f"plc.{START}.busy") == [False, True, False]
+    assert values(trace, f"plc.{START}.done") == [False, True]
+    assert values(trace, f"plc.{START}.stepNumber")[:3] == [0, 1, 2]
+    assert trace.changes_of(f"plc.{START}.execute")[1].time_ns == 100 * NS_PER_MS
 
 
-def test_fields_of_the_cyclic_data_are_taken_apart() -> None:
-    outputs = TRACE.changes_of("gateway.gw1.outputs")
-    by_time = {change.time_ns: change.value for change in TRACE.changes_of("gateway.gw1.trigger")}
+def test_fields_of_the_cyclic_data_are_taken_apart(trace: Trace) -> None:
+    outputs = trace.changes_of("gateway.gw1.outputs")
+    by_time = {change.time_ns: change.value for change in trace.changes_of("gateway.gw1.trigger")}
     for change in outputs:
         assert isinstance(change.value, bytes)
         if change.time_ns in by_time:
             assert change.value[2] == by_time[change.time_ns]
-    status = TRACE.word("tospbdp001.status")
-    last = TRACE.changes_of("gateway.gw1.status")[-1].value
+    status = trace.word("tospbdp001.status")
+    last = trace.changes_of("gateway.gw1.status")[-1].value
     assert isinstance(last, int)
     assert "status_code" in status.describe(last)
-    assert values(TRACE, "gateway.gw1.status_code")[-1] == last >> 8 & 0x1F
+    assert values(trace, "gateway.gw1.status_code")[-1] == last >> 8 & 0x1F
 
 
-def test_the_drive_is_told_and_follows() -> None:
-    assert values(TRACE, "drive.pump.running") == [False, True]
-    assert values(TRACE, "drive.pump.set_point") == [0.0, 40.0]
-    told = values(TRACE, "drive.pump.word.FA00")[-1]
+def test_the_drive_is_told_and_follows(trace: Trace) -> None:
+    assert values(trace, "drive.pump.running") == [False, True]
+    assert values(trace, "drive.pump.set_point") == [0.0, 40.0]
+    told = values(trace, "drive.pump.word.FA00")[-1]
     assert isinstance(told, int)
-    fields = TRACE.word("vf-s11.command").decode(told)
+    fields = trace.word("vf-s11.command").decode(told)
     names = [field.name for field, value in fields if value]
     assert names == ["network_command", "network_frequency", "run"]
 
 
-def test_frames_have_sender_kind_and_meaning() -> None:
-    requests = [frame for frame in TRACE.frames if frame.kind == "request"]
-    replies = [frame for frame in TRACE.frames if frame.kind == "reply"]
+def test_frames_have_sender_kind_and_meaning(trace: Trace) -> None:
+    requests = [frame for frame in trace.frames if frame.kind == "request"]
+    replies = [frame for frame in trace.frames if frame.kind == "reply"]
     assert {frame.sender for frame in requests} == {"gw1"}
     assert {frame.sender for frame in replies} == {"pump"}
     assert all(frame.to_drives for frame in requests)
     assert any("write FA00 Command word = C400 (network_command" in f.meaning for f in requests)
     assert any("FA01 Frequency set-point is 0FA0 (40.00 Hz)" in f.meaning for f in replies)
-    assert not any(frame.collided or frame.damaged or frame.heard for frame in TRACE.frames)
+    assert not any(frame.collided or frame.damaged or frame.heard for frame in trace.frames)
 
 
-def test_telegrams_are_there_with_their_replies() -> None:
-    sent = [telegram for telegram in TRACE.telegrams if "write FA00" in telegram.meaning]
+def test_telegrams_are_there_with_their_replies(trace: Trace) -> None:
+    sent = [telegram for telegram in trace.telegrams if "write FA00" in telegram.meaning]
     assert sent
     assert all(one.received_ns is not None and one.received_ns > one.sent_ns for one in sent)
 

@@ -27,15 +27,18 @@ def watched(**changes: object) -> Trace:
     return recorder.finish()
 
 
-TRACE = watched()
+@pytest.fixture(scope="module")
+def trace() -> Trace:
+    """The drive is started, with who wrote what."""
+    return watched()
 
 
 def writers(trace: Trace, path: str) -> list[Place | None]:
     return [trace.writer_of(change) for change in trace.changes_of(path)]
 
 
-def test_a_variable_names_the_line_and_the_instance() -> None:
-    first, *others = writers(TRACE, f"plc.{START}.busy")
+def test_a_variable_names_the_line_and_the_instance(trace: Trace) -> None:
+    first, *others = writers(trace, f"plc.{START}.busy")
     assert first is None
     for place in others:
         assert place is not None
@@ -45,9 +48,9 @@ def test_a_variable_names_the_line_and_the_instance() -> None:
         assert place.instance == "TOS_Gateway_gw1_DB.seq_pump"
 
 
-def test_the_place_is_that_of_the_text() -> None:
+def test_the_place_is_that_of_the_text(trace: Trace) -> None:
     plant = one_drive()
-    place = writers(TRACE, f"plc.{START}.done")[-1]
+    place = writers(trace, f"plc.{START}.done")[-1]
     assert place is not None
     blocks = plant.cpu.engine.program.blocks
     source = blocks[place.block.casefold()].span.source
@@ -57,15 +60,15 @@ def test_the_place_is_that_of_the_text() -> None:
     assert line[place.column - 1 :].startswith("#")
 
 
-def test_words_of_the_cyclic_data_name_who_wrote_what_went_there() -> None:
+def test_words_of_the_cyclic_data_name_who_wrote_what_went_there(trace: Trace) -> None:
     texts = {
-        item: {place.text for place in writers(TRACE, f"gateway.gw1.{item}") if place is not None}
+        item: {place.text for place in writers(trace, f"gateway.gw1.{item}") if place is not None}
         for item in ("control", "trigger")
     }
     assert texts["control"] == {"#frameOut.control := #instHandshake.control;"}
     assert texts["trigger"] == {"#frameOut.trigger := #instTrigger.trigger;"}
-    for telegram in TRACE.telegrams:
-        place = TRACE.writer_of(telegram)
+    for telegram in trace.telegrams:
+        place = trace.writer_of(telegram)
         assert place is not None
         assert place.instance == "TOS_Gateway_gw1_DB.instLine.instTelegram"
 
@@ -122,11 +125,11 @@ def test_zeros_of_a_master_in_clear_are_nobodys() -> None:
     assert (change.value, change.writer) == (0, None)
 
 
-def test_the_reference_engine_knows_no_writers() -> None:
-    trace = traced(engine="reference")
-    assert not trace.writers
-    assert {change.writer for change in trace.changes} == {None}
-    assert TRACE.writers
+def test_the_reference_engine_knows_no_writers(trace: Trace) -> None:
+    other = traced(engine="reference")
+    assert not other.writers
+    assert {change.writer for change in other.changes} == {None}
+    assert trace.writers
 
 
 def test_looking_on_changes_nothing() -> None:
@@ -152,7 +155,7 @@ sys.stdout.write(trace_text([watched()]))
 """
 
 
-def test_the_trace_is_the_same_with_another_hash_seed() -> None:
+def test_the_trace_is_the_same_with_another_hash_seed(trace: Trace) -> None:
     """In processes of their own, as the seed belongs to the process."""
     texts = [
         subprocess.run(
@@ -165,7 +168,7 @@ def test_the_trace_is_the_same_with_another_hash_seed() -> None:
         ).stdout
         for seed in ("1", "2")
     ]
-    assert texts[0] == texts[1] == trace_text([TRACE])
+    assert texts[0] == texts[1] == trace_text([trace])
 
 
 @pytest.mark.parametrize(

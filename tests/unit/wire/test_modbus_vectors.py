@@ -1,20 +1,16 @@
 """The MODBUS codec against the frames that were copied from the manuals by hand."""
 
-from pathlib import Path
-
 import pytest
-import yaml
 
 from fbgen.wire import modbus_rtu
 from fbgen.wire.modbus import BadRequest, ExceptionCode, ExceptionReply, IdentifyReply, ReadReply
 from fbgen.wire.modbus_lengths import expected_reply_length, reply_length, request_length
-
-_VECTORS = Path(__file__).parents[2] / "vectors" / "toshiba_frames.yaml"
+from tests.vectors.reading import entries
 
 Entry = dict[str, str]
 ENTRIES: list[Entry] = [
     entry
-    for entry in yaml.safe_load(_VECTORS.read_text(encoding="utf-8"))["entries"]
+    for entry in entries("toshiba_frames").values()
     if entry["kind"] == "frame" and entry["mode"] == "modbus_rtu"
 ]
 BY_ID = {entry["id"]: entry for entry in ENTRIES}

@@ -5,20 +5,15 @@ import shlex
 from pathlib import Path
 
 import pytest
-import yaml
 
 from fbgen.cli import main
 from tests.frames import TOSHIBA_BINARY
 from tests.unit.wire.collisions import table
+from tests.vectors.reading import entries
 
 _ROOT = Path(__file__).parents[3]
 PAGE = (_ROOT / "docs" / "reference" / "protocols.md").read_text(encoding="utf-8")
-ENTRIES = {
-    entry["id"]: entry
-    for entry in yaml.safe_load(
-        (_ROOT / "tests" / "vectors" / "toshiba_frames.yaml").read_text(encoding="utf-8")
-    )["entries"]
-}
+ENTRIES = entries("toshiba_frames")
 EXAMPLES = re.findall(r"^\|.+\| `([^`]+)` \| `([a-z_0-9A-Z.]+)` \|$", PAGE, re.MULTILINE)
 COMMANDS = re.findall(r"^```console\n\$ fbgen (.+)\n((?:.*\n)+?)```$", PAGE, re.MULTILINE)
 

@@ -1,9 +1,6 @@
 """The codecs against the frames that were copied from the manuals by hand."""
 
-from pathlib import Path
-
 import pytest
-import yaml
 
 from fbgen.catalog import load_catalog
 from fbgen.wire import toshiba_ascii, toshiba_binary, toshiba_block
@@ -18,16 +15,16 @@ from fbgen.wire.toshiba import (
     seal,
 )
 from fbgen.wire.toshiba_block import BlockReply, BlockRequest
+from tests.vectors.reading import entries
 
-_VECTORS = Path(__file__).parents[2] / "vectors" / "toshiba_frames.yaml"
 _BLOCK_COMMANDS = ("58", "59")
 
 Entry = dict[str, str]
 
 
 def _frames(mode: str) -> list[Entry]:
-    entries: list[Entry] = yaml.safe_load(_VECTORS.read_text(encoding="utf-8"))["entries"]
-    return [entry for entry in entries if entry["kind"] == "frame" and entry["mode"] == mode]
+    found = entries("toshiba_frames").values()
+    return [entry for entry in found if entry["kind"] == "frame" and entry["mode"] == mode]
 
 
 def _is_block(entry: Entry) -> bool:

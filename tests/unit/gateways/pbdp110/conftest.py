@@ -1,11 +1,9 @@
 """A PBDP-110 on a bench: a master that a test plays, and a drive or a script at each port."""
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import pytest
-import yaml
 
 from fbgen.catalog import OptionValue, load_catalog
 from fbgen.wire import toshiba_binary
@@ -15,14 +13,12 @@ from harness.fieldbus import Parameters
 from harness.gateways.pbdp110 import DriveFacts, Pbdp110, drive_facts, pbdp110_settings
 from harness.kernel import NS_PER_MS, Kernel
 from harness.line import DRIVE_FORMAT, Line, Reception, Role
+from tests.vectors.reading import entries
 
 CATALOG = load_catalog()
 INTERFACE = CATALOG.process_data_gateway("pbdp110")
 SERIES = CATALOG.drive("vf-s11")
-VECTORS = Path(__file__).parents[3] / "vectors" / "pbdp110_words.yaml"
-ENTRIES: dict[str, dict[str, Any]] = {
-    entry["id"]: entry for entry in yaml.safe_load(VECTORS.read_text("utf-8"))["entries"]
-}
+ENTRIES = entries("pbdp110_words")
 BAUD_CODES = {1200: 0, 2400: 1, 4800: 2, 9600: 3, 19200: 4}
 PARITY_CODES = {"none": 0, "even": 1, "odd": 2}
 MASTER = 1
