@@ -18,7 +18,7 @@ from fbgen.lang.checker import check
 from fbgen.lang.conversion import with_copies
 from fbgen.lang.layout import S7_SIZES
 from fbgen.lang.types import ArrayType, BlockType, Elementary, Type
-from fbgen.lang.walk import walk
+from fbgen.lang.walk import by_kind
 from fbgen.plant import CPUS, cpus_of
 
 BYTES_A_BLOCK = 100
@@ -114,10 +114,9 @@ def _blocks(units: Sequence[ast.File], sizes: "_Sizes") -> Iterator[BlockMemory]
 
 
 def _code(block: ast.Block) -> int:
-    operands = calls = 0
-    for item in walk(block.body):
-        operands += isinstance(item, ast.Name | ast.Literal | ast.DirectAddress)
-        calls += isinstance(item, ast.Call)
+    found = by_kind(block.body)
+    operands = sum(len(found.get(kind, ())) for kind in (ast.Name, ast.Literal, ast.DirectAddress))
+    calls = len(found.get(ast.Call, ()))
     return BYTES_A_BLOCK + BYTES_AN_OPERAND * operands + BYTES_A_CALL * calls
 
 

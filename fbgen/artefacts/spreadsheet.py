@@ -7,7 +7,7 @@ Source: ECMA-376, part 1 (SpreadsheetML: 18.2 workbook, 18.3 worksheets, 18.4 sh
 2 (packages).
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from io import BytesIO
 from xml.sax.saxutils import escape
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
@@ -75,17 +75,46 @@ def column(index: int) -> str:
 def _worksheet(sheet: Sheet, indices: dict[str, int]) -> str:
     width = max((len(row) for row in sheet.rows), default=0)
     cells = [f'<c r="{column(index)}{_ROW}" s="1" t="s"><v>%d</v></c>' for index in range(width)]
-    whole_row = "".join(cells)
-    rows = []
-    for number, row in enumerate(sheet.rows, start=1):
-        places = tuple([indices.setdefault(text, len(indices)) for text in row if text])
-        if len(places) == width:
-            pattern = whole_row
-        else:
-            pattern = "".join(cell for cell, text in zip(cells, row, strict=False) if text)
-        inside = (pattern % places).replace(_ROW, str(number))
-        rows.append(f'<row r="{number}">{inside}</row>')
+    rows = [_row(number, row, cells, indices) for number, row in enumerate(sheet.rows[:2], start=1)]
+    rows += _rows_below(sheet.rows[2:], cells, indices, _same_everywhere(sheet.rows[1:], width))
     return f'<worksheet xmlns="{_MAIN}"><sheetData>{"".join(rows)}</sheetData></worksheet>'
+
+
+def _row(number: int, row: Sequence[str], cells: Sequence[str], indices: dict[str, int]) -> str:
+    """A row of a sheet. Texts that are new get the next indices, in the order of the columns."""
+    places = tuple([indices.setdefault(text, len(indices)) for text in row if text])
+    pattern = "".join(cell for cell, text in zip(cells, row, strict=False) if text)
+    inside = (pattern % places).replace(_ROW, str(number))
+    return f'<row r="{number}">{inside}</row>'
+
+
+def _same_everywhere(rows: Sequence[Sequence[str]], width: int) -> dict[int, str]:
+    """The columns with one text in all rows, in which no column is empty."""
+    if not rows or any(len(row) != width or "" in row for row in rows):
+        return {}
+    return {
+        index: text for index, text in enumerate(rows[0]) if {row[index] for row in rows} == {text}
+    }
+
+
+def _rows_below(
+    rows: Sequence[Sequence[str]],
+    cells: Sequence[str],
+    indices: dict[str, int],
+    same: Mapping[int, str],
+) -> Iterator[str]:
+    """The rows behind the first one with content: what is the same in all is written only once."""
+    if not same:
+        yield from (_row(number, row, cells, indices) for number, row in enumerate(rows, start=3))
+        return
+    pattern = "".join(
+        cell % indices[same[index]] if index in same else cell for index, cell in enumerate(cells)
+    )
+    others = [index for index in range(len(cells)) if index not in same]
+    for number, row in enumerate(rows, start=3):
+        places = tuple([indices.setdefault(row[index], len(indices)) for index in others])
+        inside = (pattern % places).replace(_ROW, str(number))
+        yield f'<row r="{number}">{inside}</row>'
 
 
 def _shared_strings(indices: dict[str, int]) -> str:

@@ -5,6 +5,7 @@ are those of the data types.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 from fbgen.dataclass import dataclass
 from fbgen.lang import ast
@@ -25,9 +26,9 @@ _SPELLING = {
 """Elementary types as TIA Portal spells them."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class PlcVariable:
-    """A single value in a data block.
+    """A single value in a data block; each is one object.
 
     `path` are the names below the data block. `bit` is its first bit from the beginning of the
     block where the block has the classic layout.
@@ -38,10 +39,6 @@ class PlcVariable:
     type: Type
     comment: str
     bit: int
-
-    def __hash__(self) -> int:
-        """The path tells variables apart; its type need not be gone through."""
-        return hash(self.path)
 
     @property
     def name(self) -> str:
@@ -85,23 +82,43 @@ def variables(program: Program, units: Sequence[ast.File], block: str) -> tuple[
     """Every single value in a data block that is a structure, in the order of declaration."""
     kind = program.globals[block.casefold()].type
     assert isinstance(kind, StructType), "only data blocks with a structure of their own"
-    return tuple(_inside(kind, block, (), 0, _comments(units)))
+    return tuple(
+        PlcVariable(block, part.path, part.type, part.comment, part.bit)
+        for part in _Parts(_comments(units)).inside(kind)
+    )
 
 
-def _inside(
-    kind: StructType,
-    block: str,
-    path: tuple[str, ...],
-    start: int,
-    comments: Mapping[tuple[str, str], str],
-) -> Iterator[PlcVariable]:
-    for field, bit in S7_SIZES.placed(kind):
-        inner = (*path, field.name)
-        if isinstance(field.type, StructType):
-            yield from _inside(field.type, block, inner, start + bit, comments)
-        elif isinstance(field.type, Elementary | StringType):
-            comment = comments.get((kind.name.casefold(), field.name.casefold()), "")
-            yield PlcVariable(block, inner, field.type, comment, start + bit)
+class _Part(NamedTuple):
+    """A single value in a structure, counted from its beginning."""
+
+    path: tuple[str, ...]
+    type: Elementary | StringType
+    comment: str
+    bit: int
+
+
+class _Parts:
+    """The single values in structures. A plant has hundreds of drives and one type of drive."""
+
+    def __init__(self, comments: Mapping[tuple[str, str], str]) -> None:
+        self._comments = comments
+        self._known: dict[int, list[_Part]] = {}
+
+    def inside(self, kind: StructType) -> list[_Part]:
+        """Those of a structure and of the structures in it, in the order of declaration."""
+        if id(kind) not in self._known:
+            self._known[id(kind)] = list(self._found(kind))
+        return self._known[id(kind)]
+
+    def _found(self, kind: StructType) -> Iterator[_Part]:
+        for field, start in S7_SIZES.placed(kind):
+            name = (field.name,)
+            if isinstance(field.type, StructType):
+                for path, of_type, comment, bit in self.inside(field.type):
+                    yield _Part(name + path, of_type, comment, start + bit)
+            elif isinstance(field.type, Elementary | StringType):
+                comment = self._comments.get((kind.name.casefold(), field.name.casefold()), "")
+                yield _Part(name, field.type, comment, start)
 
 
 def _comments(units: Sequence[ast.File]) -> dict[tuple[str, str], str]:

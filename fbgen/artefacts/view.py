@@ -13,6 +13,9 @@ from fbgen.emit.generated import CanonicalProgram, GeneratedSet
 from fbgen.emit.symbol_table import numbers_of
 from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of, with_prefix
 
+_SEPARATOR = "\n"
+"""Stands between the names of a path, and in none of them."""
+
 
 @dataclass(frozen=True)
 class PlantLists:
@@ -84,11 +87,11 @@ class PlantLists:
 
     def variable(self, *path: str) -> PlcVariable:
         """The variable at this path below the data block."""
-        return self._by_path[tuple(name.casefold() for name in path)]
+        return self._by_path[_SEPARATOR.join(path).casefold()]
 
     @cached_property
-    def _by_path(self) -> dict[tuple[str, ...], PlcVariable]:
-        return {tuple(name.casefold() for name in one.path): one for one in self.variables}
+    def _by_path(self) -> dict[str, PlcVariable]:
+        return {_SEPARATOR.join(one.path).casefold(): one for one in self.variables}
 
     @cached_property
     def tag_names(self) -> dict[PlcVariable, str]:

@@ -2,6 +2,6 @@
 
 import sys
 
-from fbgen.cli import main
+from fbgen.cli import run
 
-sys.exit(main())
+sys.exit(run())

@@ -255,3 +255,17 @@ def test_the_help_names_every_command_that_there_is(fbgen: Fbgen) -> None:
     registered = {path.stem for path in modules if "def register(" in path.read_text("utf-8")}
     assert named == list(program.COMMANDS)
     assert set(program.COMMANDS) == registered
+
+
+def test_a_process_ends_without_looking_for_garbage() -> None:
+    script = (
+        "import atexit, gc, sys\n"
+        "atexit.register(lambda: print('frozen', gc.get_freeze_count() > 1000))\n"
+        "from fbgen.cli import run\n"
+        "sys.argv = ['fbgen', '--version']\n"
+        "sys.exit(run())\n"
+    )
+    shown = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, cwd=ROOT, check=True
+    )
+    assert shown.stdout.splitlines()[-1] == "frozen True"
