@@ -8,8 +8,8 @@ Source: ECMA-376, part 1 (SpreadsheetML: 18.2 workbook, 18.3 worksheets, 18.4 sh
 """
 
 from collections.abc import Iterator, Mapping, Sequence
+from html import escape
 from io import BytesIO
-from xml.sax.saxutils import escape
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
 
 from fbgen.dataclass import dataclass
@@ -118,13 +118,15 @@ def _rows_below(
 
 
 def _shared_strings(indices: dict[str, int]) -> str:
-    items = "".join(f'<si><t xml:space="preserve">{escape(text)}</t></si>' for text in indices)
+    items = "".join(
+        f'<si><t xml:space="preserve">{escape(text, quote=False)}</t></si>' for text in indices
+    )
     return f'<sst xmlns="{_MAIN}" uniqueCount="{len(indices)}">{items}</sst>'
 
 
 def _workbook(sheets: Sequence[Sheet]) -> str:
     listed = "".join(
-        f'<sheet name="{escape(sheet.name)}" sheetId="{n}" r:id="rId{n}"/>'
+        f'<sheet name="{escape(sheet.name, quote=False)}" sheetId="{n}" r:id="rId{n}"/>'
         for n, sheet in enumerate(sheets, start=1)
     )
     return (

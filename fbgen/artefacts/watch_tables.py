@@ -6,7 +6,7 @@ all tools there is the same as CSV: the column `Watch` can be pasted into a watc
 """
 
 from collections.abc import Iterator
-from xml.sax.saxutils import escape
+from html import escape
 
 from fbgen.artefacts.text_table import csv_table
 from fbgen.artefacts.variables import PlcVariable
@@ -83,7 +83,7 @@ def _simatic_ml(lists: PlantLists, gateway: PlantGateway) -> str:
         f'      <SW.WatchAndForceTables.PlcWatchTableEntry ID="{number:X}" '
         'CompositionName="Entries">\n'
         "        <AttributeList>\n"
-        f"          <Name>{escape(variable.quoted)}</Name>\n"
+        f"          <Name>{escape(variable.quoted, quote=False)}</Name>\n"
         "        </AttributeList>\n"
         "      </SW.WatchAndForceTables.PlcWatchTableEntry>\n"
         for number, variable in enumerate(watched(lists, gateway), start=1)

@@ -15,13 +15,13 @@ _PROTOCOL = 5
 
 
 def packed_objects(content: object) -> bytes | None:
-    """The bytes; None for what is nested deeper than Python can follow."""
+    """The bytes; None for what Python cannot pack, or what is nested deeper than it can follow."""
     stream = io.BytesIO()
     pickler = pickle.Pickler(stream, _PROTOCOL)
     pickler.dispatch_table = {**copyreg.dispatch_table, CodeType: _code, MappingProxyType: _proxy}
     try:
         pickler.dump(content)
-    except RecursionError:
+    except (RecursionError, pickle.PicklingError, AttributeError, TypeError):
         return None
     return stream.getvalue()
 

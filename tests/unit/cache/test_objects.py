@@ -45,6 +45,11 @@ def test_what_is_nested_too_deep_is_not_packed() -> None:
         (nested,) = nested
 
 
+@pytest.mark.parametrize("content", [lambda: 1, memoryview(b"x")])
+def test_what_cannot_be_packed_is_not_kept(content: object) -> None:
+    assert packed_objects([content]) is None
+
+
 @pytest.fixture
 def empty(tmp_path: object, monkeypatch: pytest.MonkeyPatch) -> None:
     """A cache in which nothing is yet."""

@@ -12,11 +12,12 @@ from harness.engine.compiled import CompiledEngine, translation
 from harness.installation import Installation, PlantSetup, build_plant, programs
 from harness.kernel import NS_PER_MS
 
-PLANT = Path(__file__).parents[2] / "scenarios" / "one_drive.yaml"
+SCENARIOS = Path(__file__).parents[2] / "scenarios"
+PLANT = SCENARIOS / "one_drive.yaml"
 
 
-def built(**settings: int) -> Installation:
-    return build_plant(load_plant(PLANT), load_catalog(), PlantSetup(**settings))
+def built(plant: Path = PLANT, **settings: int) -> Installation:
+    return build_plant(load_plant(plant), load_catalog(), PlantSetup(**settings))
 
 
 @pytest.fixture
@@ -42,14 +43,15 @@ def ran(plant: Installation) -> tuple[object, ...]:
     return engine.snapshot(), [engine.python_source(name) for name in blocks]
 
 
+@pytest.mark.parametrize("plant", [PLANT, SCENARIOS / "one_drive_s7_300.yaml"])
 def test_the_next_process_neither_reads_nor_translates_and_runs_the_same(
-    next_process: Callable[[], None], monkeypatch: pytest.MonkeyPatch
+    next_process: Callable[[], None], monkeypatch: pytest.MonkeyPatch, plant: Path
 ) -> None:
-    first = ran(built())
+    first = ran(built(plant))
     next_process()
     monkeypatch.setattr(programs, "read_program", lambda *_: pytest.fail("the program is kept"))
     monkeypatch.setattr(translation, "_translated", lambda *_: pytest.fail("its Python is kept"))
-    assert ran(built()) == first
+    assert ran(built(plant)) == first
 
 
 def test_another_kind_of_controller_is_kept_beside_the_first(
