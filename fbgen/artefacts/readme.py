@@ -25,7 +25,7 @@ from fbgen.emit.environment import TemplateRenderer
 from fbgen.emit.generated import Artefact
 from fbgen.emit.layout import GLOBALS
 from fbgen.lang import ast
-from fbgen.plant import PlantGateway, cpus_of
+from fbgen.plant import PlantGateway, cpus_of, plugged
 
 _KINDS = {
     ast.BlockKind.FUNCTION: "FC",
@@ -143,6 +143,8 @@ def _context(
         "sources": [file.name for file in generated.files if file.is_program],
         "whole_frame": any(item.access == "dpxx_dat" for item in plant.gateways),
         "gsd": [_gsd(item) for item in _types_on_lines(lists)],
+        "named_gsd": list(_named_gsd(lists)),
+        "without_gsd": any(item.gsd is None for item in lists.at_channels),
         "lines": bool(lists.on_lines),
         "channels": [_gateway(item, lists) for item in lists.at_channels],
         "with_parameters": [_gateway(item, lists) for item in _with_parameters(lists)],
@@ -206,6 +208,21 @@ def _gsd(entry: TelegramGateway) -> dict[str, str]:
         "file": entry.profibus.gsd_file,
         "ident": f"{entry.profibus.ident_number:04X}",
     }
+
+
+def _named_gsd(lists: PlantLists) -> Iterator[dict[str, str]]:
+    """What the GSD files say that the plant file names."""
+    for gateway in lists.plant.gateways:
+        chosen = plugged(gateway, lists.catalog.gateway(gateway.type))
+        if gateway.gsd is not None and chosen is not None:
+            yield {
+                "gateway": gateway.name,
+                "file": one_line(gateway.gsd.path),
+                "ident": f"{chosen.station.ident_number:04X}",
+                "content": gateway.gsd.content_hash[:8],
+                "modules": one_line(chosen.names),
+                "parameters": chosen.user_parameters.hex(" ").upper(),
+            }
 
 
 def _place(

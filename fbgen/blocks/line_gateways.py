@@ -15,7 +15,7 @@ from fbgen.blocks.literals import SclText, byte, milliseconds, truth
 from fbgen.catalog import Catalog, Drive, TelegramGateway, origin
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
-from fbgen.plant import Plant, PlantDrive, PlantGateway
+from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of
 from fbgen.source import Origin
 
 _MEMBERS = {
@@ -76,7 +76,7 @@ def line_gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> 
         name=gateway.name,
         profibus_address=address,
         station=station,
-        frame=frame_view(plant, gateway, entry.layout(gateway.layout), _MEMBERS, "trigger"),
+        frame=frame_view(plant, gateway, layout_of(gateway, entry), _MEMBERS, "trigger"),
         block=f"TOS_Gateway_{gateway.name}",
         drives_type=f"typeTosGateway_{gateway.name}",
         params_type=f"typeTosParam_{gateway.name}",
@@ -100,7 +100,7 @@ def line_gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> 
 def missing_fields(chosen: Iterable[PlantGateway], catalog: Catalog) -> Iterator[Diagnostic]:
     """FB5008: layouts whose fields are not those that the blocks know, each with its length."""
     layouts = {
-        (item.type, item.layout): catalog.gateway(item.type).layout(item.layout) for item in chosen
+        (item.type, item.layout): layout_of(item, catalog.gateway(item.type)) for item in chosen
     }
     for layout in layouts.values():
         for area, fields, wanted in (

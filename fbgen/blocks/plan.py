@@ -19,7 +19,7 @@ from fbgen.blocks.texts import ENGLISH, Texts
 from fbgen.catalog import Catalog, ProcessDataGateway, origin
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
-from fbgen.plant import Plant, PlantGateway
+from fbgen.plant import Plant, PlantGateway, gsd_warnings
 
 _TIMER = "{InstructionName := 'TON_TIME'; LibVersion := '1.0'} : TON_TIME"
 _CLASSIC_TIMER = ": TON"
@@ -80,7 +80,8 @@ def plan_blocks(plant: Plant, catalog: Catalog, texts: Texts = ENGLISH) -> Block
         specs.append(data_block("TOS_Errors"))
         specs += [block(name) for name in ERROR_BLOCKS]
     context = _plant_context(plant, families, catalog, texts)
-    warnings = tuple(found for family in families for found in family.warnings)
+    of_families = (found for family in families for found in family.warnings)
+    warnings = (*of_families, *gsd_warnings(plant, catalog))
     return BlockPlan(tuple(specs), context, warnings)
 
 

@@ -102,6 +102,8 @@ def _field(name: str, before: object, after: object, place: _Place) -> Iterator[
         )
     else:
         texts = _text(place.old[0], name, before), _text(place.new[0], name, after)
+        if texts[0] == texts[1]:
+            texts = str(before), str(after)
         where = place.new[0].span_of(name) or place.old[0].span_of(name)
         yield Difference("changed", inner.path, *texts, _spans(place.old), _spans(place.new), where)
 

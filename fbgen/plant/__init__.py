@@ -13,7 +13,8 @@ from fbgen.plant.families import (
     PlantDialect,
     PlcFamily,
 )
-from fbgen.plant.gsd_file import read_gsd_file
+from fbgen.plant.gsd_checks import gsd_warnings
+from fbgen.plant.gsd_file import GsdFile, plugged, read_gsd_file
 from fbgen.plant.loading import load_plant, read_plant
 from fbgen.plant.modules import layout_of
 from fbgen.plant.plant import (
@@ -34,6 +35,7 @@ __all__ = [
     "FILE_LAYOUTS",
     "Family",
     "FileLayout",
+    "GsdFile",
     "HIGHEST_BLOCK",
     "LANGUAGES",
     "Move",
@@ -47,11 +49,13 @@ __all__ = [
     "Refusal",
     "changed",
     "cpus_of",
+    "gsd_warnings",
     "in_dialect",
     "layout_of",
     "load_plant",
     "move_of",
     "not_a_way",
+    "plugged",
     "problems_of",
     "read_gsd_file",
     "read_plant",

@@ -18,6 +18,7 @@ from fbgen.nearest import nearest
 from fbgen.plant.connections import process_data_gateway, telegram_gateway
 from fbgen.plant.cpus import CPUS, cpus_of
 from fbgen.plant.families import FAMILIES, FILE_LAYOUTS, Family
+from fbgen.plant.gsd_checks import gsd_problems
 from fbgen.plant.modules import layout_of
 from fbgen.plant.names import name_problems
 from fbgen.plant.prefix import prefix_problems
@@ -88,6 +89,7 @@ def gateway(item: "PlantGateway", catalog: Catalog) -> Iterator[Diagnostic]:
             f"use {max(low, FIRST_SLAVE)} to {min(high, LAST_SLAVE)}",
         )
     yield from _layout(item, entry)
+    yield from gsd_problems(item, entry)
     yield from _options(item, item.options, entry.options, entry.id)
     if isinstance(entry, ProcessDataGateway):
         yield from process_data_gateway(item, entry)
@@ -106,6 +108,8 @@ def gateway(item: "PlantGateway", catalog: Catalog) -> Iterator[Diagnostic]:
 
 def _layout(item: "PlantGateway", entry: Gateway) -> Iterator[Diagnostic]:
     names = [layout.name for layout in entry.layouts]
+    if item.gsd is not None and not item.layout:
+        return
     if item.layout not in names:
         message = f"{entry.id} has no layout '{item.layout}'"
         help_text = nearest(item.layout, names)

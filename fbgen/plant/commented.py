@@ -80,6 +80,12 @@ gateways:
     #   whole10 10 bytes out, 8 in behind one consistent identifier; invented, no real GSD has it
     layout: gsd10
 
+    # Better: the GSD file of your device, beside this file, and by name which of its modules are
+    # plugged, where there are several. Layout and identifiers then come from there, so layout can
+    # be left out, and what contradicts the catalogue is told. `fbgen gsd FILE` shows the names.
+    # gsd: esco1803.gsd
+    # modules: ["Binary Mode"]
+
     # Of gateways for process data (pbdp110, layouts module1 to module4) the GSD file is not public:
     # the identifiers of the module as that file has them, if not those of the catalogue.
     # identifiers: C0 C7 CB

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING
 
 from fbgen.catalog import Gateway, Layout, ProcessDataGateway
+from fbgen.plant.gsd_file import plugged
 from fbgen.wire.profibus import IdentifierError, decode_identifiers, input_length, output_length
 
 if TYPE_CHECKING:
@@ -10,13 +11,16 @@ if TYPE_CHECKING:
 
 
 def layout_of(part: "PlantGateway", entry: Gateway) -> Layout:
-    """The layout that the plant file names, with the identifiers of the plant file if it has any.
+    """The layout of the plant file, with the identifiers of its GSD file or its own if it has any.
 
-    Identifiers that do not fit, or of a gateway with a line, count as none: FB2025 and FB2026 have
-    told them. Raises
-    DiagnosticError FB1105 for a layout that the gateway does not have.
+    Identifiers that do not fit, or of a gateway with a line, count as none: FB2025, FB2026, FB2042
+    have told them. Raises DiagnosticError FB1105 for a layout that the gateway does not have.
     """
     layout = entry.layout(part.layout)
+    if (chosen := plugged(part, entry)) is not None:
+        return layout.model_copy(
+            update={"identifiers": chosen.code, "unverified": (), "invented": False}
+        )
     if part.identifiers is None or not isinstance(entry, ProcessDataGateway):
         return layout
     if why_not(part.identifiers, layout):

@@ -1,9 +1,9 @@
 """The user's plant: its PLC, gateways, drives and sequences."""
 
 from collections.abc import Iterable
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import ConfigDict, Field, SerializerFunctionWrapHandler, model_serializer
 
 from fbgen.catalog import AccessWay, Catalog, Located, OptionValue
 from fbgen.catalog.scalars import Flag, Octets, Real, Text, Whole
@@ -17,6 +17,7 @@ from fbgen.plant.families import (
     PlantDialect,
     PlcFamily,
 )
+from fbgen.plant.gsd_file import GsdFile
 from fbgen.plant.parameters import DriveParameters, LineParameters
 from fbgen.plant.prefix import USUAL_PREFIX
 
@@ -24,8 +25,16 @@ HIGHEST_BLOCK = 7999
 """The highest number of a block that an S7-300 or S7-400 takes; small CPUs take fewer."""
 
 
+_OF_GSD = ("gsd", "modules")
+
 TextLanguage = Literal["en", "de"]
 """The language of comments, titles and trip texts."""
+
+
+def layout_or_gsd(schema: dict[str, Any]) -> None:
+    """In the JSON Schema a gateway says its layout, or which GSD file does."""
+    schema["required"].remove("layout")
+    schema["anyOf"] = [{"required": ["layout"]}, {"required": ["gsd"]}]
 
 
 class PlantDrive(Located):
@@ -58,14 +67,20 @@ class PlantGateway(Located):
     `input_address` and `output_address` are the first bytes of its data in the PLC's input and
     output area; identifiers follow each other without a gap. `hardware_identifier` is what
     DPRD_DAT and DPWR_DAT of S7-1200 and S7-1500 take. `status_poll` reads the trip code and the
-    status of every drive in turn while no command waits. `identifiers` are the configuration
-    identifiers of the module where the catalogue's are an assumption. `eeprom` lets the program
-    write parameters into the EEPROM of the drives.
+    status of every drive in turn while no command waits. `gsd` is the GSD file of the device, from
+    the folder of the plant file, `modules` what is plugged of it; layout and identifiers then come
+    from there. `identifiers` are the configuration identifiers of the module where the catalogue's
+    are an assumption and there is no GSD file. `eeprom` lets the program write parameters into the
+    EEPROM of the drives.
     """
+
+    model_config = ConfigDict(json_schema_extra=layout_or_gsd)
 
     name: str
     title: Text | None = None
     type: str
+    gsd: GsdFile | None = None
+    modules: tuple[str, ...] = ()
     layout: str
     identifiers: Octets | None = None
     profibus_address: Whole
@@ -79,6 +94,12 @@ class PlantGateway(Located):
     parameters: LineParameters = Field(default_factory=LineParameters)
     options: dict[str, OptionValue] = Field(default_factory=dict)
     drives: tuple[PlantDrive, ...] = Field(min_length=1)
+
+    @model_serializer(mode="wrap")
+    def _without_no_gsd(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """A GSD file counts for the hash of the plant where there is one."""
+        data: dict[str, Any] = handler(self)
+        return {key: data[key] for key in data if key not in _OF_GSD or data[key]}
 
     def problems(self) -> Iterable[Diagnostic]:
         """FB2006: one INV-NO or one channel for two drives."""

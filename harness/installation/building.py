@@ -10,7 +10,7 @@ from pathlib import Path
 from fbgen.catalog import Catalog, TelegramGateway, load_catalog, with_own_sequences
 from fbgen.diagnostics import error
 from fbgen.nearest import nearest
-from fbgen.plant import Plant, PlantGateway, load_plant, with_prefix
+from fbgen.plant import Plant, PlantGateway, load_plant, plugged, with_prefix
 from harness.engine.loading import engine_named, read_program
 from harness.fieldbus import DpMaster, Parameters, Station, StationSettings, watchdog_factors
 from harness.installation.devices import FieldDevices, build_devices
@@ -51,7 +51,9 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     devices = build_devices(plan, catalog, kernel, setup.drives)
     stations: dict[str, Station] = {}
     for entry in plan.gateways:
-        station = stations[entry.name] = _station(master, entry, devices, setup)
+        chosen = plugged(entry, catalog.gateway(entry.type))
+        parameters = b"" if chosen is None else chosen.user_parameters
+        station = stations[entry.name] = _station(master, entry, devices, setup, parameters)
         by_image = entry.access == "process_image"
         cpu.mount(Mounting(station, by_image, entry.hardware_identifier))
     if setup.program is not None:
@@ -103,7 +105,11 @@ def _one_master(plan: Plant) -> None:
 
 
 def _station(
-    master: DpMaster, entry: PlantGateway, devices: FieldDevices, setup: PlantSetup
+    master: DpMaster,
+    entry: PlantGateway,
+    devices: FieldDevices,
+    setup: PlantSetup,
+    user_parameters: bytes,
 ) -> Station:
     slave = devices.slave(entry.name)
     factors = None if setup.watchdog_ns is None else watchdog_factors(setup.watchdog_ns)
@@ -111,7 +117,7 @@ def _station(
         entry.name,
         entry.profibus_address,
         slave.type.configuration,
-        Parameters(slave.type.ident_number, factors),
+        Parameters(slave.type.ident_number, factors, user_data=user_parameters),
         entry.output_address or 0,
         entry.input_address or 0,
     )

@@ -11,7 +11,7 @@ from dataclasses import replace
 from fbgen.catalog import Catalog, Drive, OptionValue, ProcessDataGateway
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
-from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of
+from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of, plugged
 from harness.drives import Inverter, InverterSettings, ReplyTime
 from harness.drives.settings import TimeoutRestart
 from harness.fieldbus import DpSlave
@@ -100,6 +100,25 @@ def _interface(
         raise _not_simulated(entry)
     facts = {_channel(item): drive_facts(catalog.drive(item.series)) for item in entry.drives}
     settings = pbdp110_settings(known, layout_of(entry, known), entry.options, facts)
+    if (chosen := plugged(entry, known)) is not None:
+        codes = {
+            (module.output_length, module.input_length): module.code
+            for module in (*chosen.station.modules, *chosen.modules)
+        }
+        settings = replace(
+            settings,
+            modules=tuple(
+                replace(
+                    one,
+                    configuration=codes.get(
+                        (one.output_length, one.input_length), one.configuration
+                    ),
+                )
+                for one in settings.modules
+            ),
+            ident_number=chosen.station.ident_number,
+            user_parameter_bytes=len(chosen.user_parameters),
+        )
     lines = {channel.name: Line(kernel) for channel in known.channels}
     device = Pbdp110(kernel, settings, lines, entry.profibus_address, entry.name)
     device.power_off()
@@ -147,7 +166,13 @@ def _gateway(kernel: Kernel, catalog: Catalog, entry: PlantGateway, line: Line) 
     if entry.type != "tospbdp001":
         raise _not_simulated(entry)
     known = catalog.telegram_gateway(entry.type)
-    settings = tospbdp001_settings(known, known.layout(entry.layout), entry.options)
+    settings = tospbdp001_settings(known, layout_of(entry, known), entry.options)
+    if (chosen := plugged(entry, known)) is not None:
+        settings = replace(
+            settings,
+            ident_number=chosen.station.ident_number,
+            user_parameter_bytes=len(chosen.user_parameters),
+        )
     return Tospbdp001(kernel, settings, line, entry.profibus_address, entry.name)
 
 

@@ -5,7 +5,7 @@ from dataclasses import field
 
 from fbgen.catalog import Catalog
 from fbgen.dataclass import dataclass
-from fbgen.plant import Plant, PlantGateway
+from fbgen.plant import Plant, PlantGateway, layout_of
 from harness.drives import Inverter
 from harness.fieldbus import DpMaster, Station
 from harness.gateways.pbdp110 import Pbdp110
@@ -104,7 +104,7 @@ class Installation:
                 self.stations[entry.name],
                 self.lines[entry.name],
                 self.gateways[entry.name].port,
-                self.catalog.gateway(entry.type).layout(entry.layout),
+                layout_of(entry, self.catalog.gateway(entry.type)),
                 processing_ns=self.gateways[entry.name].settings.processing_ns,
             )
             for entry in self.telegram_entries

@@ -10,6 +10,7 @@ from fbgen.wire.gsd.station import (
     Rate,
     SlotDefinition,
 )
+from fbgen.wire.gsd.text import MAX_BYTES
 
 __all__ = [
     "Configuration",
@@ -17,6 +18,7 @@ __all__ = [
     "GsdModule",
     "GsdStation",
     "Limits",
+    "MAX_BYTES",
     "Rate",
     "SlotDefinition",
     "choose",

@@ -66,6 +66,7 @@ class Pbdp110:
             SlaveType(
                 settings.ident_number,
                 first.configuration,
+                settings.user_parameter_bytes,
                 other_configurations=tuple(item.configuration for item in settings.modules[1:]),
                 max_diagnosis_bytes=_STANDARD_DIAGNOSIS_BYTES + _DIAGNOSIS_HEADER,
             ),

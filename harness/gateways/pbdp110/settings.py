@@ -105,7 +105,8 @@ class PbdpSettings:
     drive that are read all the time, its status first. `online_mask` is the bit that the interface
     puts into the status, `reset_mask` the fault reset in the command. `formats` are tried in this
     order. After `attempts` without an answer the drive counts as gone. `local` are the numbers
-    that the interface answers by itself.
+    that the interface answers by itself. Ident number and the number of user parameters are those
+    of a GSD file, where there is one.
     """
 
     modules: tuple[Module, ...]
@@ -118,6 +119,7 @@ class PbdpSettings:
     access: AccessCodes
     formats: tuple[SerialFormat, ...]
     ident_number: int = 0
+    user_parameter_bytes: int = 0
     processing_ns: int = 1 * NS_PER_MS
     reply_timeout_ns: int = 200 * NS_PER_MS
     attempts: int = 3

@@ -100,7 +100,7 @@ class Tospbdp001:
         self.slave = DpSlave(
             kernel,
             self,
-            SlaveType(settings.ident_number, layout.configuration),
+            SlaveType(settings.ident_number, layout.configuration, settings.user_parameter_bytes),
             address,
             (layout.output_length, layout.input_length),
         )

@@ -108,6 +108,7 @@ class TosSettings:
 
     layout: CyclicLayout
     ident_number: int = 0x1803
+    user_parameter_bytes: int = 0
     serial_format: SerialFormat = GATEWAY_FORMAT
     processing_ns: int = 5 * NS_PER_MS
     trigger_poll_ns: int = 0

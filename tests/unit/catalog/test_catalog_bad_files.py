@@ -81,6 +81,9 @@ PLANTS = [
     ("FB2025_identifiers", 12, 18),
     ("FB2026_retries", 12, 27),
     ("FB2022_files", 5, 8),
+    ("FB2040_modules_without_gsd", 9, 14),
+    ("FB2041_other_device", 8, 10),
+    ("FB2042_lengths", 8, 13),
 ]
 
 
