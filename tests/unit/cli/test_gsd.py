@@ -28,13 +28,13 @@ def test_the_file_of_the_tospbdp001_with_slots_and_addresses(
 ) -> None:
     run = fbgen("gsd", ESCO, "--address", "256")
     assert (run.status, run.err) == (0, "")
-    golden("gsd_esco1803.txt", shown(run.out))
+    golden("gsd/esco1803.txt", shown(run.out))
 
 
 def test_the_same_as_json(fbgen: Fbgen, golden: Callable[[str, str], None]) -> None:
     run = fbgen("gsd", ESCO, "--format", "json")
     assert (run.status, run.err) == (0, "")
-    golden("gsd_esco1803.json", run.out)
+    golden("gsd/esco1803.json", run.out)
 
 
 @pytest.mark.parametrize("name", MODULES)
@@ -43,7 +43,7 @@ def test_a_module_of_a_modular_station(
 ) -> None:
     run = fbgen("gsd", MADE_UP, "--module", name, "--address", "512")
     assert (run.status, run.err) == (0, "")
-    golden(f"gsd_made_up_{name[7]}.txt", shown(run.out))
+    golden(f"gsd/made_up_{name[7]}.txt", shown(run.out))
 
 
 def test_without_a_module_a_modular_station_shows_what_there_is(fbgen: Fbgen) -> None:
