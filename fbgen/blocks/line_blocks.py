@@ -131,14 +131,25 @@ def _sequence(name: str, drives: list[Drive], catalog: Catalog, texts: Texts) ->
 
 def _eeprom_writes(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
     """A cell lasts about 10,000 writes (TOSPBDP001 manual v1.1, 8 D)."""
+    on_lines = {
+        drive.series for item in plant.gateways for drive in item.drives if drive.channel is None
+    }
     for name in plant.sequences:
         for step in catalog.sequence(name).steps:
             if isinstance(step, WriteStep) and step.memory == "eeprom":
+                message = f"the sequence '{name}' writes {step.write} into the EEPROM"
+                way_out = (
+                    "a cell lasts about 10,000 writes: never run it cyclically, or use the RAM"
+                )
+                cells = [catalog.drive(one).comno(step.write).storage for one in sorted(on_lines)]
+                if "eeprom" not in cells:
+                    message = f"{message}, and that ComNo has no cell there"
+                    way_out = "it is lost when the drive is switched off: leave out memory: eeprom"
                 yield Diagnostic(
                     "FB5005",
-                    f"the sequence '{name}' writes {step.write} into the EEPROM",
+                    message,
                     step.span_of("memory"),
-                    "a cell lasts about 10,000 writes: never run it cyclically, or use the RAM",
+                    way_out,
                     severity=Severity.WARNING,
                 )
 

@@ -110,7 +110,7 @@ def _check_port(port: str | None, pty: bool) -> None:
 def _plant(
     path: Path | None, kind: str | None, layout: str | None, address: int | None, known: "Catalog"
 ) -> "Plant":
-    from fbgen.diagnostics import DiagnosticError, error
+    from fbgen.diagnostics import Diagnostic, DiagnosticError, error
     from fbgen.nearest import nearest
     from fbgen.plant import load_plant
     from fbgen.resources import shipped
@@ -146,7 +146,18 @@ def _plant(
         }
     )
     if found := list(other.problems_against(known)):
-        raise DiagnosticError(found)
+        # They are about the options: nothing in the plant file is to be mended.
+        raise DiagnosticError(
+            [
+                Diagnostic(
+                    item.code,
+                    f"{'--address' if item.code == 'FB2004' else '--layout'}: {item.message}",
+                    None,
+                    item.help,
+                )
+                for item in found
+            ]
+        )
     return plan.model_copy(update={"gateways": (other,)})
 
 

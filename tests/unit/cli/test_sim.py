@@ -54,6 +54,8 @@ def test_what_the_gateway_cannot_have_is_refused_as_in_a_plant_file(
     run = fbgen("sim", "gateway", "--pty", option, value)
     assert run.status == 1
     assert "error[FB2" in run.err
+    assert f": {option}: " in run.err
+    assert "plant.yaml" not in run.err
 
 
 def test_a_port_that_is_not_there(fbgen: Fbgen) -> None:

@@ -89,10 +89,21 @@ def test_a_range_of_block_numbers_that_ends_before_it_begins_is_fb2020() -> None
     assert found.span.text == "10"
 
 
-def test_a_sequence_that_writes_into_the_eeprom_is_the_warning_fb5005(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("com_no", "message", "way_out"),
+    [
+        ("frequency_setpoint", "no cell there", "leave out memory: eeprom"),
+        ("upper_limit_frequency", "into the EEPROM", "10,000"),
+    ],
+)
+def test_a_sequence_that_writes_into_the_eeprom_is_the_warning_fb5005(
+    tmp_path: Path, com_no: str, message: str, way_out: str
+) -> None:
     (tmp_path / "sequences").mkdir()
-    text = SEQUENCE.replace("id: set_frequency", "id: keep").replace(
-        "    parameter: frequency\n", "    parameter: frequency\n    memory: eeprom\n"
+    text = (
+        SEQUENCE.replace("id: set_frequency", "id: keep")
+        .replace("frequency_setpoint", com_no)
+        .replace("    parameter: frequency\n", "    parameter: frequency\n    memory: eeprom\n")
     )
     (tmp_path / "sequences" / "keep.yaml").write_text(text, "utf-8")
     catalog = load_catalog([tmp_path])
@@ -102,7 +113,8 @@ def test_a_sequence_that_writes_into_the_eeprom_is_the_warning_fb5005(tmp_path: 
     assert (found.code, found.severity) == ("FB5005", Severity.WARNING)
     assert found.span is not None
     assert found.span.text == "eeprom"
-    assert "10,000" in found.help
+    assert found.message.endswith(message)
+    assert way_out in found.help
     block = next(file.text for file in files.files if file.name == "TOS_Seq_keep.scl")
     assert "#channel.request.cmd := 16#57;" in block
 
