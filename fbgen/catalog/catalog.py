@@ -18,7 +18,7 @@ from fbgen.catalog.drives import Drive
 from fbgen.catalog.gateway_kinds import GATEWAY_KINDS
 from fbgen.catalog.gateways import Gateway
 from fbgen.catalog.kinds import kind_of
-from fbgen.catalog.kinship import with_relative
+from fbgen.catalog.kinship import relative_of, with_relative
 from fbgen.catalog.located import validate
 from fbgen.catalog.modbus_protocol import ModbusProtocol
 from fbgen.catalog.process_data_gateways import ProcessDataGateway
@@ -212,12 +212,12 @@ def _load(folders: Row[tuple[Path, str]]) -> Catalog:
             )
             continue
         files = [
-            _read(path, shown, path.relative_to(folder), layers)
+            file
             for path in sorted(folder.rglob("*.y*ml"))
+            if (file := _read(path, shown, path.relative_to(folder), layers)) is not None
         ]
-        for file in files:
-            if file is not None:
-                _enter(file, layers)
+        for file in _relatives_first(files, layers):
+            _enter(file, layers)
     layers.found += unresolved(_catalog(layers), layers.broken)
     if layers.found:
         raise DiagnosticError(layers.found)
@@ -249,12 +249,35 @@ def _read(path: Path, shown: str, relative: Path, layers: _Layers) -> _File | No
     return _File(kind, path, shown, document)
 
 
+def _relatives_first(files: Row[_File], layers: _Layers) -> Iterator[_File]:
+    """The files in an order in which every series comes behind the one that it is like."""
+    waiting = {file.path.stem: file for file in files if file.kind == "drives"}
+    for file in files:
+        row = [file]
+        while file.kind == "drives":
+            try:
+                like = relative_of(row[-1].document, layers.series)
+            except DiagnosticError:
+                break  # told when the file is entered
+            if like is None or like not in waiting:
+                break
+            row.append(waiting[like])
+        for one in reversed(row):
+            if one.kind != "drives" or waiting.pop(one.path.stem, None) is not None:
+                yield one
+
+
 def _enter(file: _File, layers: _Layers) -> None:
     """A file as an entry, in the place of one of a lower layer if there is one."""
     kind, path, shown, document = file.kind, file.path, file.shown, file.document
     try:
-        if kind == "drives":
-            document = with_relative(document, layers.series)
+        like = relative_of(document, layers.series) if kind == "drives" else None
+        if like is not None:
+            base = layers.entries[kind].get(like)
+            if not isinstance(base, Drive):
+                layers.broken.add((kind, path.stem))
+                return  # what is wrong with that series is told there
+            document = with_relative(document, base)
         kinds = _KINDS_OF.get(kind)
         model = KINDS[kind] if kinds is None else kind_of(document, kinds)
         entry = validate(document, model)

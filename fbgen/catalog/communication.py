@@ -16,7 +16,17 @@ from pydantic import Field
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, unknown_name
 from fbgen.catalog.protocols import Mode
-from fbgen.catalog.scalars import Count, EntryId, Flag, HexWord, Number, Real, SnakeName, Text
+from fbgen.catalog.scalars import (
+    Count,
+    EntryId,
+    Flag,
+    HexByte,
+    HexWord,
+    Number,
+    Real,
+    SnakeName,
+    Text,
+)
 from fbgen.catalog.sourced import Sourced, unknown_fields
 from fbgen.diagnostics import Diagnostic, Note
 
@@ -124,7 +134,8 @@ class ModbusAccess(Part):
 
     `way`: `direct` for the ComNos that the request names; `indirect` for those that the ComNos of
     `blocks` stand for; `identification` for texts. The quantities are words. `starts` are the only
-    start addresses, where not every one will do. `keeps` says where what is written stays.
+    start addresses, where not every one will do. `keeps` says where what is written stays. With an
+    `option` of the drive, the use is there only if that is set.
     """
 
     function: SnakeName
@@ -135,6 +146,7 @@ class ModbusAccess(Part):
     most_written: Count = 0
     starts: tuple[HexWord, ...] = ()
     keeps: Literal["ram", "eeprom", "nothing"] = "nothing"
+    option: SnakeName | None = None
 
     def problems(self) -> Iterable[Diagnostic]:
         """FB1103; FB1105; FB1114 quantities that contradict each other or the way."""
@@ -154,10 +166,15 @@ class ModbusAccess(Part):
             "FB1114", f"'{self.function}': {message}", self.span, "mend the quantities or keeps:"
         )
 
+    def told(self) -> str:
+        """What tells it from the others of its function."""
+        return f"{self.function} {self.way} from {self.least_read + self.least_written} words on"
+
 
 class Identification(Part):
-    """The texts of the identification, basic level."""
+    """The texts of the identification, basic level, with the conformity level of its reply."""
 
+    conformity: HexByte
     vendor: Text
     product: Text
     revision: Text
@@ -179,9 +196,7 @@ class ModbusService(Part):
         """FB1102 one use of a function twice; FB1103; FB1105; FB1114 texts that nobody reads."""
         yield from super().problems()
         uses = self.accesses
-        yield from no_duplicates(
-            uses, "function", lambda use: f"{use.function} {use.way}", "access"
-        )
+        yield from no_duplicates(uses, "function", ModbusAccess.told, "access")
         asked = any(use.way == "identification" for use in uses)
         if asked is (self.identification is None):
             message = "texts of an identification go with an access to them"
@@ -252,6 +267,11 @@ class Communication(Located):
     def port(self, name: str) -> SerialPort | None:
         """The port of a name, None if there is none."""
         return next((port for port in self.ports if port.name == name), None)
+
+    def unknown_options(self, ids: Collection[str]) -> Iterator[Diagnostic]:
+        """FB1105 for every option that the series does not have."""
+        for use in () if self.modbus is None else self.modbus.accesses:
+            yield from unknown_name(use, "option", use.option, ids, "option")
 
     def unknown_comnos(self, names: Collection[str]) -> Iterator[Diagnostic]:
         """FB1105 for every name that is no ComNo of the series."""

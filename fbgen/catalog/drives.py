@@ -158,9 +158,10 @@ CommunicationPart = Literal["ports", "blocks", "toshiba", "modbus", "inter_drive
 
 
 class Confirmed(Sourced):
-    """ComNos and parts of the communication that a series was found to have like the other one."""
+    """ComNos, words and parts of the communication that a series was found to have as well."""
 
     comnos: tuple[HexWord, ...] = ()
+    words: tuple[SnakeName, ...] = ()
     communication: tuple[CommunicationPart, ...] = ()
 
 
@@ -262,6 +263,8 @@ class Drive(Sourced):
         yield from self._problems_of_words(names)
         if self.communication is not None:
             yield from self.communication.unknown_comnos(names)
+            options = {option.id for option in self.options}
+            yield from self.communication.unknown_options(options)
             for port in self.communication.ports:
                 yield from self._problems_of_port(port)
 

@@ -1,14 +1,18 @@
-"""Series of inverters that are like another: what they take over of its file.
+"""Series of inverters that are like another: what they take over of it.
 
 A series with `like: vf-s9` has the words, ComNos, trips, terminal functions and options of the
 VF-S9 beside its own, and those parts of its communication that it does not have itself. What it
 takes over is `unverified`, with the source of the other as what the guess rests on: that two series
 are alike is no fact about either. `confirmed` names the ComNos and parts of the communication of
 which a document says that this series has them, too.
+
+What is taken over was checked with the series that it comes from, and is not checked again.
 """
 
 from collections.abc import Iterator, Mapping
 
+from fbgen.catalog.drives import Drive
+from fbgen.catalog.sourced import Sourced
 from fbgen.catalog.yaml_nodes import Document, YamlInt, YamlMapping, YamlSequence
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.nearest import nearest
@@ -25,29 +29,41 @@ _SHARED: Mapping[str, tuple[str, ...]] = {
 _COMMUNICATION = "communication"
 
 
-def with_relative(document: Document, known: Mapping[str, Document]) -> Document:
-    """The file of a series with what it takes over; the same document if it is like no other.
+def relative_of(document: Document, known: Mapping[str, Document]) -> str | None:
+    """The series that a file says it is like; None if none.
 
     `known` are the files of all series by their ids. Raises DiagnosticError FB1105 for a series
-    that is not there or leads back to this one, and for what is confirmed and not taken over.
+    that is not there or leads back to this one.
     """
-    return _merged(document, known, ())
+    like = _like(document)
+    if like is None:
+        return None
+    name, place = like
+    if name not in known:
+        raise error("FB1105", f"there is no drive series '{name}'", place, nearest(name, known))
+    seen, other = {name}, known[name]
+    while other is not document:
+        further = _like(other)
+        if further is None or further[0] in seen or further[0] not in known:
+            return name
+        seen.add(further[0])
+        other = known[further[0]]
+    raise error("FB1105", f"the series is like '{name}', which is like it", place)
 
 
-def _merged(document: Document, known: Mapping[str, Document], seen: tuple[str, ...]) -> Document:
-    data = document.data
-    if not isinstance(data, YamlMapping) or not isinstance(data.get("like"), str):
+def with_relative(document: Document, base: Drive) -> Document:
+    """The file of a series with what it takes over of the one it is like.
+
+    Raises DiagnosticError FB1105 for what is confirmed and not taken over.
+    """
+    data, like = document.data, _like(document)
+    if not isinstance(data, YamlMapping) or like is None:
         return document
-    like, place = str(data["like"]), data.value_spans["like"]
-    if like not in known:
-        message = f"there is no drive series '{like}'"
-        raise error("FB1105", message, place, nearest(like, known))
-    if like in seen or known[like] is document:
-        raise error("FB1105", f"the series is like '{like}', which is like it", place)
-    base = _merged(known[like], known, (*seen, like)).data
-    if not isinstance(base, YamlMapping):
-        return document
-    confirmed = {number: source for number, source, _ in _confirmed(data)}
+    place = like[1]
+    confirmed = {
+        "comnos": {number: source for number, source, _ in _confirmed(data, "comnos")},
+        "words": {name: source for name, source, _ in _confirmed(data, "words")},
+    }
     whole = _copy(data)
     for key, names in _SHARED.items():
         own = data.get(key)
@@ -57,22 +73,21 @@ def _merged(document: Document, known: Mapping[str, Document], seen: tuple[str, 
         joined.extend(own or ())
         joined.item_spans = list(own.item_spans) if own is not None else []
         taken = {_key(item, name) for item, _ in _items(own) for name in names}
-        for item, span in _items(base.get(key)):
-            if not any(_key(item, name) in taken for name in names):
-                joined.append(_taken_over(item, like, confirmed))
-                joined.item_spans.append(span)
-        whole[key] = joined
-        whole.key_spans.setdefault(key, place)
-        whole.value_spans.setdefault(key, place)
-    _communicate(whole, base, like, place)
-    _all_taken_over(data, base, like)
+        for entry in getattr(base, key):
+            if taken.isdisjoint(_text(getattr(entry, name)) for name in names):
+                source = confirmed.get(key, {}).get(_text(getattr(entry, names[0])))
+                joined.append(_taken_over(entry, base.id, source))
+                joined.item_spans.append(entry.span or place)
+        _put(whole, key, joined, place)
+    _communicate(whole, base, place)
+    _all_taken_over(data, base)
     return Document(document.source, whole, document.span)
 
 
-def _communicate(whole: YamlMapping, base: YamlMapping, like: str, place: Span) -> None:
+def _communicate(whole: YamlMapping, base: Drive, place: Span) -> None:
     """Give a series those parts of the other one's communication that it has not itself."""
-    own, theirs = whole.get(_COMMUNICATION), base.get(_COMMUNICATION)
-    if not isinstance(theirs, YamlMapping) or not isinstance(own, YamlMapping | None):
+    own, theirs = whole.get(_COMMUNICATION), base.communication
+    if theirs is None or not isinstance(own, YamlMapping | None):
         return
     sources = {
         part: entry.get("source")
@@ -80,66 +95,71 @@ def _communicate(whole: YamlMapping, base: YamlMapping, like: str, place: Span) 
         for part in _names(entry.get(_COMMUNICATION))
     }
     joined = YamlMapping(place) if own is None else _copy(own)
-    for part, value in theirs.items():
+    for part in type(theirs).model_fields:
         if part not in joined:
-            joined[part] = _part(value, like, sources.get(part))
-            joined.key_spans[part] = theirs.key_spans[part]
-            joined.value_spans[part] = theirs.value_spans[part]
-    whole[_COMMUNICATION] = joined
-    whole.key_spans.setdefault(_COMMUNICATION, place)
-    whole.value_spans.setdefault(_COMMUNICATION, place)
+            value = _part(getattr(theirs, part), base.id, sources.get(part))
+            _put(joined, part, value, theirs.key_span_of(part) or place)
+    _put(whole, _COMMUNICATION, joined, place)
 
 
 def _part(value: object, like: str, source: object) -> object:
     """A part of the communication: confirmed by a source, or unverified in all that it holds."""
-    if isinstance(value, YamlSequence):
-        items = YamlSequence(value.span)
-        items.extend(_part(item, like, source) for item in value)
-        items.item_spans = list(value.item_spans)
-        return items
-    if not isinstance(value, YamlMapping):
+    if isinstance(value, tuple):
+        return tuple(_part(item, like, source) for item in value)
+    if not isinstance(value, Sourced):
         return value
-    copy = _copy(value)
-    for key, item in value.items():
-        copy[key] = _part(item, like, source)
-    if source is not None and value.get("status") != "unverified":
-        copy["source"] = source
-    elif "source" in value or "status" in value:
-        copy = _taken_over(copy, like, {})
-    return copy
+    inner = {
+        name: _part(item, like, source)
+        for name in type(value).model_fields
+        if isinstance(item := getattr(value, name), Sourced)
+        or (isinstance(item, tuple) and any(isinstance(one, Sourced) for one in item))
+    }
+    if source is not None and value.status == "unverified":
+        return value.model_copy(update=inner)
+    return _taken_over(value.model_copy(update=inner), like, source)
 
 
-def _taken_over(item: YamlMapping, like: str, confirmed: Mapping[str, object]) -> YamlMapping:
-    copy = _copy(item)
-    source = confirmed.get(_key(item, "number"))
+def _taken_over(entry: Sourced, like: str, source: object) -> Sourced:
     if source is not None:
-        copy["source"], copy["status"] = source, "verified"
-        return copy
-    rests_on = item.get("source")
-    copy["source"] = f"as {like}" if rests_on is None else f"as {like}: {rests_on}"
-    copy["status"] = "unverified"
-    return copy
+        return entry.model_copy(update={"source": source, "status": "verified"})
+    rests_on = f"as {like}" if entry.source is None else f"as {like}: {entry.source}"
+    return entry.model_copy(update={"source": rests_on, "status": "unverified"})
 
 
-def _all_taken_over(data: YamlMapping, base: YamlMapping, like: str) -> None:
-    """FB1105: a ComNo that is confirmed, and that the other series does not have."""
-    there = {_key(item, "number") for item, _ in _items(base.get("comnos"))}
+def _all_taken_over(data: YamlMapping, base: Drive) -> None:
+    """FB1105: a ComNo or word that is confirmed, and that the other series does not have."""
+    there = {
+        "comnos": {comno.hex: comno.hex for comno in base.comnos},
+        "words": {_text(word.name): word.name for word in base.words},
+    }
     wrong = [
-        Diagnostic("FB1105", f"'{like}' has no ComNo '{number}'", span, nearest(number, there))
-        for number, _, span in _confirmed(data)
-        if number not in there
+        Diagnostic(
+            "FB1105", f"'{base.id}' has no {kind} '{span.text}'", span, nearest(span.text, known)
+        )
+        for key, kind in (("comnos", "ComNo"), ("words", "word"))
+        for known in (there[key].values(),)
+        for name, _, span in _confirmed(data, key)
+        if name not in there[key]
     ]
     if wrong:
         raise DiagnosticError(wrong)
 
 
-def _confirmed(data: YamlMapping) -> Iterator[tuple[str, object, Span]]:
-    """Number, source and place of everything that is confirmed."""
+def _like(document: Document) -> tuple[str, Span] | None:
+    """The series that a file names under `like`, and where."""
+    data = document.data
+    if isinstance(data, YamlMapping) and isinstance(data.get("like"), str):
+        return str(data["like"]), data.value_spans["like"]
+    return None
+
+
+def _confirmed(data: YamlMapping, key: str) -> Iterator[tuple[str, object, Span]]:
+    """Number or name, source and place of every ComNo, or every word, that is confirmed."""
     for entry, _ in _items(data.get("confirmed")):
-        numbers = entry.get("comnos")
-        if isinstance(numbers, YamlSequence):
-            for number, span in zip(numbers, numbers.item_spans, strict=True):
-                yield _text(number), entry.get("source"), span
+        names = entry.get(key)
+        if isinstance(names, YamlSequence):
+            for name, span in zip(names, names.item_spans, strict=True):
+                yield _text(name), entry.get("source"), span
 
 
 def _names(value: object) -> list[str]:
@@ -160,11 +180,19 @@ def _copy(mapping: YamlMapping) -> YamlMapping:
     return copy
 
 
+def _put(mapping: YamlMapping, key: str, value: object, place: Span) -> None:
+    mapping[key] = value
+    mapping.key_spans.setdefault(key, place)
+    mapping.value_spans.setdefault(key, place)
+
+
 def _key(item: YamlMapping, name: str) -> str:
     return _text(item[name]) if name in item else ""
 
 
 def _text(value: object) -> str:
     """Numbers as they are compared: four hexadecimal digits; names as they are."""
+    if type(value) is int:
+        return f"{value:04X}"
     text = value.text if isinstance(value, YamlInt) else str(value)
     return text.upper().removeprefix("0X").zfill(4)

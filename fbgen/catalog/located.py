@@ -135,10 +135,13 @@ class Located(BaseModel):
     def _remember_place(
         cls, data: object, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo
     ) -> Self:
+        if isinstance(data, cls):
+            return data  # made and checked before
         reading = info.context if isinstance(info.context, _Reading) else None
         if isinstance(data, YamlMapping) and reading is not None:
-            reading.unknown_keys(data, cls.model_fields)
-            model = handler({key: data[key] for key in data if key in cls.model_fields})
+            fields = cls.model_fields
+            reading.unknown_keys(data, fields)
+            model = handler({key: value for key, value in data.items() if key in fields})
         else:
             model = handler(data)
         if isinstance(data, YamlMapping):

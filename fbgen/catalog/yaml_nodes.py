@@ -134,11 +134,11 @@ class _Builder:
         self.findings.append(Diagnostic(code, message, span, help))
 
     def take(self, event: yaml.Event) -> None:
-        """One event of the stream."""
-        if isinstance(event, yaml.AliasEvent):
-            self._alias(event)
-        elif isinstance(event, yaml.ScalarEvent):
+        """One event of the stream; nearly all are scalars."""
+        if isinstance(event, yaml.ScalarEvent):
             self._scalar(event)
+        elif isinstance(event, yaml.AliasEvent):
+            self._alias(event)
         elif isinstance(event, (yaml.MappingStartEvent, yaml.SequenceStartEvent)):
             self._open(event)
         elif isinstance(event, (yaml.MappingEndEvent, yaml.SequenceEndEvent)):
@@ -162,7 +162,7 @@ class _Builder:
             )
 
     def _refuse_tag(self, event: yaml.ScalarEvent | yaml.CollectionStartEvent) -> None:
-        if event.tag is not None and event.tag != "!":
+        if event.tag != "!":
             self.report(
                 "FB1003",
                 f"the tag {event.tag} is not allowed here",
@@ -185,11 +185,12 @@ class _Builder:
     def _scalar(self, event: yaml.ScalarEvent) -> None:
         span = self.span(event)
         self._count(1, span)
-        self._refuse_tag(event)
-        plain = event.implicit[0] and event.tag is None
+        if event.tag is not None:
+            self._refuse_tag(event)
         if self._expects_key():
             self._put(event.value, span)
             return
+        plain = event.implicit[0] and event.tag is None
         value = _resolve(event.value) if plain else event.value
         if event.anchor is not None:
             self.anchors[event.anchor] = _Anchor(value, 1, closed=True)
@@ -198,7 +199,8 @@ class _Builder:
     def _open(self, event: yaml.MappingStartEvent | yaml.SequenceStartEvent) -> None:
         span = self.span(event)
         self._count(1, span)
-        self._refuse_tag(event)
+        if event.tag is not None:
+            self._refuse_tag(event)
         if len(self.stack) >= MAX_DEPTH:
             raise error("FB1002", f"nested more than {MAX_DEPTH} deep", span)
         if self._expects_key():
@@ -313,11 +315,14 @@ def _read(source: Source) -> _Builder:
 
 def _build(source: Source, loader: type[yaml.SafeLoader] | type[yaml.CSafeLoader]) -> _Builder:
     builder = _Builder(source)
+    events = loader(source.text)
     try:
-        for event in yaml.parse(source.text, Loader=loader):
+        while (event := events.get_event()) and not isinstance(event, yaml.StreamEndEvent):
             builder.take(event)
     except DiagnosticError as stop:
         raise DiagnosticError([*builder.findings, *stop.diagnostics]) from None
+    finally:
+        events.dispose()
     return builder
 
 

@@ -31,8 +31,17 @@ def _tables(drive: Drive, known: Communication, sources: Sources) -> Iterator[st
     if known.modbus is not None:
         yield _facts("MODBUS-RTU", known.modbus, _modbus(known.modbus), sources)
         rows = [_access(access, sources) for access in known.modbus.accesses]
-        headings = ["MODBUS function", "way", "reads", "writes", "keeps in", "starts", "source"]
-        yield table(headings, rows)
+        headings = [
+            "MODBUS function",
+            "way",
+            "reads",
+            "writes",
+            "keeps in",
+            "starts",
+            "with",
+            "source",
+        ]
+        yield table([*headings, "starts", "with", "source"], rows)
     if known.blocks is not None:
         yield _facts("block transfer", known.blocks, _blocks(known.blocks), sources)
     if known.inter_drive is not None:
@@ -116,6 +125,7 @@ def _access(access: ModbusAccess, sources: Sources) -> list[str]:
         _quantity(access.least_written, access.most_written),
         "" if access.keeps == "nothing" else access.keeps,
         " ".join(f"{start:04X}" for start in access.starts),
+        access.option or "",
         sources.of(access),
     ]
 

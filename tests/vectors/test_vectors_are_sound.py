@@ -19,6 +19,7 @@ FILES = (
     "toshiba_frames.yaml",
     "tospbdp001_telegrams.yaml",
     "vf_as1_command_word.yaml",
+    "wire_facts.yaml",
 )
 ORIGINS = {"printed", "second_hand", "calculated", "derived", "reconstructed"}
 BYTES = re.compile(r"(?:[0-9A-F]{2}|xx)(?: (?:[0-9A-F]{2}|xx))*")

@@ -24,7 +24,10 @@ def written(sequence: Sequence) -> list[str]:
 
 
 def test_the_shipped_entries_are_there() -> None:
-    series = {"g7", "vf-a7", "vf-nc1", "vf-p7", "vf-s11", "vf-s7", "vf-s9"}
+    series = {
+        *("g7", "vf-a7", "vf-as1", "vf-mb1", "vf-nc1", "vf-p7"),
+        *("vf-s11", "vf-s15", "vf-s7", "vf-s9"),
+    }
     assert set(CATALOG.drives) == series
     assert set(CATALOG.gateways) == {"pbdp110", "tospbdp001"}
     assert set(CATALOG.protocols) == {"modbus", "toshiba"}
