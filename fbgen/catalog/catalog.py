@@ -5,7 +5,7 @@ entry with the id of a lower one replaces it, which `Catalog.replaced` tells. Se
 beside a plant file are the highest layer for that plant.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from collections.abc import Sequence as Row
 from dataclasses import field
 from functools import cache
@@ -112,19 +112,22 @@ class Catalog:
 
         Raises DiagnosticError FB1201 with the nearest names.
         """
-        device, dot, name = path.partition(".")
-        names = dict(self.word_names())
-        if dot and (word := names.get(f"{device.lower()}.{name.lower()}")) is not None:
+        device = path.partition(".")[0].lower()
+        of_device = dict(self.word_names(device))
+        if (word := of_device.get(path.lower())) is not None:
             return word
-        shown = [key for key in names if key.split(".")[0] == device.lower()] or list(names)
+        shown = of_device or dict(self.word_names())
         raise error("FB1201", f"there is no word '{path}'", help=nearest(path, shown))
 
-    def word_names(self) -> Iterator[tuple[str, Word]]:
-        """Every word under each of its paths: by name, and in drives by ComNo and its name."""
-        for gateway in self.gateways.values():
+    def word_names(self, device: str | None = None) -> Iterator[tuple[str, Word]]:
+        """Every word under each of its paths: by name, and in drives by ComNo and its name.
+
+        With the id of a gateway or drive only the words of that one.
+        """
+        for gateway in _those(self.gateways, device):
             for word in gateway.words:
                 yield f"{gateway.id}.{word.name}", word
-        for drive in self.drives.values():
+        for drive in _those(self.drives, device):
             for word in drive.words:
                 yield f"{drive.id}.{word.name}", word
             for comno in drive.comnos:
@@ -348,6 +351,13 @@ def read_source(path: Path, name: str) -> Source:
         raise error(
             "FB1008", message, Span(good, max(0, end - 1), end), "save it as UTF-8"
         ) from None
+
+
+def _those(entries: Mapping[str, EntryType], wanted: str | None) -> Iterable[EntryType]:
+    """The entry of an id, if there is one; all of them without an id."""
+    if wanted is None:
+        return entries.values()
+    return [entries[wanted]] if wanted in entries else []
 
 
 def _entry(entries: Mapping[str, EntryType], name: str, kind: str) -> EntryType:

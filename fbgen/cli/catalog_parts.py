@@ -29,21 +29,26 @@ def find_part(catalog: Catalog, path: str) -> Word | ComNo:
 
     Raises DiagnosticError FB9005 with the nearest names.
     """
-    words = dict(catalog.word_names())
-    comnos = {
-        f"{drive.id}.{name.lower()}": comno
-        for drive in catalog.drives.values()
-        for comno in drive.comnos
-        for name in (comno.hex, comno.name)
-    }
-    parts: dict[str, Word | ComNo] = {**comnos, **words}
+    device = path.lower().partition(".")[0]
+    parts = _parts(catalog, device)
     if path.lower() in parts:
         return parts[path.lower()]
-    device = path.lower().partition(".")[0]
-    known = [name for name in parts if name.startswith(f"{device}.")] or list(parts)
+    devices = (*catalog.drives, *catalog.gateways)
+    known = parts or [name for known_device in devices for name in _parts(catalog, known_device)]
     raise error(
         "FB9005", f"the catalogue has no word or ComNo '{path}'", None, nearest(path, known)
     )
+
+
+def _parts(catalog: Catalog, device: str) -> dict[str, Word | ComNo]:
+    """Words and ComNos of a device by their paths."""
+    drive = catalog.drives.get(device)
+    comnos = {
+        f"{device}.{name.lower()}": comno
+        for comno in (() if drive is None else drive.comnos)
+        for name in (comno.hex, comno.name)
+    }
+    return {**comnos, **dict(catalog.word_names(device))}
 
 
 def as_json(item: BaseModel) -> object:

@@ -31,17 +31,8 @@ def _tables(drive: Drive, known: Communication, sources: Sources) -> Iterator[st
     if known.modbus is not None:
         yield _facts("MODBUS-RTU", known.modbus, _modbus(known.modbus), sources)
         rows = [_access(access, sources) for access in known.modbus.accesses]
-        headings = [
-            "MODBUS function",
-            "way",
-            "reads",
-            "writes",
-            "keeps in",
-            "starts",
-            "with",
-            "source",
-        ]
-        yield table([*headings, "starts", "with", "source"], rows)
+        headings = ["MODBUS function", "way", "reads", "writes", "keeps in", "starts"]
+        yield table([*headings, "with", "source"], rows)
     if known.blocks is not None:
         yield _facts("block transfer", known.blocks, _blocks(known.blocks), sources)
     if known.inter_drive is not None:

@@ -142,6 +142,7 @@ def test_what_is_confirmed_is_verified_with_the_source_that_says_so(tmp_path: Pa
                     "exceptions": {},
                     "accesses": [{"function": "red", "way": "identification", "source": "m"}],
                     "identification": {
+                        "conformity": "01",
                         "vendor": "a",
                         "product": "b",
                         "revision": "c",
@@ -151,6 +152,26 @@ def test_what_is_confirmed_is_verified_with_the_source_that_says_so(tmp_path: Pa
             },
             "FB1105",
             "no function 'red'",
+        ),
+        (
+            {
+                "modbus": {
+                    "source": "m",
+                    "exceptions": {},
+                    "accesses": [
+                        {
+                            "function": "read",
+                            "way": "direct",
+                            "least_read": 1,
+                            "most_read": 1,
+                            "option": "bloks",
+                            "source": "m",
+                        }
+                    ],
+                }
+            },
+            "FB1105",
+            "no option 'bloks'",
         ),
         (
             {
