@@ -225,6 +225,30 @@ def _delivered_as(drive: Drive, port: SerialPort, theirs: dict[str, Any]) -> Non
         assert drive.parities(port)[parity.default_word] == theirs["default parity"]
 
 
+@pytest.mark.parametrize(
+    ("series", "entry"),
+    [
+        ("vf-s9", "tos.6.parameters.s9_s11_nc1"),
+        ("vf-s11", "tos.6.parameters.s9_s11_nc1"),
+        ("vf-nc1", "tos.6.parameters.s9_s11_nc1"),
+        ("vf-a7", "tos.6.parameters.a7_p7"),
+        ("vf-p7", "tos.6.parameters.a7_p7"),
+    ],
+)
+def test_what_the_gateways_manual_sets_is_the_gateways_line(series: str, entry: str) -> None:
+    drive, line = CATALOG.drive(series), ENTRIES["tos.1.subnet"]
+    (port,) = _of(drive).ports
+    wanted = {row["parameter"]: row["value"] for row in ENTRIES[entry]["parameters"]}
+    names = (port.baud_rate, port.parity, port.inv_no, port.timeout)
+    assert {drive.comno(name).display for name in names} == set(wanted)
+    rate, parity = (wanted[drive.comno(name).display] for name in names[:2])
+    assert drive.baud_rates(port)[rate] == line["baud"]
+    assert drive.parities(port)[parity] == line["parity"]
+    assert set(port.protocols.values()) == (
+        {"toshiba", "modbus"} if series == "vf-s11" else {"toshiba"}
+    )
+
+
 # MODBUS of the VF-S15
 
 

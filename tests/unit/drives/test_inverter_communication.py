@@ -274,3 +274,14 @@ def test_power_on_of_an_inverter_that_is_on_does_nothing() -> None:
     drive = bench.add()
     drive.power_on()
     assert bench.ask(f"0B 47 {READY}") == f"0B 47 {READY}"
+
+
+def test_an_inverter_told_to_speak_another_protocol_hears_no_telegram_after_the_restart() -> None:
+    bench = Bench()
+    drive = bench.add()
+    assert bench.ask("0B 57 08 29 00 01") == "0B 57 08 29 00 01"
+    assert bench.ask("0B 47 FC 90 00 00") == "0B 47 FC 90 00 00", "only a restart changes it"
+    drive.power_off()
+    drive.power_on()
+    bench.wait(2)
+    assert bench.ask("0B 47 FC 90 00 00") == ""
