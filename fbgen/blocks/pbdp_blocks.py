@@ -91,6 +91,9 @@ def _blocks(gateways: tuple[PbdpGatewayView, ...], catalog: Catalog) -> Iterator
         yield block(trip_text_of(name), "PBDP_TripText", {"texts_of": found})
     yield block("PBDP_Drive")
     yield block("PBDP_Alarms")
+    for item in gateways:
+        if item.diagnosis_laddr is not None:
+            yield block(f"PBDP_Diagnosis_{item.name}", "PBDP_Diagnosis", {"gateway": item})
     for name in ("PBDP_Io", "PBDP_Gateway"):
         for item in gateways:
             yield block(f"{name}_{item.name}", name, {"gateway": item})

@@ -16,6 +16,7 @@ from fbgen.catalog import Catalog, Layout, ProcessDataGateway, origin
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of
+from fbgen.source import Origin
 
 _OUTPUTS = ("command", "frequency", "action", "number", "data")
 _INPUTS = ("status", "frequency", "current", "voltage", "response", "number", "data")
@@ -50,6 +51,7 @@ class PbdpGatewayView(GatewayView):
 
     identifiers_unverified: bool
     has_parameters: bool
+    diagnosis_laddr: SclText | None
     status_poll: SclText
     eeprom: SclText
     timeout: SclText
@@ -81,6 +83,7 @@ def pbdp_gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> 
         first_values=(*of_line, *of_drives),
         identifiers_unverified="identifiers" in layout.unverified,
         has_parameters=entry.has_parameter_channel(layout),
+        diagnosis_laddr=_diagnosis_laddr(plant, gateway, place),
         status_poll=truth(gateway.status_poll, place),
         eeprom=truth(gateway.eeprom, place),
         timeout=timeout,
@@ -96,6 +99,14 @@ def job_timeout(plant: Plant, gateway: PlantGateway, entry: ProcessDataGateway) 
     longest = entry.times.parameter_max
     place = origin(f"{entry.id} parameter_max", longest, longest.source or "")
     return milliseconds(_RESERVE * longest.ms + _CYCLES * plant.cycle_time_ms, place)
+
+
+def _diagnosis_laddr(plant: Plant, gateway: PlantGateway, place: Origin | None) -> SclText | None:
+    """What DPNRM_DG takes; None where it is not given or the PLC does not have the instruction."""
+    address = gateway.diagnosis_address
+    if address is None or not plant.family.whole_frame:
+        return None
+    return SclText(f"W#16#{address:X}" if plant.family.classic else str(address), place)
 
 
 def unknown_fields(chosen: Iterable[PlantGateway], catalog: Catalog) -> Iterator[Diagnostic]:

@@ -1,6 +1,6 @@
 """Entries of the catalogue as text for a person, for `fbgen catalog show`."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from fbgen.catalog import (
     BranchStep,
@@ -161,12 +161,15 @@ def _gateway(gateway: Gateway, sources: Sources) -> list[str]:
             str(item.output_length),
             str(item.input_length),
             " ".join(item.access_ways),
-            sources.of(item),
+            _with_doubts(sources.of(item), item.unverified),
             item.title,
         ]
         for item in gateway.layouts
     ]
-    words = [[f"{gateway.id}.{word.name}", sources.of(word), word.title] for word in gateway.words]
+    words = [
+        [f"{gateway.id}.{word.name}", _with_doubts(sources.of(word), _doubtful(word)), word.title]
+        for word in gateway.words
+    ]
     lamps = [
         [
             str(led.number),
@@ -190,6 +193,17 @@ def _gateway(gateway: Gateway, sources: Sources) -> list[str]:
     ]
 
 
+def _doubtful(word: Word) -> list[str]:
+    """The bits whose places or meanings no document confirms."""
+    return [field.name for field in word.bits if field.status == "unverified"]
+
+
+def _with_doubts(source: str, unverified: Iterable[str]) -> str:
+    """A source, and what of its entry is not confirmed by it."""
+    named = " ".join(unverified)
+    return f"{source} unverified: {named}" if named else source
+
+
 def _of_the_kind(gateway: Gateway, sources: Sources) -> list[str]:
     """What only one kind of gateway has."""
     match gateway:
@@ -205,7 +219,19 @@ def _of_the_kind(gateway: Gateway, sources: Sources) -> list[str]:
 
 
 def _process_data(gateway: ProcessDataGateway, sources: Sources) -> list[str]:
-    access = gateway.parameter_channel
+    access, scan = gateway.parameter_channel, gateway.autoscan
+    channels = [
+        [
+            item.name,
+            str(item.diagnosis_bit),
+            "yes" if item.powers_gateway else "no",
+            sources.of(item),
+            item.title,
+        ]
+        for item in gateway.channels
+    ]
+    rates = " ".join(map(str, scan.baud_rates))
+    autoscan = [[rates, " ".join(scan.parities), sources.of(scan)]]
     cyclic = [
         [way, item.field, f"{item.comno:04X}", sources.of(item), item.title]
         for way, items in (("out", gateway.outputs), ("in", gateway.inputs))
@@ -227,10 +253,12 @@ def _process_data(gateway: ProcessDataGateway, sources: Sources) -> list[str]:
         for name, time in ((name, getattr(gateway.times, name)) for name in _PROCESS_DATA_TIMES)
     ]
     return [
+        table(["channel", "diagnosis bit", "powers the gateway", "source", "title"], channels),
         table(["way", "field of each channel", "ComNo", "source", "title"], cyclic),
         table(["parameter channel", "code", "name", "source", "title"], codes),
         table(["access error", "name", "source", "title"], errors),
         table(["local parameter", "name", "source", "title"], local),
+        table(["drives are searched at", "parity", "source"], autoscan),
         table(["time", "value", "source"], times),
     ]
 

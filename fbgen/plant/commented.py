@@ -110,6 +110,11 @@ gateways:
     # For dpxx_dat on S7-1200 and S7-1500 instead of the two addresses:
     # hardware_identifier: 270
 
+    # For gateways for process data on an S7: the diagnostic address of the station (S7-300/400), or
+    # its hardware identifier (S7-1200, S7-1500), as the device configuration shows it. With it the
+    # blocks read the slave's diagnosis (DPNRM_DG, SFC13), and know a trip in modules 3 and 4.
+    # diagnosis_address: 2046
+
     # Read trip code and status of every drive in turn while no command waits.
     status_poll: true
 

@@ -14,7 +14,7 @@ from fbgen.plant.modules import layout_of, why_not
 if TYPE_CHECKING:
     from fbgen.plant.plant import PlantGateway
 
-_ONLY_PROCESS_DATA = ("identifiers", "eeprom")
+_ONLY_PROCESS_DATA = ("identifiers", "eeprom", "diagnosis_address")
 """Keys of a gateway that one for telegrams does not have."""
 
 

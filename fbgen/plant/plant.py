@@ -71,7 +71,8 @@ class PlantGateway(Located):
     the folder of the plant file, `modules` what is plugged of it; layout and identifiers then come
     from there. `identifiers` are the configuration identifiers of the module where the catalogue's
     are an assumption and there is no GSD file. `eeprom` lets the program write parameters into the
-    EEPROM of the drives.
+    EEPROM of the drives. `diagnosis_address` is the LADDR under which an S7 reads the diagnosis of
+    the station; without one nothing reads it.
     """
 
     model_config = ConfigDict(json_schema_extra=layout_or_gsd)
@@ -89,6 +90,7 @@ class PlantGateway(Located):
     input_address: Whole | None = None
     output_address: Whole | None = None
     hardware_identifier: Annotated[Whole, Field(ge=1, le=65535)] | None = None
+    diagnosis_address: Annotated[Whole, Field(ge=1, le=65535)] | None = None
     status_poll: Flag = True
     eeprom: Flag = False
     parameters: LineParameters = Field(default_factory=LineParameters)

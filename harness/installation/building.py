@@ -55,7 +55,8 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
         parameters = b"" if chosen is None else chosen.user_parameters
         station = stations[entry.name] = _station(master, entry, devices, setup, parameters)
         by_image = entry.access == "process_image"
-        cpu.mount(Mounting(station, by_image, entry.hardware_identifier))
+        identifier, diagnosis = entry.hardware_identifier, entry.diagnosis_address
+        cpu.mount(Mounting(station, by_image, identifier, diagnosis))
     if setup.program is not None:
         program = setup.program
     elif setup.sources is None:

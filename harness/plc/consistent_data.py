@@ -68,7 +68,7 @@ class ConsistentData:
         module = self._modules.readable.get(laddr)
         if module is None:
             return self._missing(laddr, self._modules.writable)
-        if not self._accepts(record.type):
+        if not takes_area(record.type, self._settings):
             return RetVal.WRONG_TYPE
         station, slot = module
         length = slot.identifier.input_length
@@ -89,7 +89,7 @@ class ConsistentData:
         module = self._modules.writable.get(laddr)
         if module is None:
             return self._missing(laddr, self._modules.readable)
-        if not self._accepts(record.type):
+        if not takes_area(record.type, self._settings):
             return RetVal.WRONG_TYPE
         station, slot = module
         length = slot.identifier.output_length
@@ -110,16 +110,6 @@ class ConsistentData:
         """The module has no data in this direction, or there is no module at all."""
         return RetVal.NO_SUCH_MODULE if laddr in other else RetVal.NOT_CONFIGURED
 
-    def _accepts(self, kind: Type) -> bool:
-        if self._settings.family.classic:
-            return (
-                kind == BYTE
-                or isinstance(kind, StructType)
-                or (isinstance(kind, ArrayType) and kind.element == BYTE)
-            )
-        element = kind.element if isinstance(kind, ArrayType) else kind
-        return element != BOOL and not isinstance(element, StringType)
-
     def _wrong_length(self, record: int, module: int) -> bool:
         return record < module or (record > module and self._settings.family.classic)
 
@@ -129,3 +119,15 @@ class ConsistentData:
         if self._settings.dp_interface is DpInterface.EXTERNAL and self._settings.family.classic:
             return RetVal.SLAVE_FAILURE
         return access_error
+
+
+def takes_area(kind: Type, settings: CpuSettings) -> bool:
+    """Whether a variable of this type may be RECORD on this CPU."""
+    if settings.family.classic:
+        return (
+            kind == BYTE
+            or isinstance(kind, StructType)
+            or (isinstance(kind, ArrayType) and kind.element == BYTE)
+        )
+    element = kind.element if isinstance(kind, ArrayType) else kind
+    return element != BOOL and not isinstance(element, StringType)

@@ -155,6 +155,7 @@ class Cpu(HardwareAccess):
         self.diagnostics.clear()
         self.programming_errors.clear()
         self.scans = 0
+        self.slave_diagnosis.forget()
         self.inputs[:] = bytes(len(self.inputs))
         keep = self.settings.remanent_marker_bytes if restart is Restart.WARM else 0
         self.markers[keep:] = bytes(len(self.markers) - keep)

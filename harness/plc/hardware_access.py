@@ -19,6 +19,7 @@ from harness.plc.link import MasterLink
 from harness.plc.modules import ModuleTable, Mounting
 from harness.plc.settings import CpuSettings
 from harness.plc.several import Several, several_at
+from harness.plc.slave_diagnosis import SlaveDiagnosis
 
 Instruction = Callable[[Mapping[str, "Scalar | Area"], Span], Scalar]
 """What carries out a system instruction: arguments by name, where it is called, RET_VAL."""
@@ -52,6 +53,7 @@ class HardwareAccess:
         "outputs",
         "services",
         "settings",
+        "slave_diagnosis",
     )
 
     def __init__(self, kernel: Kernel, settings: CpuSettings, master: DpMaster) -> None:
@@ -71,12 +73,15 @@ class HardwareAccess:
         self.access_errors = 0
         self.link = MasterLink(master, kernel.random, settings.tear_probability)
         self.consistent_data = ConsistentData(settings, self._modules, self.link, self.outputs)
+        self.slave_diagnosis = SlaveDiagnosis(kernel, settings, master)
         self.instructions: dict[str, Instruction] = {}
         if settings.family.consistent_instructions:
             for name in ("DPRD_DAT", "SFC14"):
                 self.instructions[name] = self._dprd_dat
             for name in ("DPWR_DAT", "SFC15"):
                 self.instructions[name] = self._dpwr_dat
+            for name in ("DPNRM_DG", "SFC13"):
+                self.instructions[name] = self._dpnrm_dg
         self._begin()
 
     @property
@@ -95,6 +100,8 @@ class HardwareAccess:
         Raises DiagnosticError FB7402 for addresses that are taken or lie outside of the memory.
         """
         self._modules.mount(mounting, self.settings)
+        if mounting.diagnosis_address is not None:
+            self.slave_diagnosis.stations[mounting.diagnosis_address] = mounting.station
         self._reads.clear()
         self._writes.clear()
 
@@ -242,6 +249,14 @@ class HardwareAccess:
     def _dpwr_dat(self, arguments: Mapping[str, Scalar | Area], span: Span) -> int:
         laddr, record = self._consistent_access(arguments, span)
         return _as_int(self.consistent_data.write(laddr, record))
+
+    def _dpnrm_dg(self, arguments: Mapping[str, Scalar | Area], span: Span) -> int:
+        laddr, record = self._consistent_access(arguments, span)
+        ret_val, is_busy = self.slave_diagnosis.read(bool(arguments["REQ"]), laddr, record)
+        busy = arguments["BUSY"]
+        assert not isinstance(busy, bool | int | float | str), "an output is an area"
+        busy.write(bytes((is_busy,)))
+        return _as_int(ret_val)
 
     def _consistent_access(
         self, arguments: Mapping[str, Scalar | Area], span: Span

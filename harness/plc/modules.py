@@ -13,12 +13,14 @@ class Mounting:
 
     With `process_image` the system exchanges its data with the process image once a cycle.
     `hardware_identifier` is that of its first module on an S7-1200/1500, the others follow; with
-    None a module's LADDR is its start address, as always on an S7-300/400.
+    None a module's LADDR is its start address, as always on an S7-300/400. `diagnosis_address` is
+    the LADDR of the station itself, under which its diagnosis is read; None where nobody reads it.
     """
 
     station: Station
     process_image: bool
     hardware_identifier: int | None = None
+    diagnosis_address: int | None = None
 
 
 class ModuleTable:

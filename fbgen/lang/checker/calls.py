@@ -388,6 +388,8 @@ def system_call(
             value = _area(ctx, argument.value, parameter.is_output, where)
         elif isinstance(parameter.type, ReferenceType):
             value = _any_variable(ctx, argument.value, parameter, where)
+        elif parameter.is_output and isinstance(parameter.type, Elementary):
+            value = _written(ctx, argument.value, parameter.type, where)
         elif parameter.any_integer:
             value = check_whole(ctx, argument.value, where)
         elif parameter.type == VOID:
@@ -405,6 +407,12 @@ def system_call(
         return erroneous(node.span), None
     ordered = tuple((name, arguments[name]) for name, _ in parameters)
     return SystemCall(node.span, instruction.name, ordered, instruction.result), result_place
+
+
+def _written(ctx: Context, node: ast.Expression, kind: Elementary, where: str) -> Expression:
+    """A variable that the instruction writes a single value to."""
+    target = check_target(ctx, node, where)
+    return coerce(ctx, target, kind, where) if target is not None else erroneous(node.span)
 
 
 def _hardware_address(

@@ -29,7 +29,7 @@ class Treatment(Enum):
     WRITTEN = "written otherwise"
 
 
-_IN_A_PLANT = ("DPRD_DAT", "DPWR_DAT")
+_IN_A_PLANT = ("DPNRM_DG", "DPRD_DAT", "DPWR_DAT")
 
 CATEGORIES: dict[str, tuple[str, ...]] = {
     "Bit logic": ("R_TRIG", "F_TRIG"),

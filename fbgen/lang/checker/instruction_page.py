@@ -32,6 +32,7 @@ _NUMBERS = {
     "BLKMOV": "SFC20",
     "FILL": "SFC21",
     "UBLKMOV": "SFC81",
+    "DPNRM_DG": "SFC13",
     "DPRD_DAT": "SFC14",
     "DPWR_DAT": "SFC15",
     "SET_CLK": "SFC0",

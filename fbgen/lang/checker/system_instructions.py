@@ -2,6 +2,8 @@
 
 Source: TIA Portal help, "DPRD_DAT" and "DPWR_DAT" (SFC14 and SFC15 on S7-300/400). LADDR is the
 start address of the module as WORD (S7-300/400), or its hardware identifier (S7-1200/1500).
+"DPNRM_DG" (SFC13): Siemens A5E00709327-01, 16.4; LADDR is the diagnostic address of the slave as
+WORD, or the hardware identifier of the slave.
 "BLKMOV", "UBLKMOV" and "FILL" (SFC20, SFC81, SFC21), "MOVE_BLK", "FILL_BLK", "POKE_BLK",
 "MOVE_BLK_VARIANT", "Serialize", "Deserialize", "READ_LITTLE", "WRITE_BIG" and the like.
 """
@@ -9,6 +11,7 @@ start address of the module as WORD (S7-300/400), or its hardware identifier (S7
 from fbgen.dataclass import dataclass
 from fbgen.lang.types import (
     ANY,
+    BOOL,
     BYTE,
     DINT,
     INT,
@@ -159,6 +162,15 @@ INSTRUCTIONS: dict[str, Instruction] = {
             (InstructionParameter("LADDR", WORD), InstructionParameter("RECORD", VARIANT)),
             INT,
         ),
+        Instruction(
+            "DPNRM_DG",
+            (
+                *(InstructionParameter("REQ", BOOL), InstructionParameter("LADDR", WORD)),
+                InstructionParameter("RECORD", VARIANT, is_output=True),
+                InstructionParameter("BUSY", BOOL, is_output=True),
+            ),
+            INT,
+        ),
         *(_moves(name) for name in ELEMENT_MOVES),
         *_ON_VARIANTS,
         *(_copies("BLKMOV"), _copies("UBLKMOV"), _FILL, _POKE_BLK),
@@ -167,6 +179,7 @@ INSTRUCTIONS: dict[str, Instruction] = {
 """By casefolded canonical name."""
 
 ALIASES = {
+    "sfc13": "dpnrm_dg",
     "sfc14": "dprd_dat",
     "sfc15": "dpwr_dat",
     "sfc20": "blkmov",

@@ -50,7 +50,6 @@ HARDWARE_PARAMETERS: dict[str, frozenset[str]] = {
         "RD_LGADR": "IOID LADDR PEADDR PECOUNT PAADDR PACOUNT",
         # distributed I/O, records, process image
         "D_ACT_DP": "REQ MODE LADDR BUSY",
-        "DPNRM_DG": "REQ LADDR RECORD BUSY",
         "DPSYC_FR": "REQ LADDR GROUP MODE BUSY",
         "WR_REC": _RECORD,
         "RD_REC": _RECORD,
