@@ -151,6 +151,11 @@ def _context(
         "without_parameters": [
             item.name for item in lists.at_channels if item not in _with_parameters(lists)
         ],
+        "diagnosed": [
+            item.name
+            for item in lists.at_channels
+            if item.diagnosis_address is not None and plant.family.whole_frame
+        ],
         "eeprom": [item.name for item in lists.at_channels if item.eeprom],
         "assumed": [item.name for item in lists.at_channels if lists.layout(item).unverified],
         "gateways": [_gateway(item, lists) for item in plant.gateways],

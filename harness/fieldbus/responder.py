@@ -4,11 +4,13 @@ Which access point is which service, and who may use it: EN 50170 volume 2. Set_
 acknowledged when they have arrived, right or wrong (felser.ch, PROFIBUS Handbuch, Set Parameters);
 Slave_Diag tells which. A telegram that is none, a reserved function and a telegram for another
 station get silence; a service that is not there, or not now, or not for this master gets "no
-service activated" (RS).
+service activated" (RS), as Acromag's Introduction to ProfiBus DP lists the causes (page 20). The
+watchdog waits for any data traffic with the slave's own master (Beckhoff Information System,
+TwinCAT 3 I/O, DP-Watchdog), so it runs anew with every request of that master here; that one
+without data, such as Slave_Diag, counts as well is our reading.
 
-Recalled, and found in no document: RS is also the answer to SDA, Ident and LSAP status; the
-watchdog runs anew with every request of the slave's own master to it; a request of another station
-ends the memory for repeated ones.
+Recalled, and found in no document: RS is also the answer to SDA, Ident and LSAP status; a request
+of another station ends the memory for repeated ones.
 """
 
 from typing import NamedTuple

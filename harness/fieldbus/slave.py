@@ -11,8 +11,12 @@ as long as nothing is changed on either side a poll changes nothing either, so a
 nothing new is not simulated, and the master says when it stops polling (`polling_ended`). From
 there the watchdog runs. With WD_On = 0 the slave never notices that it is alone.
 
-Recalled, and found in no document: outputs of a wrong length end data exchange; RD_Inp and RD_Outp
-are answered in data exchange only.
+A slave that loses its master, or gets Clear_Data, clears its outputs, and RD_Outp gives cleared
+ones before the first Data_Exchange (profichip VPC3+S user manual, 2012, pages 53 and 54).
+
+Recalled, and in none of the documents that were looked through (manuals of VPC3+ and SPC3 modules,
+felser.ch, sources of open slaves): outputs of a wrong length end data exchange; RD_Inp and RD_Outp
+are refused outside of data exchange. The chips do both by themselves.
 """
 
 from collections.abc import Callable

@@ -31,7 +31,8 @@ PBDP110 = (EXAMPLES / "pbdp110" / "plant.yaml").read_text("utf-8")
 BY_WORDS = {
     "layout: module2": "layout: module2\n    identifiers: 6F 5F 57",
     "access: dpxx_dat": "access: per_identifier",
-    "hardware_identifier: 270": "input_address: 256\n    output_address: 256",
+    "hardware_identifier: 270": "input_address: 256\n    output_address: 256\n"
+    "    diagnosis_address: 2046",
 }
 WHOLE_FRAME = {
     "access: per_identifier": "access: dpxx_dat\n    hardware_identifier: 270",

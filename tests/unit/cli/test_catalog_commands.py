@@ -91,3 +91,19 @@ def test_show_gives_what_is_set_by_hand_at_inverter_and_gateway(fbgen: Fbgen) ->
 
 def test_show_gives_the_checks_of_a_sequence(fbgen: Fbgen) -> None:
     assert "check that parity is as its setting" in fbgen("catalog", "show", "check_parameters").out
+
+
+def test_show_says_of_layouts_and_words_what_no_document_confirms(fbgen: Fbgen) -> None:
+    lines = fbgen("catalog", "show", "pbdp110").out.splitlines()
+    told = {line.split()[0]: line for line in lines if line.strip()}
+    assert "unverified: identifiers" in told["module2"]
+    assert "unverified: request" in told["pbdp110.action"]
+    assert "unverified" not in told["pbdp110.response"]
+
+
+def test_show_gives_the_diagnosis_bits_of_the_channels_with_their_source(fbgen: Fbgen) -> None:
+    out = fbgen("catalog", "show", "pbdp110").out
+    table = out[out.index("channel  diagnosis bit") :].splitlines()
+    assert table[2].split()[:3] == ["a", "0", "yes"]
+    assert table[3].split()[:3] == ["b", "4", "no"]
+    assert "other copies of the manual have them" in out.replace("\n", " ")

@@ -106,6 +106,33 @@ def test_where_a_cycle_may_fall_between_two_accesses_their_order_is_safe() -> No
         assert read.index(drive + 16) < min(number, data)
 
 
+@pytest.mark.parametrize(
+    ("dialect", "plc", "call"),
+    [
+        ("tia", "s7-1500", "DPNRM_DG(REQ := TRUE, LADDR := 2046, "),
+        ("tia", "s7-1200", "DPNRM_DG(REQ := TRUE, LADDR := 2046, "),
+        ("tia", "s7-300", "DPNRM_DG(REQ := TRUE, LADDR := W#16#7FE, "),
+        ("step7", "s7-400", "SFC13(REQ := TRUE, LADDR := W#16#7FE, "),
+        ("iec", "iec", ""),
+        ("twincat", "twincat", ""),
+    ],
+)
+def test_an_s7_reads_the_diagnosis_where_its_address_is_given(
+    dialect: str, plc: str, call: str
+) -> None:
+    text = EXAMPLE.replace("dialect: tia", f"dialect: {dialect}").replace("s7-1500", plc)
+    text = text.replace("dpxx_dat", "process_image").replace(
+        "hardware_identifier: 270", "input_address: 64\n    output_address: 64"
+    )
+    if plc.startswith("s7-"):
+        text = text.replace("process_image", "dpxx_dat\n    hardware_identifier: 270")
+    without = "".join(file.text for file in generate(plant(text), CATALOG).files)
+    assert "DPNRM_DG" not in without
+    text = text.replace("layout: module2", "layout: module2\n    diagnosis_address: 2046")
+    with_it = "".join(file.text for file in generate(plant(text), CATALOG).files)
+    assert (call in with_it) if call else ("PBDP_Diagnosis" not in with_it)
+
+
 def test_leave_to_write_the_eeprom_is_a_warning_at_its_place() -> None:
     text = EXAMPLE.replace("layout: module2", "layout: module2\n    eeprom: true")
     (found,) = generate(plant(text), CATALOG).warnings
