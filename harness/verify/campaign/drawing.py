@@ -179,7 +179,7 @@ def _recovery(
         for drive in gateway.drives:
             base = f"plc.TOS_Plant.{gateway.name}.{drive.name}"
             if gateway not in on_lines:
-                well |= well_at_an_interface(base, gateway, catalog)
+                well |= well_at_an_interface(plan, gateway, drive, catalog)
             elif gateway.status_poll:
                 well |= {f"{base}.polled.valid": True, f"{base}.polled.lost": False}
             well |= {f"{base}.state.tripped": False, f"{base}.state.running": False}

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from random import Random
 
 from fbgen.catalog import Catalog
-from fbgen.plant import PlantDrive, PlantGateway, layout_of
+from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of
 from harness.verify.campaign.entries import Entry
 
 _READ, _WRITE_RAM = 1, 2
@@ -30,12 +30,17 @@ def asked_in_parameter_channel(random: Random, gateway: str, drive: PlantDrive) 
     return {f"{job}.{name}": value for name, value in ask.items()} | begin
 
 
-def well_at_an_interface(drive: str, gateway: PlantGateway, catalog: Catalog) -> Entry:
-    """What is expected of a drive, by the path of its variables, when all faults are over."""
+def well_at_an_interface(
+    plan: Plant, gateway: PlantGateway, drive: PlantDrive, catalog: Catalog
+) -> Entry:
+    """What is expected of a drive when all faults are over. A trip of which nothing tells the PLC
+    cannot be reset by it."""
     known = catalog.process_data_gateway(gateway.type)
-    well: Entry = {f"{drive}.state.online": True, f"{drive}.state.inhibited": False}
+    base = f"plc.TOS_Plant.{gateway.name}.{drive.name}"
+    well: Entry = {f"{base}.state.online": True, f"{base}.state.inhibited": False}
+    told = gateway.diagnosis_address is not None and plan.family.whole_frame
     if known.has_parameter_channel(layout_of(gateway, known)):
-        well[f"{drive}.parameter.busy"] = False
+        well[f"{base}.parameter.busy"] = False
         if gateway.status_poll:
-            well[f"{drive}.polled.valid"] = True
-    return well
+            well[f"{base}.polled.valid"] = told = True
+    return well | {f"drive.{drive.name}.tripped": False} if told else well

@@ -136,4 +136,4 @@ def test_busy_is_a_bool():
     with pytest.raises(DiagnosticError) as raised:
         read_program([Source("test.scl", wrong)])
     (found,) = raised.value.diagnostics
-    assert (found.code, found.span.text) == ("FB4021", '"Data".busy')
+    assert (found.code, found.span.text) == ("FB4011", '"Data".busy')
