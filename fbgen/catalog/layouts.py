@@ -142,8 +142,12 @@ class Layout(Sourced):
 
 
 def covers_all(identifiers: Sequence[PlacedIdentifier]) -> bool:
-    """Whether one identifier that is consistent over its whole length carries everything."""
-    return len(identifiers) == 1 and identifiers[0].consistent
+    """Whether one identifier that is consistent over its whole length carries everything.
+
+    Empty places beside it do not count.
+    """
+    carrying = [one for one in identifiers if one.output_length or one.input_length]
+    return len(carrying) == 1 and carrying[0].consistent
 
 
 def access_ways(identifiers: Sequence[PlacedIdentifier]) -> tuple[AccessWay, ...]:

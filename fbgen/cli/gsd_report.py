@@ -40,7 +40,7 @@ def as_text(found: GsdReport) -> str:
     """For a person."""
     station = found.station
     parts = [f"{found.file.name}: {station.model} {station.revision}".rstrip()]
-    parts.append(table(["what", "value"], [*_facts(found)]))
+    parts.append(table(["what", "value"], [row for row in _facts(found) if row[1]]))
     parts.append("Modules\n\n" + _modules_table(station.modules))
     if found.chosen is None:
         parts.append("--module NAME shows slots, addresses and access ways of a module.")
@@ -324,12 +324,16 @@ def _whole_frame(chosen: Configuration) -> Iterator[str]:
 
 def _for_the_plant_file(found: GsdReport, chosen: Configuration) -> str:
     names = ", ".join(json.dumps(module.name) for module in chosen.modules)
-    ways = access_ways(placed_identifiers(chosen.code))
+    placed = placed_identifiers(chosen.code)
+    s7 = FAMILIES["s7-1500"]
+    ways = [way for way in access_ways(placed) if refusal(way, placed, s7, chosen.names) is None]
     lines = [
         f"gsd: {json.dumps(found.file.as_posix())}   # from the folder of the plant file",
         f"modules: [{names}]",
-        f"access: {ways[0]}   # or {ways[1]}",
+        f"access: {'   # or '.join(ways)}",
         f"input_address: {found.address}",
         f"output_address: {found.address}",
     ]
+    if "dpxx_dat" in ways:
+        lines.append("# on S7-1200 and S7-1500 instead of the two: hardware_identifier:")
     return "\n".join(lines)

@@ -64,7 +64,7 @@ def refusal(
             f"the process image of {family.title} cannot hold the consistent data of {name}",
             "use dpxx_dat",
         )
-    if access == "dpxx_dat" and family.hardware_identifiers and len(identifiers) > 1:
+    if access == "dpxx_dat" and family.hardware_identifiers and not whole and len(identifiers) > 1:
         return Refusal(
             f"{name} has {len(identifiers)} modules, each with a hardware identifier of its own on "
             f"{family.title}",

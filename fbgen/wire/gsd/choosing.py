@@ -59,15 +59,18 @@ def choose(
 ) -> Configuration:
     """The modules of these names, plugged in this order; without names those that alone can be.
 
-    That is the module of a station with a single one, or the single one that carries `lengths`
-    (bytes out and in) where these are known. `places` are where the names stand, the last one for
+    These are the preset ones, or the module of a station with a single one, or the single one that
+    carries `lengths` (bytes out and in) where these are known. Presets that cannot be pulled come
+    first. `places` are where the names stand, the last one for
     what is said about all of them. Raises DiagnosticError FB1310 for a name that is not there,
     FB1311 for modules that cannot be plugged so, or where nothing says which.
     """
     where = [*places, *[None] * (len(names) + 1 - len(places))]
+    presets = [module for module in station.modules if module.preset]
     if not names:
-        return Configuration(station, (_only_module(station, lengths, where[0]),))
-    plugged = []
+        alone = presets or [_only_module(station, lengths, where[0])]
+        return Configuration(station, tuple(alone))
+    plugged: list[GsdModule] = []
     findings: list[Diagnostic] = []
     for name, place in zip(names, where, strict=False):
         try:
@@ -76,6 +79,9 @@ def choose(
             findings += wrong.diagnostics
     if findings:
         raise DiagnosticError(findings)
+    if station.fixed_presets:
+        where = [*[places[-1] if places else None] * len(presets), *where]
+        plugged = [*presets, *(module for module in plugged if not module.preset)]
     found = Configuration(station, tuple(plugged))
     if problems := list(_impossible(found, where)):
         raise DiagnosticError(problems)

@@ -88,6 +88,7 @@ def _station(source: Source, tree: Tree, findings: list[Diagnostic]) -> GsdStati
         min_slave_interval_us=values.number("Min_Slave_Intervall", 0) * _INTERVAL_US,
         max_diagnosis_bytes=values.number("Max_Diag_Data_Len", 6, 0xFF),
         modular=values.flag("Modular_Station"),
+        fixed_presets=values.flag("FixPresetModules"),
         module_offset=values.number("Modul_Offset", 0, 0xFF),
         limits=Limits(
             values.optional_number("Max_Module"),

@@ -25,7 +25,7 @@ class GsdModule:
     """A module that can be plugged.
 
     `code` are its configuration identifiers as bytes, `reference` the number by which slots name
-    it, `parameters` what it adds to the user parameters.
+    it, `parameters` what it adds to the user parameters. `preset`: it is plugged to begin with.
     """
 
     name: str
@@ -92,9 +92,9 @@ class GsdStation:
     """A DP slave. Texts that the file does not have are empty.
 
     `min_slave_interval_us` is the least time between two cycles of this slave. With `fail_safe` it
-    takes empty outputs in CLEAR. `parameters` are the preset user parameters of the station alone.
-    `unknown` are statements that fbgen has no use for, `warnings` what is wrong in the file and did
-    no harm.
+    takes empty outputs in CLEAR. With `fixed_presets` preset modules cannot be pulled. `parameters`
+    are the preset user parameters of the station alone. `unknown` are statements that fbgen has no
+    use for, `warnings` what is wrong in the file and did no harm.
     """
 
     source: Source
@@ -119,6 +119,7 @@ class GsdStation:
     min_slave_interval_us: int
     max_diagnosis_bytes: int
     modular: bool
+    fixed_presets: bool
     module_offset: int
     limits: Limits
     parameters: bytes

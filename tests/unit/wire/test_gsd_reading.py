@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from fbgen.catalog import covers_all, placed_identifiers
 from fbgen.diagnostics import DiagnosticError
 from fbgen.wire.gsd import GsdStation, Rate, SlotDefinition, choose, read_gsd
 from fbgen.wire.profibus import Consistency, Extent
@@ -223,6 +224,23 @@ def test_modules_that_cannot_be_plugged_are_told(
     with pytest.raises(DiagnosticError) as failure:
         choose(TWO, names)
     assert (expected, message) in [(one.code, one.message) for one in failure.value.diagnostics]
+
+
+PRESET = station_of(
+    "Modular_Station = 1\nMax_Module = 3\nFixPresetModules = 1\n"
+    'Module = "Empty" 0x00\n2\nPreset=1\nEndModule\n'
+    'Module = "Head" 0xC2,0x83,0x8B,0x0A,0x05\n5\nPreset=1\nEndModule\n'
+    'Module = "In  " 0x11\n6\nEndModule\n'
+)
+
+
+def test_preset_modules_are_plugged_and_stay_where_they_cannot_be_pulled() -> None:
+    assert choose(PRESET).code == bytes.fromhex("00 C2 83 8B 0A 05")
+    assert choose(PRESET, ("In",)).code == bytes.fromhex("00 C2 83 8B 0A 05 11")
+    assert covers_all(placed_identifiers(choose(PRESET).code))
+    with pytest.raises(DiagnosticError) as failure:
+        choose(PRESET, ("In", "In"))
+    assert codes(failure) == ["FB1311"]
 
 
 def test_one_name_for_two_modules_with_other_identifiers_says_nothing() -> None:
