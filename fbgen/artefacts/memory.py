@@ -88,7 +88,9 @@ def too_large(lists: PlantLists, found: WorkMemory) -> Iterator[Diagnostic]:
     parts = [("code and data", found.code + found.data, cpu.code_kib)]
     if cpu.data_kib is not None:
         parts = [("code", found.code, cpu.code_kib), ("data", found.data, cpu.data_kib)]
-    larger = [other.name for other in cpus_of(cpu.family)]
+    family = cpus_of(cpu.family)
+    larger = [other.name for other in family[family.index(cpu) + 1 :]]
+    other_cpu = f", or a larger one of {', '.join(larger)}" if larger else ""
     for what, size, room in parts:
         if size > room * 1024:
             yield Diagnostic(
@@ -96,8 +98,7 @@ def too_large(lists: PlantLists, found: WorkMemory) -> Iterator[Diagnostic]:
                 f"{what} of the generated blocks take about {size / 1024:.0f} KiB, and the work "
                 f"memory of CPU {cpu.name} has {room} KiB",
                 lists.plant.span_of("cpu"),
-                "generate fewer sequences, use fewer gateways for one CPU, or a larger one of "
-                f"{', '.join(larger)}",
+                f"generate fewer sequences, use fewer gateways for one CPU{other_cpu}",
                 severity=Severity.WARNING,
             )
 

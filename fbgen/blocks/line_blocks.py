@@ -6,6 +6,7 @@ from fbgen.blocks.alarms import LINE_ALARMS, drive_alarms, that_can_come
 from fbgen.blocks.family import FamilyPlan
 from fbgen.blocks.gateways import other_types
 from fbgen.blocks.line_gateways import LineGatewayView, line_gateway_view, missing_fields
+from fbgen.blocks.line_times import short_timeouts
 from fbgen.blocks.literals import SclText, byte, comno, milliseconds, source_text, word
 from fbgen.blocks.poll_cycle import slow_polls
 from fbgen.blocks.sequences import SequenceView, sequence_view
@@ -67,7 +68,11 @@ def line_family(
             for item in gateways
         ],
         context=context,
-        warnings=(*_eeprom_writes(plant, catalog), *slow_polls(plant, catalog)),
+        warnings=(
+            *_eeprom_writes(plant, catalog),
+            *slow_polls(plant, catalog),
+            *short_timeouts(plant, catalog),
+        ),
     )
 
 

@@ -5,8 +5,12 @@ measures what really comes and compares. Sources: TOSPBDP001 manual v1.1, 9, for
 gateway and drives; the states of TOS_Telegram and TOS_Line for what goes out.
 """
 
+from collections.abc import Iterator
+from math import ceil
+
 from fbgen.catalog import Catalog, TelegramGateway
 from fbgen.dataclass import dataclass
+from fbgen.diagnostics import Diagnostic, Severity
 from fbgen.plant import Plant, PlantGateway
 
 LONGEST_BUS_CYCLE_MS = 5.0
@@ -70,8 +74,32 @@ def reply_timeout_ms(plant: Plant, gateway: TelegramGateway, reply_max_ms: float
     Drive, gateway in both directions and 8 bytes on the line in both directions, and two cycles of
     the PLC for reading and writing. Source: TOSPBDP001 manual v1.1, 9.
     """
-    line_ms = 2 * _frame_ms(gateway)
-    return 2 * (reply_max_ms + 2 * gateway.times.processing.ms + line_ms) + 2 * plant.cycle_time_ms
+    return 2 * _reply_ms(gateway, reply_max_ms) + 2 * plant.cycle_time_ms
+
+
+def _reply_ms(gateway: TelegramGateway, reply_max_ms: float) -> float:
+    return reply_max_ms + 2 * gateway.times.processing.ms + 2 * _frame_ms(gateway)
+
+
+def short_timeouts(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
+    """FB5016: timeout_ms of a line, less than a reply may take."""
+    for entry in plant.gateways:
+        gateway, chosen = catalog.gateway(entry.type), entry.parameters.timeout_ms
+        if chosen is None or not isinstance(gateway, TelegramGateway):
+            continue
+        reply_max_ms = max(catalog.drive(item.series).times.reply_max.ms for item in entry.drives)
+        needed_ms = _reply_ms(gateway, reply_max_ms) + 2 * plant.cycle_time_ms
+        if chosen < needed_ms:
+            usual_ms = reply_timeout_ms(plant, gateway, reply_max_ms)
+            yield Diagnostic(
+                "FB5016",
+                f"timeout_ms is {chosen:g}, and a reply to '{entry.name}' may take "
+                f"{ceil(needed_ms)} ms",
+                entry.parameters.span_of("timeout_ms"),
+                f"leave it out, then it is {ceil(usual_ms)} ms; drives that answer later than "
+                "this limit count as lost",
+                severity=Severity.WARNING,
+            )
 
 
 def silent_gap_ms(plant: Plant, gateway: TelegramGateway, reply_max_ms: float) -> float:

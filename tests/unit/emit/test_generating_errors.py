@@ -119,6 +119,19 @@ def test_a_sequence_that_writes_into_the_eeprom_is_the_warning_fb5005(
     assert "#channel.request.cmd := 16#57;" in block
 
 
+@pytest.mark.parametrize(("limit_ms", "warned"), [(59, True), (60, False)])
+def test_a_limit_below_what_a_reply_may_take_is_the_warning_fb5016(
+    limit_ms: int, warned: bool
+) -> None:
+    # 20 ms the drive, 2 x 5 ms the gateway, 2 x 4.6 ms the line, 2 x 10 ms the PLC
+    path = ROOT / "tests" / "unit" / "bad" / "FB5016_short_timeout.yaml"
+    text = path.read_text("utf-8").replace("timeout_ms: 5}", f"timeout_ms: {limit_ms}}}")
+    found = generate(plant(text), load_catalog()).warnings
+    assert [item.code for item in found] == (["FB5016"] if warned else [])
+    places = [(item.span.line, item.span.column) for item in found if item.span is not None]
+    assert places == ([(15, 30)] if warned else [])
+
+
 def test_a_sequence_that_differs_between_two_series_is_fb5001(tmp_path: Path) -> None:
     (tmp_path / "drives").mkdir()
     (tmp_path / "sequences").mkdir()
