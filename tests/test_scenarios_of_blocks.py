@@ -41,8 +41,11 @@ def everything(family: str) -> Plant:
 
 
 def process_data() -> Plant:
-    """A gateway for process data with a drive at each channel."""
-    return load_plant(ROOT / "examples" / "pbdp110" / "plant.yaml", CATALOG)
+    """A gateway for process data with a drive at each channel, whose diagnosis is read."""
+    plant = load_plant(ROOT / "examples" / "pbdp110" / "plant.yaml", CATALOG)
+    (gateway,) = plant.gateways
+    gateway = gateway.model_copy(update={"diagnosis_address": 2046})
+    return plant.model_copy(update={"gateways": (gateway,)})
 
 
 def blocks_of(program: Program) -> dict[str, Block]:
