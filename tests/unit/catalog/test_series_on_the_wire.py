@@ -6,8 +6,18 @@ from typing import Any
 import pytest
 import yaml
 
-from fbgen.catalog import Communication, Drive, SerialPort, ToshibaService, load_catalog
+from fbgen.catalog import (
+    Communication,
+    Drive,
+    SerialPort,
+    ToshibaService,
+    load_catalog,
+    load_yaml,
+    validate,
+)
+from fbgen.catalog.kinship import with_relative
 from fbgen.diagnostics import DiagnosticError
+from fbgen.source import Source
 from harness.drives import Inverter
 from harness.kernel import Kernel
 from harness.line import Line
@@ -384,3 +394,35 @@ def test_nothing_of_a_new_series_is_sure_without_a_document_of_its_own() -> None
         text = yaml.safe_dump([item.source for item in drive.comnos if item.status == "verified"])
         assert "as vf-" not in text
         assert "LinuxCNC" not in text
+
+
+# Names that stand for nothing
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code", "said"),
+    [
+        ("overridden_by: [forced_local,", "overridden_by: [forced,", "FB1105", "terminal function"),
+        ("needs: command.network_command", "needs: command.network", "FB1105", "no bit 'command.n"),
+        ("ored_with: [command_2.pattern]", "ored_with: [command_2.p]", "FB1105", "no bit"),
+        ("parameters: {1: [jog_frequency]}", "parameters: {1: [jog]}", "FB1105", "no ComNo 'jog'"),
+        ("parameters: {1: [jog_frequency]}", "parameters: {2: [fa00]}", "FB1104", "the value 2"),
+        ("{name: forced_run,", "{name: forced_local,", "FB1102", "terminal function"),
+        ("sends: torque_command}", "sends: torgue}", "FB1105", "no ComNo 'torgue'"),
+        ('{role: master, title: "master, sends its torque", sends: torque}',
+         "{role: master, title: master}", "FB1115", "no complete master"),
+        ("    write: [block_write_1,", "    write: [block_write,", "FB1105", "no ComNo 'block_w"),
+    ],
+)  # fmt: skip
+def test_a_name_that_stands_for_nothing_is_told_at_its_place(
+    old: str, new: str, code: str, said: str
+) -> None:
+    text = Path("catalog/drives/vf-as1.yaml").read_text("utf-8")
+    assert old in text
+    document = load_yaml(Source("mine.yaml", text.replace(old, new, 1)))
+    with pytest.raises(DiagnosticError) as raised:
+        validate(with_relative(document, CATALOG.drive("vf-s11")), Drive)
+    found = [item for item in raised.value.diagnostics if item.code == code]
+    assert any(said in item.message for item in found), raised.value.diagnostics
+    line = text[: text.index(old)].count("\n") + 1
+    assert any(item.span is not None and item.span.line == line for item in found)
