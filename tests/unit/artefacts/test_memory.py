@@ -106,7 +106,7 @@ GATEWAY = """\
 def with_cpu(plc: str, cpu: str) -> tuple[Diagnostic, ...]:
     """What is said about a plant with 30 gateways on this CPU."""
     head = f"version: 1\nname: hall\ndialect: tia\nplc: {plc}\ncpu: {cpu}\ngateways:\n"
-    gateways = "".join(GATEWAY.format(number, 512 + 16 * number) for number in range(30))
+    gateways = "".join(GATEWAY.format(number, 512 + 16 * number) for number in range(1, 31))
     return generated(head + gateways).warnings
 
 
