@@ -11,9 +11,11 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
+from bench.generate import plant_text
 from bench.measuring import Figure, measure
 
 _RUNS = 7
+_LARGE_RUNS = 3
 _SCENARIO = "tests/scenarios/ram_writes_spare_the_eeprom.scenario.yaml"
 _ROOT = Path(__file__).parents[1]
 
@@ -36,6 +38,15 @@ def figures() -> Iterator[Figure]:
         ):
             best = min(_seconds(("test", _SCENARIO), cache) for _ in range(_RUNS))
             yield Figure(f"fbgen test, one small scenario, {what}", best, best / turn, limit)
+        for gateways, limit in ((25, ""), (50, ""), (100, "at most 3 s")):
+            plant = Path(folder) / f"plant_{gateways}.yaml"
+            plant.write_text(plant_text(gateways), encoding="utf-8")
+            best = min(
+                _seconds(("generate", str(plant), "-o", f"{folder}/{gateways}_{run}"), "off")
+                for run in range(_LARGE_RUNS)
+            )
+            shown = f"fbgen generate, {gateways} gateways with 5 drives each, all files"
+            yield Figure(shown, best, best / turn, limit)
 
 
 def _seconds(arguments: tuple[str, ...], cache: str) -> float:
