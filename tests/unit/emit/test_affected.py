@@ -78,7 +78,12 @@ def test_a_moved_bit_shows_the_words_with_it(folder: Path) -> None:
 
 
 def test_a_renumbered_comno_shows_the_blocks_that_name_it(folder: Path) -> None:
-    found = comparison(folder, {"drives/vf-s11.yaml": {"number: FD01": "number: FD91"}})
+    renumbered = {"drives/vf-s11.yaml": {"number: FD01": "number: FD91"}}
+    # Series that are like the VF-S11 name the ComNo, too.
+    renumbered |= {
+        f"drives/{name}.yaml": {"FD01": "FD91"} for name in ("vf-as1", "vf-mb1", "vf-s15")
+    }
+    found = comparison(folder, renumbered)
     difference, lines = told(found, "vf-s11.comnos.status.number")
     assert (difference.before, difference.after) == ("FD01", "FD91")
     assert difference.place is not None
