@@ -18,6 +18,9 @@ def changed_catalog(tmp_path: Path) -> Path:
     folder = Path(shutil.copytree(shipped("catalog"), tmp_path / "ours"))
     path = folder / "drives" / "vf-s11.yaml"
     path.write_text(path.read_text("utf-8").replace("number: FD01", "number: FD91"), "utf-8")
+    for name in ("vf-as1", "vf-mb1", "vf-s15"):  # they name it, too
+        path = folder / "drives" / f"{name}.yaml"
+        path.write_text(path.read_text("utf-8").replace("FD01", "FD91"), "utf-8")
     return folder
 
 
@@ -26,7 +29,7 @@ def test_two_catalogues_and_a_plant(fbgen: Fbgen, changed_catalog: Path) -> None
     assert run.status == 1
     assert ": vf-s11.comnos.status.number: FD01 -> FD91\n" in run.out
     assert "   typeTosPolled.udt\n" in run.out
-    assert "7 entries differ, " in run.err  # with the six series that are like it
+    assert "15 entries differ, " in run.err  # with the series that are like it, and their words
 
 
 def test_the_same_as_json(fbgen: Fbgen, changed_catalog: Path) -> None:

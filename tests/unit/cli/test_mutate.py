@@ -120,7 +120,7 @@ def test_ctrl_c_leaves_a_report_of_what_ran(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "fbgen.cli", "mutate", "--scenarios", SCENARIO]
     command += ["--block", "TOS_Telegram", "--log", str(log), "--json", str(report)]
     process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL)
-    while not log.exists() or log.read_text(encoding="utf-8").count("\n") < 3:
+    while not log.exists() or log.read_text(encoding="utf-8").count('"run"') < 5:
         assert process.poll() is None, "it ended before it was stopped"
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)

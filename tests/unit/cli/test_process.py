@@ -22,6 +22,7 @@ COMMANDS = [
         ("mutate",),
         ("campaign",),
         ("diff",),
+        ("gsd",),
         ("explain",),
         ("schemas",),
         ("catalog",),

@@ -33,7 +33,6 @@ PLANTS = {
 
 
 @pytest.mark.parametrize("kind", PLANTS)
-@pytest.mark.fact("py.cfg")
 def test_both_sides_come_from_one_gsd_file(kind: str, tmp_path: Path) -> None:
     example, layout, gsd, module = PLANTS[kind]
     path = tmp_path / "plant.yaml"

@@ -31,7 +31,6 @@ SAME = {
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-@pytest.mark.fact("py.gsd")
 def test_keywords_and_modules_are_the_same(path: Path) -> None:
     ours = read_gsd(path.read_bytes(), path.name)
     theirs = foreign_station(path.read_bytes())

@@ -23,7 +23,6 @@ def codes(failure: pytest.ExceptionInfo[DiagnosticError]) -> list[str]:
     return [item.code for item in failure.value.diagnostics]
 
 
-@pytest.mark.fact("py.esco")
 def test_the_file_of_the_tospbdp001_says_what_its_manual_prints() -> None:
     station = read_gsd(ESCO.read_bytes(), ESCO.name)
     assert station.ident_number == 0x1803
