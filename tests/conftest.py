@@ -15,7 +15,6 @@ import signal
 import tempfile
 from collections import Counter
 from collections.abc import Callable, Generator, Iterator
-from itertools import groupby
 
 import pytest
 
@@ -26,7 +25,6 @@ if "PYTEST_XDIST_WORKER" not in os.environ:
 _NEW_OBJECTS = 100_000
 """How many objects come into being before Python looks for garbage among them."""
 
-_WORKER = os.environ.get("PYTEST_XDIST_WORKER")
 _REQUIRE_ALL = os.environ.get("FBGEN_REQUIRE_ALL") == "1"
 
 
@@ -41,15 +39,6 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_unconfigure() -> None:
     if "PYTEST_XDIST_WORKER" not in os.environ:
         shutil.rmtree(os.environ["FBGEN_CACHE"], ignore_errors=True)
-
-
-def _begins_at_the_end(config: pytest.Config) -> bool:
-    """Whether this is the second process of a run of everything in a clone that has no byte code.
-
-    It reads the files from the last to the first: so each process writes the byte code of one half
-    and finds that of the other. The tests come in the same order.
-    """
-    return _REQUIRE_ALL and config.args == ["tests"] and _WORKER == "gw1"
 
 
 @pytest.hookimpl(wrapper=True)
@@ -67,9 +56,6 @@ def pytest_collection() -> Generator[None, object, object]:
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Note the behaviour rows before -k and -m take tests away."""
-    if _begins_at_the_end(config):
-        files = [list(tests) for _, tests in groupby(items, key=lambda item: item.path)]
-        items[:] = [item for tests in reversed(files) for item in tests]
     config.stash[FACTS] = [
         (str(row), item.nodeid)
         for item in items
@@ -95,8 +81,6 @@ def pytest_make_collect_report(
     collector: pytest.Collector,
 ) -> Generator[None, pytest.CollectReport, pytest.CollectReport]:
     report = yield
-    if isinstance(collector, pytest.Directory) and _begins_at_the_end(collector.config):
-        report.result = list(reversed(report.result))
     if _REQUIRE_ALL and report.skipped:
         report.outcome = "failed"
         report.longrepr = f"{collector.nodeid} must not be skipped here: {_reason(report)}"
