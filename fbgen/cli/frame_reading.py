@@ -1,5 +1,7 @@
 """A frame taken apart for a person or another program: what `fbgen decode` shows."""
 
+from collections.abc import Sequence
+
 from fbgen.cli.table import table
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
@@ -73,6 +75,19 @@ def _as_text(frame: bytes) -> list[str]:
 def size_of(count: int) -> str:
     """`1 byte`, `8 bytes`."""
     return f"{count} byte" if count == 1 else f"{count} bytes"
+
+
+def wrong_size(frame: bytes, wanted: Sequence[int | None], code: str) -> str | None:
+    """Why a frame cannot have this many bytes; None if it can.
+
+    `wanted` are the sizes that its `code` asks for, one for each direction: None while more bytes
+    have to come before they say, 0 where the code is none.
+    """
+    sizes = sorted({size for size in wanted if size})
+    if sizes and len(frame) not in sizes:
+        needed = " or ".join(size_of(size) for size in sizes)
+        return f"it has {size_of(len(frame))}, and with this {code} {needed}"
+    return f"{size_of(len(frame))} are too few" if None in wanted else None
 
 
 def no_frame(title: str, reason: str, help_: str) -> DiagnosticError:

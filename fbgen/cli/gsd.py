@@ -1,23 +1,15 @@
 """`fbgen gsd`: what a GSD file says about a PROFIBUS DP slave, and how a PLC reaches its data."""
 
-from enum import Enum
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from fbgen.cli.examples import examples
-from fbgen.cli.layers import CatalogOption
+from fbgen.cli.layers import CatalogOption, JsonOption
 from fbgen.cli.output import report, result, result_json
 
 _LAST_ADDRESS = 65535
-
-
-class Format(Enum):
-    """How the result is printed."""
-
-    TEXT = "text"
-    JSON = "json"
 
 
 def register(program: typer.Typer) -> None:
@@ -27,7 +19,7 @@ def register(program: typer.Typer) -> None:
             "fbgen gsd ESCO1803.GSD",
             "fbgen gsd ESCO1803.GSD --address 256",
             'fbgen gsd station.gsd --module "4 AI" --module "2 AO"',
-            "fbgen gsd ESCO1803.GSD --format json",
+            "fbgen gsd ESCO1803.GSD --json",
         )
     )(gsd)
 
@@ -54,10 +46,8 @@ def gsd(
             help="First byte of inputs and outputs in the PLC.",
         ),
     ] = 0,
-    output: Annotated[
-        Format, typer.Option("--format", help="text for a person; json for a program.")
-    ] = Format.TEXT,
     catalog: CatalogOption = None,
+    as_json: JsonOption = False,
 ) -> None:
     """Show modules, identifiers, lengths and addresses of a GSD file, and how a PLC reaches them.
 
@@ -66,7 +56,7 @@ def gsd(
     image keep together. The last lines are for the plant file.
     """
     from fbgen.catalog import load_catalog
-    from fbgen.cli.gsd_report import GsdReport, as_json, as_text
+    from fbgen.cli.gsd_report import GsdReport, gsd_json, gsd_text
     from fbgen.diagnostics import DiagnosticError
     from fbgen.plant import read_gsd_file
     from fbgen.wire.gsd import choose
@@ -80,7 +70,7 @@ def gsd(
             raise
         chosen = None
     found = GsdReport(file, station, chosen, address, load_catalog(catalog or ()))
-    if output is Format.JSON:
-        result_json(as_json(found))
+    if as_json:
+        result_json(gsd_json(found))
     else:
-        result(as_text(found))
+        result(gsd_text(found))

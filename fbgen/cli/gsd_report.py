@@ -36,7 +36,7 @@ class _Reached:
     reason: str
 
 
-def as_text(found: GsdReport) -> str:
+def gsd_text(found: GsdReport) -> str:
     """For a person."""
     station = found.station
     parts = [f"{found.file.name}: {station.model} {station.revision}".rstrip()]
@@ -54,7 +54,7 @@ def as_text(found: GsdReport) -> str:
     return "\n\n".join(parts)
 
 
-def as_json(found: GsdReport) -> dict[str, object]:
+def gsd_json(found: GsdReport) -> dict[str, object]:
     """For another program."""
     station, chosen = found.station, found.chosen
     limits = station.limits

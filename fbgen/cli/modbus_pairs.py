@@ -2,25 +2,9 @@
 
 from fbgen.cli.frame_reading import no_frame, shown
 from fbgen.diagnostics import DiagnosticError, error
-from fbgen.wire import modbus_rtu
-from fbgen.wire.modbus import (
-    BadRequest,
-    ExceptionReply,
-    IdentifyReply,
-    IdentifyRequest,
-    ReadReply,
-    ReadRequest,
-    ReadWriteReply,
-    ReadWriteRequest,
-    Reply,
-    Request,
-    WriteReply,
-    WriteRequest,
-    WriteSeveralReply,
-    WriteSeveralRequest,
-)
+from fbgen.wire import modbus, modbus_rtu
 
-Message = Request | BadRequest | Reply
+Message = modbus.Request | modbus.BadRequest | modbus.Reply
 
 
 def first_word(asked: bytes, reply: Message) -> int | None:
@@ -38,21 +22,24 @@ def first_word(asked: bytes, reply: Message) -> int | None:
     if request.address != reply.address:
         raise _other(f"it is from device {reply.address}, and {request.address} was asked")
     match request, reply:
-        case (_, ExceptionReply(function=function)) if function == asked[1]:
+        case (_, modbus.ExceptionReply(function=function)) if function == asked[1]:
             return None
-        case (ReadRequest(start=start, count=count), ReadReply(words=words)):
+        case (modbus.ReadRequest(start=start, count=count), modbus.ReadReply(words=words)):
             if len(words) == count:
                 return start
-        case (ReadWriteRequest(read_start=start, read_count=count), ReadWriteReply(words=words)):
+        case (
+            modbus.ReadWriteRequest(read_start=start, read_count=count),
+            modbus.ReadWriteReply(words=words),
+        ):
             if len(words) == count:
                 return start
-        case (WriteRequest(start=start, word=word), WriteReply()):
+        case (modbus.WriteRequest(start=start, word=word), modbus.WriteReply()):
             if (start, word) == (reply.start, reply.word):
                 return None
-        case (WriteSeveralRequest(start=start, words=words), WriteSeveralReply()):
+        case (modbus.WriteSeveralRequest(start=start, words=words), modbus.WriteSeveralReply()):
             if (start, len(words)) == (reply.start, reply.count):
                 return None
-        case (IdentifyRequest(), IdentifyReply()):
+        case (modbus.IdentifyRequest(), modbus.IdentifyReply()):
             return None
     raise _other("function, ComNo or number of words differ")
 

@@ -7,45 +7,23 @@ E6581913, pp. 25-39.
 from collections.abc import Iterator
 
 from fbgen.cli.cell_texts import CellTexts
-from fbgen.cli.frame_reading import Part, Reading, directions, no_frame, shown, size_of
+from fbgen.cli.frame_reading import Part, Reading, directions, no_frame, shown, size_of, wrong_size
 from fbgen.cli.modbus_pairs import Message, first_word
-from fbgen.wire import modbus_rtu
-from fbgen.wire.modbus import (
-    BROADCAST,
-    EXCEPTION_BIT,
-    HIGHEST_ADDRESS,
-    BadRequest,
-    ExceptionCode,
-    ExceptionReply,
-    Function,
-    IdentifyReply,
-    IdentifyRequest,
-    ReadReply,
-    ReadRequest,
-    ReadWriteReply,
-    ReadWriteRequest,
-    Reply,
-    Request,
-    WriteReply,
-    WriteRequest,
-    WriteSeveralReply,
-    WriteSeveralRequest,
-    seal,
-)
+from fbgen.wire import modbus, modbus_rtu
 from fbgen.wire.modbus_lengths import expected_reply_length, reply_length, request_length
 
 EXCEPTIONS = {
-    ExceptionCode.FUNCTION: "there is no such function",
-    ExceptionCode.ADDRESS: "there is no such ComNo",
-    ExceptionCode.VALUE: "the data or their number are outside of the range",
-    ExceptionCode.CANNOT_EXECUTE: "it cannot be executed",
+    modbus.ExceptionCode.FUNCTION: "there is no such function",
+    modbus.ExceptionCode.ADDRESS: "there is no such ComNo",
+    modbus.ExceptionCode.VALUE: "the data or their number are outside of the range",
+    modbus.ExceptionCode.CANNOT_EXECUTE: "it cannot be executed",
 }
 _FUNCTIONS = {
-    Function.READ: "read words",
-    Function.WRITE: "write a word",
-    Function.WRITE_SEVERAL: "write words",
-    Function.READ_WRITE: "write words, then read words",
-    Function.IDENTIFY: "who are you?",
+    modbus.Function.READ: "read words",
+    modbus.Function.WRITE: "write a word",
+    modbus.Function.WRITE_SEVERAL: "write words",
+    modbus.Function.READ_WRITE: "write words, then read words",
+    modbus.Function.IDENTIFY: "who are you?",
 }
 _OBJECTS = {0: "maker", 1: "product", 2: "version"}
 _SHORTEST = 4
@@ -59,7 +37,7 @@ def modbus_reading(
     Raises DiagnosticError FB9041 if it is none, FB9045 if it does not answer that request.
     """
     ways = directions(direction if asked is None else "reply")
-    right = seal(frame[:-2])
+    right = modbus.seal(frame[:-2])
     for way in ways if len(frame) >= _SHORTEST else ():
         parse = modbus_rtu.parse_request if way == "request" else modbus_rtu.parse_reply
         message = parse(right)
@@ -81,16 +59,12 @@ def modbus_reading(
 def _why_not(frame: bytes, ways: tuple[str, ...]) -> str:
     if len(frame) < _SHORTEST:
         return f"{size_of(len(frame))} are too few"
-    if frame[0] > HIGHEST_ADDRESS:
+    if frame[0] > modbus.HIGHEST_ADDRESS:
         return f"no device has the address {frame[0]}"
     wanted = [(request_length if way == "request" else reply_length)(frame) for way in ways]
-    sizes = sorted({size for size in wanted if size})
-    if sizes and len(frame) not in sizes:
-        needed = " or ".join(size_of(size) for size in sizes)
-        return f"it has {size_of(len(frame))}, and with this function {needed}"
-    if None in wanted:
-        return f"{size_of(len(frame))} are too few"
-    if not sizes:
+    if wrong := wrong_size(frame, wanted, "function"):
+        return wrong
+    if not any(wanted):
         return f"no inverter has the function {frame[1]:02X}"
     return "its fields do not fit together"
 
@@ -100,7 +74,7 @@ def _parts(
 ) -> Iterator[Part]:
     yield Part(frame[:1], "address", _who(message.address))
     yield Part(frame[1:2], "function", _function(frame[1]))
-    if isinstance(message, ReadReply | ReadWriteReply):
+    if isinstance(message, modbus.ReadReply | modbus.ReadWriteReply):
         yield from _words(frame[2:-2], message.words, cells, start)
     else:
         yield from _content(frame[2:-2], message, cells)
@@ -110,42 +84,44 @@ def _parts(
 
 
 def _function(code: int) -> str:
-    known = next((text for item, text in _FUNCTIONS.items() if item == code & ~EXCEPTION_BIT), "")
+    known = next(
+        (text for item, text in _FUNCTIONS.items() if item == code & ~modbus.EXCEPTION_BIT), ""
+    )
     text = known or "none that inverters have"
-    return f"{text}: refused" if code & EXCEPTION_BIT else text
+    return f"{text}: refused" if code & modbus.EXCEPTION_BIT else text
 
 
 def _who(address: int) -> str:
-    return "all devices" if address == BROADCAST else f"device {address}"
+    return "all devices" if address == modbus.BROADCAST else f"device {address}"
 
 
 def _content(data: bytes, message: Message, cells: CellTexts) -> Iterator[Part]:
     match message:
-        case ReadRequest(_, start, count):
+        case modbus.ReadRequest(_, start, count):
             yield Part(data[:2], "start", cells.name(start))
             yield Part(data[2:], "count", f"{count} to read")
-        case WriteRequest(_, start, word) | WriteReply(_, start, word):
+        case modbus.WriteRequest(_, start, word) | modbus.WriteReply(_, start, word):
             yield Part(data[:2], "ComNo", cells.name(start))
             yield Part(data[2:], "word", cells.value(start, word))
-        case WriteSeveralReply(_, start, count):
+        case modbus.WriteSeveralReply(_, start, count):
             yield Part(data[:2], "start", cells.name(start))
             yield Part(data[2:], "count", f"{count} written")
-        case WriteSeveralRequest(_, start, words):
+        case modbus.WriteSeveralRequest(_, start, words):
             yield from _written(data, start, words, cells)
-        case ReadWriteRequest(_, start, count, write_start, words):
+        case modbus.ReadWriteRequest(_, start, count, write_start, words):
             yield Part(data[:2], "read from", cells.name(start))
             yield Part(data[2:4], "count", f"{count} to read")
             yield from _written(data[4:], write_start, words, cells)
-        case IdentifyRequest(_, code, object_id):
+        case modbus.IdentifyRequest(_, code, object_id):
             yield Part(data[:1], "type", "device identification")
             yield Part(data[1:2], "code", f"{code}")
             yield Part(data[2:], "object", f"{object_id}, {_OBJECTS.get(object_id, 'other')}")
-        case IdentifyReply():
+        case modbus.IdentifyReply():
             yield from _identification(data, message)
-        case ExceptionReply():
+        case modbus.ExceptionReply():
             known = next((text for code, text in EXCEPTIONS.items() if code == message.code), "")
             yield Part(data, "code", f"{message.code:02X}: {known or 'not known of inverters'}")
-        case BadRequest():
+        case modbus.BadRequest():
             yield Part(data, "data", "")
 
 
@@ -173,7 +149,7 @@ def _written(data: bytes, start: int, words: tuple[int, ...], cells: CellTexts) 
         yield Part(data[at : at + 2], f"word {number + 1}", f"{cells.short(com_no)}: {text}")
 
 
-def _identification(data: bytes, reply: IdentifyReply) -> Iterator[Part]:
+def _identification(data: bytes, reply: modbus.IdentifyReply) -> Iterator[Part]:
     yield Part(data[:1], "type", "device identification")
     yield Part(data[1:2], "code", f"{reply.code}")
     yield Part(data[2:3], "conformity", f"{reply.conformity:02X}")
@@ -194,42 +170,46 @@ def _remarks(
     if frame != right:
         yield "The CRC is wrong: nobody takes notice of it."
         return
-    if isinstance(message, BadRequest):
-        reply = ExceptionReply(message.address, message.function, message.error)
-        text = "nobody answers" if message.address == BROADCAST else _encoded(reply)
+    if isinstance(message, modbus.BadRequest):
+        reply = modbus.ExceptionReply(message.address, message.function, message.error)
+        text = "nobody answers" if message.address == modbus.BROADCAST else _encoded(reply)
         yield f"Refused with {message.error:02X}, {EXCEPTIONS[message.error]}: {text}"
-    elif isinstance(message, Request):
+    elif isinstance(message, modbus.Request):
         yield from _replies(message, cells)
-        if direction is None and isinstance(message, WriteRequest) and message.address:
+        if direction is None and isinstance(message, modbus.WriteRequest) and message.address:
             value = cells.value(message.start, message.word)
             name = cells.short(message.start)
             who = _who(message.address)
             yield f"As a reply the same bytes say: {who} has taken {name} = {value}."
 
 
-def _replies(request: Request, cells: CellTexts) -> Iterator[str]:
+def _replies(request: modbus.Request, cells: CellTexts) -> Iterator[str]:
     size = expected_reply_length(request)
     match request:
-        case _ if request.address == BROADCAST:
+        case _ if request.address == modbus.BROADCAST:
             yield "Nobody answers what is for all."
-        case WriteRequest(address, start, word):
+        case modbus.WriteRequest(address, start, word):
             if cells.resets(start, word):
                 yield "Nobody answers: the inverter resets."
             else:
-                yield f"Reply: {_encoded(WriteReply(address, start, word))}"
-        case WriteSeveralRequest(address, start, words):
-            yield f"Reply: {_encoded(WriteSeveralReply(address, start, len(words)))}"
-        case ReadRequest(address, _, count) | ReadWriteRequest(address, _, count):
+                yield f"Reply: {_encoded(modbus.WriteReply(address, start, word))}"
+        case modbus.WriteSeveralRequest(address, start, words):
+            yield f"Reply: {_encoded(modbus.WriteSeveralReply(address, start, len(words)))}"
+        case modbus.ReadRequest(address, _, count) | modbus.ReadWriteRequest(address, _, count):
             head = shown(bytes((address, _function_of(request), 2 * count)))
             yield f"Reply: {head}, the words and the CRC, {size_of(size or 0)}"
-        case IdentifyRequest():
+        case modbus.IdentifyRequest():
             yield "Reply: maker, product and version, each with its length"
 
 
-def _function_of(request: ReadRequest | ReadWriteRequest) -> Function:
+def _function_of(request: modbus.ReadRequest | modbus.ReadWriteRequest) -> modbus.Function:
     """The function of a request for words."""
-    return Function.READ if isinstance(request, ReadRequest) else Function.READ_WRITE
+    return (
+        modbus.Function.READ
+        if isinstance(request, modbus.ReadRequest)
+        else modbus.Function.READ_WRITE
+    )
 
 
-def _encoded(reply: Reply) -> str:
+def _encoded(reply: modbus.Reply) -> str:
     return shown(modbus_rtu.encode_reply(reply))

@@ -7,7 +7,7 @@ manual E6581315, pp. 19-20, 45; VF-S15 RS485 manual E6581913, pp. 12-13.
 from collections.abc import Iterator
 
 from fbgen.cli.cell_texts import CellTexts
-from fbgen.cli.frame_reading import Part, Reading, directions, no_frame, shown, size_of
+from fbgen.cli.frame_reading import Part, Reading, directions, no_frame, shown, wrong_size
 from fbgen.cli.toshiba_answers import ERRORS, READS, Message, address_text, remarks
 from fbgen.wire import toshiba_ascii, toshiba_binary, toshiba_block
 from fbgen.wire.toshiba import (
@@ -87,13 +87,9 @@ def _why_not(frame: bytes, ways: tuple[str, ...], is_ascii: bool) -> str:
     for way in ways:
         length = toshiba_block.request_length if way == "request" else toshiba_block.reply_length
         wanted.append(length(frame))
-    sizes = sorted({size for size in wanted if size})
-    if sizes and len(frame) not in sizes:
-        needed = " or ".join(size_of(size) for size in sizes)
-        return f"it has {size_of(len(frame))}, and with this CMD {needed}"
-    if None in wanted:
-        return f"{size_of(len(frame))} are too few"
-    if sizes:
+    if wrong := wrong_size(frame, wanted, "CMD"):
+        return wrong
+    if any(wanted):
         return "its code is none that a drive refuses with"
     at = 2 if toshiba_binary.is_number(frame[1]) else 1
     return f"{frame[at]:02X} is no CMD here, or counts more words than there can be"

@@ -2,21 +2,7 @@
 
 from hypothesis import strategies as st
 
-from fbgen.wire.modbus import (
-    ExceptionReply,
-    IdentifyReply,
-    IdentifyRequest,
-    ReadReply,
-    ReadRequest,
-    ReadWriteReply,
-    ReadWriteRequest,
-    Reply,
-    Request,
-    WriteReply,
-    WriteRequest,
-    WriteSeveralReply,
-    WriteSeveralRequest,
-)
+from fbgen.wire import modbus
 
 words = st.integers(0, 0xFFFF)
 bytes_ = st.integers(0, 0xFF)
@@ -35,18 +21,18 @@ objects = st.dictionaries(bytes_, st.binary(max_size=20), max_size=5).map(
     lambda found: tuple(found.items())
 )
 
-requests: st.SearchStrategy[Request] = st.one_of(
-    st.builds(ReadRequest, to, words, read_counts),
-    st.builds(WriteRequest, to, words, words),
-    st.builds(WriteSeveralRequest, to, words, _some(123)),
-    st.builds(ReadWriteRequest, to, words, read_counts, words, _some(121)),
-    st.builds(IdentifyRequest, to, codes, bytes_),
+requests: st.SearchStrategy[modbus.Request] = st.one_of(
+    st.builds(modbus.ReadRequest, to, words, read_counts),
+    st.builds(modbus.WriteRequest, to, words, words),
+    st.builds(modbus.WriteSeveralRequest, to, words, _some(123)),
+    st.builds(modbus.ReadWriteRequest, to, words, read_counts, words, _some(121)),
+    st.builds(modbus.IdentifyRequest, to, codes, bytes_),
 )
-replies: st.SearchStrategy[Reply] = st.one_of(
-    st.builds(ReadReply, by, _some(125)),
-    st.builds(WriteReply, by, words, words),
-    st.builds(WriteSeveralReply, by, words, st.integers(1, 123)),
-    st.builds(ReadWriteReply, by, _some(125)),
-    st.builds(IdentifyReply, by, codes, bytes_, objects, st.booleans(), bytes_),
-    st.builds(ExceptionReply, by, st.integers(1, 0x7F), st.integers(1, 0xFF)),
+replies: st.SearchStrategy[modbus.Reply] = st.one_of(
+    st.builds(modbus.ReadReply, by, _some(125)),
+    st.builds(modbus.WriteReply, by, words, words),
+    st.builds(modbus.WriteSeveralReply, by, words, st.integers(1, 123)),
+    st.builds(modbus.ReadWriteReply, by, _some(125)),
+    st.builds(modbus.IdentifyReply, by, codes, bytes_, objects, st.booleans(), bytes_),
+    st.builds(modbus.ExceptionReply, by, st.integers(1, 0x7F), st.integers(1, 0xFF)),
 )

@@ -7,7 +7,7 @@ from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.nearest import nearest
 from fbgen.source import Span
 from fbgen.wire.gsd.station import GsdModule, GsdStation
-from fbgen.wire.profibus import Identifier, decode_identifiers, input_length, output_length
+from fbgen.wire.profibus import Identifier
 
 LONGEST_DATA = 244
 """Data_Exchange carries up to 244 bytes in each direction."""
@@ -28,17 +28,17 @@ class Configuration:
     @property
     def identifiers(self) -> tuple[Identifier, ...]:
         """All identifiers one by one."""
-        return decode_identifiers(self.code)
+        return tuple(item for module in self.modules for item in module.identifiers)
 
     @property
     def output_length(self) -> int:
         """Bytes from the PLC to the slave."""
-        return output_length(self.identifiers)
+        return sum(module.output_length for module in self.modules)
 
     @property
     def input_length(self) -> int:
         """Bytes from the slave to the PLC."""
-        return input_length(self.identifiers)
+        return sum(module.input_length for module in self.modules)
 
     @property
     def user_parameters(self) -> bytes:

@@ -32,7 +32,7 @@ def test_the_file_of_the_tospbdp001_with_slots_and_addresses(
 
 
 def test_the_same_as_json(fbgen: Fbgen, golden: Callable[[str, str], None]) -> None:
-    run = fbgen("gsd", ESCO, "--format", "json")
+    run = fbgen("gsd", ESCO, "--json")
     assert (run.status, run.err) == (0, "")
     golden("gsd/esco1803.json", run.out)
 
@@ -51,7 +51,7 @@ def test_without_a_module_a_modular_station_shows_what_there_is(fbgen: Fbgen) ->
     assert run.status == 0
     assert "Module 4: two drives" in run.out
     assert run.out.endswith("--module NAME shows slots, addresses and access ways of a module.\n")
-    assert json.loads(fbgen("gsd", MADE_UP, "--format", "json").out)["chosen"] is None
+    assert json.loads(fbgen("gsd", MADE_UP, "--json").out)["chosen"] is None
 
 
 def test_the_lines_for_the_plant_file_are_yaml(fbgen: Fbgen) -> None:
