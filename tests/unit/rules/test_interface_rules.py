@@ -7,10 +7,7 @@ import pytest
 
 from fbgen.catalog import load_catalog
 from fbgen.plant import Plant, load_plant
-from fbgen.source import Source
-from harness.installation import PlantSetup, build_plant, generated_sources
-from harness.kernel import NS_PER_MS
-from harness.rules import RULES
+from tests.unit.rules.watched import WatchedPlant
 
 ROOT = Path(__file__).parents[3]
 CATALOG = load_catalog()
@@ -22,32 +19,15 @@ def plan() -> Plant:
     return load_plant(ROOT / "tests" / "scenarios" / "pbdp110" / "two_channels.yaml", CATALOG)
 
 
-class Watched:
+class Watched(WatchedPlant):
     """Two drives, of which the fan is run, with what breaks the rules."""
 
-    def __init__(self, plan: Plant, change: tuple[str, str] | None = None) -> None:
-        sources = generated_sources(plan, CATALOG)
-        if change is not None:
-            old, new = change
-            assert any(old in source.text for source in sources)
-            sources = [Source(item.name, item.text.replace(old, new)) for item in sources]
-        self.plant = build_plant(plan, CATALOG, PlantSetup(sources=sources if change else None))
-        self.broken: dict[str, list[str]] = {}
-        self._watches = {name: RULES[name].watch(self.plant) for name in ABOUT_INTERFACES}
-        self.plant.cpu.after_scan.append(self._look)
-        self.plant.start()
+    def __init__(self, plan: Plant, *changes: tuple[str, str]) -> None:
+        super().__init__(plan, CATALOG, ABOUT_INTERFACES, changes)
         self.run_ms(1500)
         self.set("control.frequency", 30.0)
         self.set("control.enable", True)
         self.run_ms(700)
-
-    def _look(self) -> None:
-        for name, watch in self._watches.items():
-            if texts := list(watch()):
-                self.broken.setdefault(name, []).extend(texts)
-
-    def run_ms(self, milliseconds: int) -> None:
-        self.plant.run_for(milliseconds * NS_PER_MS)
 
     def set(self, name: str, value: object) -> None:
         self.plant.cpu.engine.set_global(f"TOS_Plant.gw1.fan.{name}", value)

@@ -7,15 +7,13 @@ import pytest
 
 from fbgen.catalog import load_catalog
 from fbgen.plant import Plant, load_plant
-from fbgen.source import Source
 from fbgen.wire.toshiba import seal
-from harness.installation import PlantSetup, build_plant, generated_sources
 from harness.kernel import NS_PER_MS, NS_PER_S
-from harness.rules import RULES
 from harness.rules.answers import Answer, belongs
 from harness.rules.put_out import PutOuts, Sending
 from harness.rules.repeats_allowed import most_attempts
 from harness.scenario import prepare, scenario_cases
+from tests.unit.rules.watched import WatchedPlant
 
 ROOT = Path(__file__).parents[3]
 CATALOG = load_catalog()
@@ -33,28 +31,12 @@ def plan() -> Plant:
     return load_plant(ROOT / "tests" / "scenarios" / "one_drive.yaml", CATALOG)
 
 
-class Watched:
+class Watched(WatchedPlant):
     """A plant of one drive that nobody polls, with what breaks the rules in it."""
 
     def __init__(self, plan: Plant, changes: Sequence[tuple[str, str]] = ()) -> None:
-        sources = generated_sources(plan, CATALOG)
-        for old, new in changes:
-            assert any(old in source.text for source in sources)
-            sources = [Source(item.name, item.text.replace(old, new)) for item in sources]
-        self.plant = build_plant(plan, CATALOG, PlantSetup(sources=sources if changes else None))
-        self.broken: dict[str, list[str]] = {}
-        self._watches = {name: RULES[name].watch(self.plant) for name in ABOUT_TELEGRAMS}
-        self.plant.cpu.after_scan.append(self._look)
-        self.plant.start()
+        super().__init__(plan, CATALOG, ABOUT_TELEGRAMS, changes)
         self.run_ms(200)
-
-    def _look(self) -> None:
-        for name, watch in self._watches.items():
-            if texts := list(watch()):
-                self.broken.setdefault(name, []).extend(texts)
-
-    def run_ms(self, milliseconds: int) -> None:
-        self.plant.run_for(milliseconds * NS_PER_MS)
 
     def read(self) -> None:
         """One read of the status word of the drive, from its begin to its end."""
