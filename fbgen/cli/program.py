@@ -11,7 +11,18 @@ from fbgen.cli.examples import examples
 
 COMMANDS = (
     *("demo", "init", "generate", "diff", "check", "fmt", "convert", "run", "test", "coverage"),
-    *("mutate", "campaign", "decode", "encode", "gsd", "explain", "schemas", "catalog", "sim"),
+    *(
+        "mutate",
+        "campaign",
+        "decode",
+        "encode",
+        "gsd",
+        "docs",
+        "explain",
+        "schemas",
+        "catalog",
+        "sim",
+    ),
 )
 """In the order of the help; each has the module of its name."""
 

@@ -23,6 +23,7 @@ COMMANDS = [
         ("campaign",),
         ("diff",),
         ("gsd",),
+        ("docs",),
         ("explain",),
         ("schemas",),
         ("catalog",),

@@ -1,0 +1,360 @@
+"""A page for each gateway and each series: what it is, its cyclic data, lamps, times, settings."""
+
+from collections.abc import Iterator
+
+from fbgen.catalog import Drive, Gateway, Layout, Option, ProcessDataGateway, TelegramGateway
+from fbgen.catalog.settings import Switch
+from fbgen.catalog.sourced import Duration
+from fbgen.docs.document import (
+    Block,
+    Code,
+    Facts,
+    Figure,
+    Link,
+    Page,
+    Paragraph,
+    Phrase,
+    Row,
+    Section,
+    Table,
+)
+from fbgen.docs.frame_picture import frame_picture
+from fbgen.docs.page_names import comno_page, device_page, protocol_page, trip_page, word_page
+from fbgen.docs.sources import Sources
+from fbgen.docs.subject import Subject
+from fbgen.docs.texts import code, number, octets, with_unit
+
+GATEWAYS, SERIES = "Gateways", "Inverters"
+_WAYS = {
+    "per_identifier": "one access for each identifier",
+    "dpxx_dat": "DPRD_DAT and DPWR_DAT (SFC14, SFC15)",
+    "process_image": "process image",
+}
+
+
+def device_pages(subject: Subject) -> Iterator[Page]:
+    """Gateways first, then the series behind them."""
+    for gateway in subject.gateways.values():
+        yield _gateway(gateway, subject)
+    for series in subject.drives.values():
+        yield _series(series, subject)
+
+
+def _gateway(gateway: Gateway, subject: Subject) -> Page:
+    sources = Sources()
+    sections = [
+        Section("In short", (_gateway_facts(gateway, subject, sources),), "facts"),
+        Section("Words", (_words(gateway),), "words"),
+        *(_layout(gateway, layout, sources) for layout in gateway.layouts),
+    ]
+    if isinstance(gateway, TelegramGateway):
+        sections.append(_status_codes(gateway, sources))
+    if isinstance(gateway, ProcessDataGateway):
+        sections += _parameter_channel(gateway, sources)
+    sections += [_lamps(gateway, sources), _times(gateway, sources)]
+    if gateway.switches:
+        sections.append(_switches(gateway.switches, sources))
+    sections += [_options(gateway.options, sources), *sources.sections()]
+    lead: Phrase = (gateway.description or gateway.title,)
+    found = f"{gateway.id} {gateway.title}"
+    return Page(device_page(gateway.id), gateway.title, GATEWAYS, lead, tuple(sections), found)
+
+
+def _gateway_facts(gateway: Gateway, subject: Subject, sources: Sources) -> Facts:
+    bus = gateway.profibus
+    yes_no = {True: "yes", False: "no"}
+    rows: list[tuple[str, Phrase]] = [
+        ("Made by", (gateway.vendor,)),
+        ("Inverters", _those(gateway.series, subject)),
+        ("Protocol", (Link(gateway.protocol, protocol_page(gateway.protocol)),)),
+        ("PROFIBUS address", (f"{bus.minimum_address} to {bus.maximum_address}",)),
+        ("Sync", (yes_no[bus.sync],)),
+        ("Freeze", (yes_no[bus.freeze],)),
+        ("Finds the baud rate", (yes_no[bus.auto_baud],)),
+        ("PROFIBUS", sources.of(bus.source, bus.status)),
+    ]
+    if isinstance(gateway, TelegramGateway):
+        line = gateway.subnetwork
+        text = (
+            f"{line.baud} bit/s, {line.data_bits} data bits, parity {line.parity}, "
+            f"{line.stop_bits} stop bit, {line.wires} wires, "
+            f"usually {line.typical_drives} inverters "
+        )
+        rows.append(("Line", (text, *sources.of(line.source, line.status))))
+        ident = gateway.profibus
+        rows.append(
+            ("GSD file", (ident.gsd_file, ", ident number ", Code(f"{ident.ident_number:04X}")))
+        )
+    return Facts(tuple(rows))
+
+
+def _those(series: tuple[str, ...], subject: Subject) -> Phrase:
+    row: Phrase = ()
+    for name in series:
+        part: Phrase = (Link(name, device_page(name)),) if name in subject.drives else (name,)
+        row += (", ", *part) if row else part
+    return row
+
+
+def _words(device: Gateway | Drive) -> Table:
+    rows = tuple(
+        Row(((Link(f"{device.id}.{word.name}", word_page(device.id, word.name)),), (word.title,)))
+        for word in device.words
+    )
+    return Table(("Word", "What it is"), rows)
+
+
+def _layout(gateway: Gateway, layout: Layout, sources: Sources) -> Section:
+    named = {word.name for word in gateway.words}
+    blocks: list[Block] = [
+        Paragraph((f"{layout.title}. ", *sources.of(layout.source, layout.status))),
+        Facts(
+            (
+                ("Identifiers", code(octets(layout.identifiers))),
+                ("Out", (f"{layout.output_length} bytes, from the PLC",)),
+                ("In", (f"{layout.input_length} bytes, to the PLC",)),
+                ("Reached by", ("; ".join(_WAYS[way] for way in layout.access_ways),)),
+            )
+        ),
+        Figure(frame_picture(layout), f"The cyclic data of {gateway.id} with {layout.name}"),
+        _fields(gateway, layout, named),
+        _identifiers(layout),
+    ]
+    if layout.invented:
+        warning: Phrase = ("No GSD file offers this module: it is made up, to try blocks with.",)
+        blocks.insert(0, Paragraph(warning, "warning"))
+    title = f"Layout {layout.name}"
+    if layout.name == gateway.default_layout:
+        title += " (usual)"
+    return Section(title, tuple(blocks), f"layout-{layout.name}")
+
+
+def _fields(gateway: Gateway, layout: Layout, named: set[str]) -> Table:
+    rows = []
+    for direction, fields in (("out", layout.output), ("in", layout.input)):
+        for field in fields:
+            last = field.end - 1
+            place = str(field.offset) if last == field.offset else f"{field.offset} to {last}"
+            word = field.name.rpartition("_")[2] if field.name not in named else field.name
+            title: Phrase = (field.title,)
+            if word in named:
+                title = (Link(field.title, word_page(gateway.id, word)),)
+            anchor = f"{layout.name}-{direction}-{field.name}"
+            rows.append(Row(((direction,), (place,), code(field.name), title), anchor))
+    return Table(("Direction", "Bytes from 0", "Field", "What it is"), tuple(rows))
+
+
+def _identifiers(layout: Layout) -> Table:
+    rows = []
+    for item in layout.parsed_identifiers:
+        consistency = "whole" if item.consistent else "byte or word"
+        out = f"{item.output_length} at {item.output_offset}" if item.output_length else "-"
+        into = f"{item.input_length} at {item.input_offset}" if item.input_length else "-"
+        rows.append(
+            Row(((str(item.index + 1),), code(octets(item.code)), (out,), (into,), (consistency,)))
+        )
+    columns = ("Slot", "Identifier", "Bytes out, from", "Bytes in, from", "Consistent over")
+    return Table(columns, tuple(rows), "Configuration identifiers")
+
+
+def _status_codes(gateway: TelegramGateway, sources: Sources) -> Section:
+    rows = tuple(
+        Row(
+            (
+                code(f"{item.code:02X}"),
+                (item.kind,),
+                (item.title,),
+                (item.data or "",),
+                sources.of(item.source, item.status),
+            ),
+            f"status-code-{item.code:02X}",
+            f"{gateway.id} status code {item.code:02X} {item.title}",
+        )
+        for item in gateway.status_codes
+    )
+    table = Table(("Code", "Kind", "Meaning", "Status data", "Source"), rows)
+    return Section("Status codes", (table,), "status-codes")
+
+
+def _parameter_channel(gateway: ProcessDataGateway, sources: Sources) -> Iterator[Section]:
+    channel = gateway.parameter_channel
+    rows = [
+        Row(
+            (
+                (direction,),
+                code(f"{item.code:02b}"),
+                (item.title,),
+                sources.of(item.source, item.status),
+            )
+        )
+        for direction, items in (("request", channel.requests), ("response", channel.responses))
+        for item in items
+    ]
+    errors = tuple(
+        Row(
+            (code(f"{item.code:04X}"), (item.title,), sources.of(item.source, item.status)),
+            f"access-error-{item.name}",
+            f"{gateway.id} error {item.code:04X} {item.title}",
+        )
+        for item in channel.errors
+    )
+    yield Section(
+        "Parameter channel",
+        (
+            Table(("Direction", "Bits", "Meaning", "Source"), tuple(rows)),
+            Table(("Code", "Error", "Source"), errors, "Error codes"),
+        ),
+        "parameter-channel",
+    )
+
+
+def _lamps(gateway: Gateway, sources: Sources) -> Section:
+    rows = []
+    for led in gateway.leds:
+        if not led.states:
+            rows.append(Row(((str(led.number),), (led.title,), (), ("unused",), (), ())))
+        for state in led.states:
+            light = state.light.replace("_", " ")
+            normal = "normal" if state.normal else ""
+            cells: tuple[Phrase, ...] = (
+                *((str(led.number),), (led.title,), (light,), (state.meaning,), (normal,)),
+                sources.of(state.source, state.status),
+            )
+            rows.append(Row(cells, f"led-{led.name}-{state.name}"))
+    columns = ("Lamp", "Name", "Light", "Meaning", "", "Source")
+    return Section("Lamps", (Table(columns, tuple(rows)),), "lamps")
+
+
+def _times(device: Gateway | Drive, sources: Sources) -> Section:
+    times = device.times if isinstance(device, Drive) else getattr(device, "times", None)
+    rows = []
+    for name in type(times).model_fields if times is not None else ():
+        duration = getattr(times, name)
+        if isinstance(duration, Duration):
+            text = name.replace("_", " ")
+            source = sources.of(duration.source, duration.status)
+            rows.append(Row(((text,), (f"{number(duration.ms)} ms",), source), f"time-{name}"))
+    return Section("Times", (Table(("Time", "Value", "Source"), tuple(rows)),), "times")
+
+
+def _switches(switches: tuple[Switch, ...], sources: Sources) -> Section:
+    rows = []
+    for switch in switches:
+        if switch.adds is not None:
+            stands = f"ON adds {switch.adds} to the address"
+        elif switch.shows is not None:
+            stands = f"{switch.shows} of the address"
+        else:
+            stands = switch.stands or ""
+        source = sources.of(switch.source, switch.status)
+        rows.append(Row(((switch.name,), (switch.where,), (stands,), source)))
+    table = Table(("Switch", "Where", "How it stands", "Source"), tuple(rows))
+    return Section("Switches", (table,), "switches")
+
+
+def _options(options: tuple[Option, ...], sources: Sources) -> Section:
+    """What documents leave open, and the reading that is taken."""
+    rows = []
+    for option in options:
+        default = (
+            str(option.default).lower() if isinstance(option.default, bool) else option.default
+        )
+        meaning = option.choices.get(str(option.default), "")
+        text = (
+            f"{default}: {meaning}"
+            if meaning
+            else with_unit(option.default, option.unit)
+            if (isinstance(option.default, int) and not isinstance(option.default, bool))
+            else str(default)
+        )
+        others = "; ".join(
+            f"{key}: {what}" for key, what in option.choices.items() if key != option.default
+        )
+        cells: tuple[Phrase, ...] = (
+            *(code(option.id), (option.title,), (text,), (others,)),
+            sources.of(option.source, option.status),
+        )
+        rows.append(Row(cells, f"option-{option.id}", f"option {option.id} {option.title}"))
+    blocks: tuple[Block, ...] = (
+        Paragraph(
+            (
+                "What the documents leave open or say in two ways. A plant file can choose, under ",
+                Code("options:"),
+                ".",
+            )
+        ),
+        Table(("Option", "What it is about", "Taken", "Other choices", "Source"), tuple(rows)),
+    )
+    return Section("Open questions", blocks, "options")
+
+
+def _series(series: Drive, subject: Subject) -> Page:
+    sources = Sources()
+    rows: list[tuple[str, Phrase]] = [
+        ("Protocol", (Link(series.protocol, protocol_page(series.protocol)),)),
+        ("ComNos", (Link(f"all {len(series.comnos)}", comno_page(series.id)),)),
+    ]
+    if series.trips:
+        rows.append(("Trips", (Link(f"all {len(series.trips)}", trip_page(series.id)),)))
+    if series.like is not None:
+        text = f"{series.like}: what is taken over from there is unverified"
+        rows.append(("Like", (text,)))
+    rows += [("Manual", (text,)) for text in series.manuals]
+    rows.append(("Source", sources.of(series.source, series.status)))
+    sections = [
+        Section("In short", (Facts(tuple(rows)),), "facts"),
+        Section("Words", (_words(series),), "words"),
+        _times(series, sources),
+    ]
+    if series.settings:
+        sections.append(_settings(series, sources))
+    if series.terminal_functions:
+        sections.append(_terminals(series, sources))
+    if series.switches:
+        sections.append(_switches(series.switches, sources))
+    if series.options:
+        sections.append(_options(series.options, sources))
+    sections += sources.sections()
+    lead: Phrase = (series.description or series.title,)
+    found = f"{series.id} {series.title}"
+    return Page(device_page(series.id), series.title, SERIES, lead, tuple(sections), found)
+
+
+def _settings(series: Drive, sources: Sources) -> Section:
+    rows = []
+    for setting in series.settings:
+        cell = series.comno(setting.comno)
+        if setting.value is not None:
+            value = with_unit(setting.value, cell.unit)
+        else:
+            value = (
+                f"{setting.plant} of the plant file" if setting.plant else "as the machine needs"
+            )
+        shown = f"{cell.display} " if cell.display else ""
+        cells: tuple[Phrase, ...] = (
+            (f"{shown}", Link(cell.hex, comno_page(series.id), cell.hex)),
+            *((value,), (setting.when or "always",), (setting.why,)),
+            sources.of(setting.source, setting.status),
+        )
+        rows.append(Row(cells))
+    columns = ("Parameter", "Value", "When", "Why", "Source")
+    return Section("To be set at the inverter", (Table(columns, tuple(rows)),), "settings")
+
+
+def _terminals(series: Drive, sources: Sources) -> Section:
+    rows = tuple(
+        Row(
+            (
+                (str(item.number),),
+                (str(item.inverted) if item.inverted is not None else "",),
+                code(item.name),
+                (item.title,),
+                sources.of(item.source, item.status),
+            ),
+            f"terminal-{item.name}",
+            f"{series.id} terminal function {item.number} {item.title}",
+        )
+        for item in series.terminal_functions
+    )
+    columns = ("Number", "Inverted", "Name", "What it does", "Source")
+    return Section("Terminal functions", (Table(columns, rows),), "terminals")

@@ -1,0 +1,54 @@
+"""What a site is about: a whole catalogue, or what one plant has of it."""
+
+from collections.abc import Mapping
+
+from fbgen.catalog import Catalog, Drive, Gateway, Protocol, Sequence
+from fbgen.dataclass import dataclass
+from fbgen.plant import Plant
+
+
+@dataclass(frozen=True, slots=True)
+class Subject:
+    """The entries that get pages, by their ids; `plant` is None for the whole catalogue."""
+
+    title: str
+    catalog: Catalog
+    gateways: Mapping[str, Gateway]
+    drives: Mapping[str, Drive]
+    protocols: Mapping[str, Protocol]
+    sequences: Mapping[str, Sequence]
+    plant: Plant | None = None
+
+    @property
+    def devices(self) -> tuple[Gateway | Drive, ...]:
+        """Gateways, and behind them series of inverters."""
+        return (*self.gateways.values(), *self.drives.values())
+
+
+def whole_catalogue(catalog: Catalog) -> Subject:
+    """Everything."""
+    return Subject(
+        "Catalogue",
+        catalog,
+        catalog.gateways,
+        catalog.drives,
+        catalog.protocols,
+        catalog.sequences,
+    )
+
+
+def of_plant(plant: Plant, catalog: Catalog) -> Subject:
+    """What the plant has: its types of gateways, its series, their protocols, its sequences."""
+    gateways = {item.type for item in plant.gateways}
+    series = {drive.series for item in plant.gateways for drive in item.drives}
+    drives = {key: entry for key, entry in catalog.drives.items() if key in series}
+    spoken = {entry.protocol for entry in drives.values()}
+    return Subject(
+        plant.name,
+        catalog,
+        {key: entry for key, entry in catalog.gateways.items() if key in gateways},
+        drives,
+        {key: entry for key, entry in catalog.protocols.items() if key in spoken},
+        {key: entry for key, entry in catalog.sequences.items() if key in set(plant.sequences)},
+        plant,
+    )
