@@ -40,11 +40,11 @@ class SilenceStream(Generic[Message]):
     which wants to be called at `ends_ns`, or else from the next `feed`. Who sees in `pending` that
     a frame is for somebody else need not call `end`.
 
-    A byte with an error, a silence inside that is too long, and more bytes than `longest` spoil a
-    frame: everything up to the next silence is dropped.
+    `heard_ns` is the end of the last byte. A byte with an error, a silence inside that is too long,
+    and more bytes than `longest` spoil a frame: everything up to the next silence is dropped.
     """
 
-    __slots__ = ("_heard_ns", "_intervals", "_longest", "_parse", "_spoiled", "pending")
+    __slots__ = ("_intervals", "_longest", "_parse", "_spoiled", "heard_ns", "pending")
 
     def __init__(
         self, parse: Callable[[bytes], Message | None], intervals: SilentIntervals, longest: int
@@ -52,14 +52,14 @@ class SilenceStream(Generic[Message]):
         self._parse = parse
         self._intervals = intervals
         self._longest = longest
-        self._heard_ns = _NEVER
+        self.heard_ns = _NEVER
         self._spoiled = False
         self.pending = b""
 
     @property
     def ends_ns(self) -> int | None:
         """When the frame in progress is over, if nothing follows; None if there is none."""
-        return self._heard_ns + self._intervals.frame_ns if self.pending else None
+        return self.heard_ns + self._intervals.frame_ns if self.pending else None
 
     def feed(
         self, data: bytes, start_ns: int, byte_ns: int, marks: bytes | None = None
@@ -71,13 +71,13 @@ class SilenceStream(Generic[Message]):
         """
         if not data:
             return ()
-        silence_ns = start_ns - self._heard_ns
+        silence_ns = start_ns - self.heard_ns
         done: tuple[Message, ...] = ()
         if silence_ns >= self._intervals.frame_ns:
             done = self._take()
         elif silence_ns > self._intervals.inside_ns and self.pending:
             self._spoil()
-        self._heard_ns = start_ns + len(data) * byte_ns
+        self.heard_ns = start_ns + len(data) * byte_ns
         if marks is not None and any(marks):
             self._spoil()
         elif not self._spoiled:
@@ -88,7 +88,7 @@ class SilenceStream(Generic[Message]):
 
     def end(self, now_ns: int) -> tuple[Message, ...]:
         """The message whose frame is over at this instant, if there is one."""
-        return self._take() if now_ns - self._heard_ns >= self._intervals.frame_ns else ()
+        return self._take() if now_ns - self.heard_ns >= self._intervals.frame_ns else ()
 
     def reset(self, now_ns: int) -> None:
         """Begin anew, as after power-on: a frame that is on its way now is not understood.
@@ -97,7 +97,7 @@ class SilenceStream(Generic[Message]):
         idle by a whole silent interval.
         """
         self._spoil()
-        self._heard_ns = now_ns
+        self.heard_ns = now_ns
 
     def _spoil(self) -> None:
         self.pending, self._spoiled = b"", True

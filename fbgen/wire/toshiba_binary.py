@@ -90,9 +90,9 @@ def parse_request(frame: bytes) -> Request | BadRequest | None:
     if size < 2 or frame[0] != BINARY_START or frame_length(frame, REQUEST_TAILS) != size:
         return None
     address, at = split(frame)
-    if sum(frame) - frame[-1] & 0xFF != frame[-1]:
-        return BadRequest(address, ErrorCode.CHECKSUM)
     command = _COMMANDS[frame[at]]
+    if sum(frame) - frame[-1] & 0xFF != frame[-1]:
+        return BadRequest(address, ErrorCode.CHECKSUM) if command in _ANSWERED else None
     com_no = frame[at + 1] << 8 | frame[at + 2]
     data = frame[at + 3] << 8 | frame[at + 4] if command is not Command.R else 0
     return Request(address, command, com_no, data)

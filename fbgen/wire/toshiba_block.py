@@ -12,6 +12,7 @@ words to read above 5 is taken as 0 (E6581913, p. 13). A wrong sum is refused wi
 as many W as nW says; that a tripped drive answers with y, 79H, as with all other commands.
 """
 
+from functools import lru_cache
 from struct import Struct
 
 from fbgen.dataclass import dataclass
@@ -95,6 +96,7 @@ def reply_length(begin: bytes | bytearray) -> int | None:
     return _length(begin, MOST_READ)
 
 
+@lru_cache(maxsize=4096)
 def parse_request(frame: bytes) -> Request | BadRequest | BlockRequest | None:
     """What a binary request says, block or not; None if these bytes are not exactly one."""
     if not is_request(frame):

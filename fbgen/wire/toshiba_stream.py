@@ -49,17 +49,19 @@ class FrameStream(Generic[Message]):
     `pending` holds the bytes of a frame in progress, `started_ns` the time of its start code.
     """
 
-    __slots__ = ("_length", "_parse_ascii", "_parse_binary", "pending", "started_ns")
+    __slots__ = ("_length", "_parse_ascii", "_parse_binary", "_timeout_ns", "pending", "started_ns")
 
     def __init__(
         self,
         length: _Length,
         parse_binary: Callable[[bytes], Message | None],
         parse_ascii: Callable[[bytes], Message | None],
+        timeout_ns: int = FRAME_TIMEOUT_NS,
     ) -> None:
         self._length = length
         self._parse_binary = parse_binary
         self._parse_ascii = parse_ascii
+        self._timeout_ns = timeout_ns
         self.pending = bytearray()
         self.started_ns = 0
 
@@ -85,7 +87,7 @@ class FrameStream(Generic[Message]):
         found: list[Message] = []
         for index, byte in enumerate(data):
             now_ns = start_ns + (index + 1) * byte_ns
-            if self.pending and now_ns - self.started_ns > FRAME_TIMEOUT_NS:
+            if self.pending and now_ns - self.started_ns > self._timeout_ns:
                 self._give_up(now_ns)
             if marks is not None and marks[index]:
                 self.pending.clear()
@@ -148,10 +150,10 @@ _REQUEST_LENGTH = partial(toshiba_binary.frame_length, tails=toshiba_binary.REQU
 _REPLY_LENGTH = partial(toshiba_binary.frame_length, tails=toshiba_binary.REPLY_TAILS)
 
 
-def request_stream() -> FrameStream[Request | BadRequest]:
+def request_stream(timeout_ns: int = FRAME_TIMEOUT_NS) -> FrameStream[Request | BadRequest]:
     """What a drive listens with that knows no blocks: to it X is an unknown command."""
     return FrameStream[Request | BadRequest](
-        _REQUEST_LENGTH, toshiba_binary.parse_request, toshiba_ascii.parse_request
+        _REQUEST_LENGTH, toshiba_binary.parse_request, toshiba_ascii.parse_request, timeout_ns
     )
 
 
@@ -162,10 +164,15 @@ def reply_stream() -> FrameStream[Reply | ErrorReply]:
     )
 
 
-def block_request_stream() -> FrameStream[Request | BadRequest | BlockRequest]:
+def block_request_stream(
+    timeout_ns: int = FRAME_TIMEOUT_NS,
+) -> FrameStream[Request | BadRequest | BlockRequest]:
     """What a drive listens with that knows blocks."""
     return FrameStream[Request | BadRequest | BlockRequest](
-        toshiba_block.request_length, toshiba_block.parse_request, toshiba_ascii.parse_request
+        toshiba_block.request_length,
+        toshiba_block.parse_request,
+        toshiba_ascii.parse_request,
+        timeout_ns,
     )
 
 
@@ -176,9 +183,9 @@ def block_reply_stream() -> FrameStream[Reply | ErrorReply | BlockReply]:
     )
 
 
-def silent_intervals(baud: int) -> SilentIntervals:
+def silent_intervals(baud: int, characters: float = SILENT_CHARACTERS) -> SilentIntervals:
     """3.5 characters at any speed: about 4, 2 and 1 ms at 9600, 19200 and 38400 bit/s."""
-    silence_ns = characters_ns(SILENT_CHARACTERS, baud)
+    silence_ns = characters_ns(characters, baud)
     return SilentIntervals(silence_ns, silence_ns)
 
 

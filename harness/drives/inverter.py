@@ -11,17 +11,17 @@ from math import isclose
 from typing import Literal
 
 from fbgen.catalog import ComNo, Drive
-from fbgen.catalog.communication import baud_rate_of, parity_of
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.wire.toshiba import ErrorCode
-from harness.drives import communication, operation
+from harness.drives import operation
 from harness.drives.communication import Communication
+from harness.drives.device import Owner
 from harness.drives.load import Load
 from harness.drives.monitors import Monitors
 from harness.drives.operation import Operation, Panel
 from harness.drives.registers import Registers
 from harness.drives.settings import InverterSettings
-from harness.drives.simulated_lines import check_line, check_protocol, other_protocol
+from harness.drives.speakers import check_protocols
 from harness.drives.trips import TripLog
 from harness.drives.word_bits import CommandBits
 from harness.kernel import Kernel
@@ -52,6 +52,8 @@ class Inverter:
         "_emergency_terminal",
         "_followed",
         "_inv_no_number",
+        "_kernel",
+        "_settings",
         "_timeout_code",
         "_timeout_number",
         "communication",
@@ -59,6 +61,7 @@ class Inverter:
         "name",
         "observers",
         "operation",
+        "ports",
         "powered",
         "registers",
         "series",
@@ -74,7 +77,8 @@ class Inverter:
     ) -> None:
         """Raises DiagnosticError FB7101 for parameters that the series would not take.
 
-        FB7104 for a way of communicating that is not simulated.
+        FB7104 for a series without a port, or one that it does not have, or told to speak a
+        protocol that it does not.
         FB7102 and FB7103 if the series lacks trips or ComNos that the simulation stands on.
         """
         _complete(series)
@@ -84,7 +88,7 @@ class Inverter:
         self.observers: list[Callable[[], None]] = []
         self._emergency_terminal = False
         self.registers = Registers(series, _delivered(series, settings))
-        check_protocol(series, self.registers)
+        check_protocols(series, self.registers)
         self._bits = CommandBits.of(series.command_word)
         number = self.registers.number
         self._command_number = number(series.link.command)
@@ -97,7 +101,31 @@ class Inverter:
         self.monitors = Monitors(series, self.registers, self.operation, self.trips)
         self._timeout_code = self.trips.code_of(COMMUNICATION_ERROR)
         self._emergency_code = self.trips.code_of(EMERGENCY_STOP)
-        self.communication = Communication(kernel, line, self.registers, self, settings)
+        self._kernel = kernel
+        self._settings = settings
+        self.ports: dict[str, Communication] = {}
+        self.communication = self.connect(settings.port, line)
+
+    def connect(self, port: str | None, line: Line) -> Communication:
+        """Connect one more port to a line, by its name in the catalogue; None is the first.
+
+        DiagnosticError FB7104 if the series has no such port, or it is connected already.
+        """
+        known = self.series.communication
+        assert known is not None, "checked when the inverter was made"
+        facts = known.ports[0] if port is None else known.port(port)
+        if facts is None or facts.name in self.ports:
+            names = ", ".join(item.name for item in known.ports if item.name not in self.ports)
+            raise error(
+                "FB7104",
+                f"an inverter of the series '{self.series.id}' has no free port '{port}'",
+                self.series.span,
+                f"free ports: {names or 'none'}",
+            )
+        owner = Owner(self.series, self.registers, self)
+        connected = Communication(self._kernel, line, owner, facts, self._settings)
+        self.ports[facts.name] = connected
+        return connected
 
     # What a scenario reads
 
@@ -248,7 +276,8 @@ class Inverter:
     def power_off(self) -> None:
         """Take the supply away; a reply in progress breaks off."""
         self.powered = False
-        self.communication.stop()
+        for port in self.ports.values():
+            port.stop()
         self.operation.stop_output()
         self._changed()
 
@@ -310,9 +339,11 @@ class Inverter:
         if number == self._command_number:
             self._command(self.registers.ram[number])
         elif number == self._inv_no_number:
-            self.communication.number_changed()
+            for port in self.ports.values():
+                port.number_changed()
         elif number == self._timeout_number:
-            self.communication.timeout_changed()
+            for port in self.ports.values():
+                port.timeout_changed()
         elif number in self._followed:
             self._follow()
         self._changed()
@@ -340,9 +371,8 @@ class Inverter:
         self.trips.reset()
         self.registers.restart()
         self.operation.restart()
-        self.communication.restart(silence_ns)
-        if other_protocol(self.series, self.registers) is not None:
-            self.communication.stop()
+        for port in self.ports.values():
+            port.restart(silence_ns)
         if self._emergency_terminal:
             self._trip(self._emergency_code)
         self._changed()
@@ -353,12 +383,9 @@ class Inverter:
 
 
 def _complete(series: Drive) -> None:
-    """FB7104 for a line that is not simulated; FB7103 unless the series has every ComNo that the
-    simulation stands on, by its name.
-    """
-    check_line(series)
+    """FB7103 unless the series has every ComNo that the simulation stands on, by its name."""
     names = {comno.name for comno in series.comnos}
-    wanted = (*operation.PARAMETERS, *communication.PARAMETERS, *_SCALING)
+    wanted = (*operation.PARAMETERS, *_SCALING)
     if missing := [name for name in wanted if name not in names]:
         raise error(
             "FB7103",
@@ -366,16 +393,6 @@ def _complete(series: Drive) -> None:
             series.span,
             "give these ComNos under these names, as vf-s11.yaml does",
         )
-    found: list[Diagnostic] = []
-    for name, meaning in (("baud_rate", baud_rate_of), ("parity", parity_of)):
-        comno = series.comno(name)
-        words = range(comno.minimum_word, comno.maximum_word + 1)
-        if any(meaning(comno.values.get(word, "")) is None for word in words):
-            message = f"the values of {name} ({comno.hex}) do not say what each word means"
-            help_ = "write 4: 19200 bit/s for a rate; none, even or odd for a parity"
-            found.append(Diagnostic("FB7103", message, comno.span, help_))
-    if found:
-        raise DiagnosticError(found)
 
 
 def _delivered(series: Drive, settings: InverterSettings) -> dict[int, int]:

@@ -29,7 +29,9 @@ class InverterSettings:
 
     `parameters` are physical values by ComNo or name of the catalogue, stored in the EEPROM before
     the plant starts. `rotary_switch` is SW5 of the RS4003Z board: unless it is 0 it gives the
-    INV-NO instead of F802. `timeout_restart` and `broadcast_reads` are options of the catalogue.
+    INV-NO instead of F802. `port` is the one at the line, by its name in the catalogue; None is the
+    first. `timeout_restart` is an option of the catalogue, `options` are those that are flags and
+    set, such as broadcast_reads.
     """
 
     name: str = "drive"
@@ -38,5 +40,6 @@ class InverterSettings:
     load: Load = field(default_factory=Load)
     reply_time: ReplyTime = field(default_factory=ReplyTime)
     rotary_switch: int = 0
+    port: str | None = None
     timeout_restart: TimeoutRestart = "any_answered"
-    broadcast_reads: bool = False
+    options: frozenset[str] = frozenset()

@@ -221,5 +221,5 @@ def _with_options(
     return replace(
         settings,
         timeout_restart=restart,
-        broadcast_reads=bool(options.get("broadcast_reads", False)),
+        options=frozenset(name for name, value in options.items() if value is True),
     )

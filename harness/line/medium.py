@@ -64,6 +64,11 @@ class Pair:
         now_ns = self._kernel.now_ns
         return any(other.start_ns <= now_ns < other.end_ns for other in self._on_line)
 
+    def sending_until_ns(self, before_ns: int) -> int | None:
+        """When somebody stops who has begun to send before an instant; None if nobody sends."""
+        ends_ns = [other.end_ns for other in self._on_line if other.start_ns < before_ns]
+        return max(ends_ns) if ends_ns else None
+
     def inject(self, data: bytes, format: SerialFormat) -> Transmission:  # noqa: A002
         """Put bytes on the pair that none of the nodes sent, from now on. All listeners hear it."""
         transmission = Transmission(self, None, data, self._kernel.now_ns, format)

@@ -9,6 +9,7 @@ from fbgen.catalog import Drive
 from fbgen.dataclass import dataclass
 from fbgen.wire.toshiba import ErrorCode
 from harness.drives.communication import Communication
+from harness.drives.device import Owner
 from harness.drives.registers import Registers
 from harness.drives.settings import InverterSettings, ReplyTime
 from harness.kernel import Kernel
@@ -55,7 +56,10 @@ class AnsweringDrive:
         self.tripped = False
         self._values = values
         registers = Registers(series, delivered)
-        self._communication = Communication(kernel, line, registers, self, InverterSettings())
+        assert series.communication is not None, "checked where the drives of the sweep are chosen"
+        port = series.communication.ports[0]
+        owner = Owner(series, registers, self)
+        self._communication = Communication(kernel, line, owner, port, InverterSettings())
 
     def begin(self, reply_ns: int) -> None:
         """Listen from now on and answer so long after each telegram."""

@@ -18,9 +18,6 @@ from fbgen.catalog import (
 from fbgen.catalog.kinship import with_relative
 from fbgen.diagnostics import DiagnosticError
 from fbgen.source import Source
-from harness.drives import Inverter
-from harness.kernel import Kernel
-from harness.line import Line
 from tests.unit.catalog.test_catalog_vectors import ENTRIES, NAMES, STATUS_NAMES, TERMINALS
 
 CATALOG = load_catalog()
@@ -364,28 +361,6 @@ def test_a_confirmed_word_must_be_there(tmp_path: Path) -> None:
     (found,) = raised.value.diagnostics
     assert (found.code, found.message) == ("FB1105", "'vf-s15' has no word 'comand'")
     assert found.help == "did you mean 'command'?"
-
-
-# Simulation
-
-
-@pytest.mark.parametrize(
-    ("drive", "why"),
-    [
-        (AS1, "it has several ports (two_wire, four_wire)"),
-        (S15, "its telegrams end by silence"),
-        (MB1, "its telegrams end by silence"),
-    ],
-    ids=lambda item: item.id if isinstance(item, Drive) else "",
-)
-def test_what_the_simulation_does_not_have_is_refused(drive: Drive, why: str) -> None:
-    kernel = Kernel(1)
-    with pytest.raises(DiagnosticError) as raised:
-        Inverter(kernel, Line(kernel), drive)
-    (found,) = raised.value.diagnostics
-    assert found.code == "FB7104"
-    assert found.message == f"the series '{drive.id}' cannot be simulated yet: {why}"
-    assert found.span is not None
 
 
 def test_nothing_of_a_new_series_is_sure_without_a_document_of_its_own() -> None:

@@ -2,13 +2,15 @@
 
 from collections.abc import Mapping
 
-from fbgen.catalog import load_catalog
+from fbgen.catalog import Drive, load_catalog
+from fbgen.wire import modbus
 from fbgen.wire.toshiba import seal
 from harness.drives import Inverter, InverterSettings, Load, ReplyTime
 from harness.kernel import NS_PER_MS, NS_PER_S, Kernel
 from harness.line import GATEWAY_FORMAT, Line, Reception, Role, Topology
 
-SERIES = load_catalog().drive("vf-s11")
+CATALOG = load_catalog()
+SERIES = CATALOG.drive("vf-s11")
 GATEWAY_SETTINGS = {"baud_rate": 4.0, "parity": 1.0}
 """What the TOSPBDP001 manual, section 6, asks for."""
 
@@ -16,9 +18,18 @@ FIXED_REPLY = ReplyTime(10 * NS_PER_MS, 10 * NS_PER_MS)
 
 
 class Bench:
-    """Asks in hex without 2FH and SUM, and tells what came back the same way."""
+    """Asks in hex without 2FH and SUM, and tells what came back the same way.
 
-    def __init__(self, seed: int = 1, topology: Topology = Topology.FOUR_WIRE) -> None:
+    `asks_modbus` is the same for MODBUS, without the CRC.
+    """
+
+    def __init__(
+        self,
+        seed: int = 1,
+        topology: Topology = Topology.FOUR_WIRE,
+        series: Drive | str = SERIES,
+    ) -> None:
+        self.series = CATALOG.drive(series) if isinstance(series, str) else series
         self.kernel = Kernel(seed)
         self.line = Line(self.kernel, topology)
         self.port = self.line.attach(self, Role.MASTER, GATEWAY_FORMAT)
@@ -35,9 +46,9 @@ class Bench:
     ) -> Inverter:
         """One more inverter, by default set up as the gateway's manual asks."""
         if settings is None:
-            wanted = GATEWAY_SETTINGS | {"inverter_number": inv_no} | dict(parameters or {})
+            wanted = self._line() | {"inverter_number": inv_no} | dict(parameters or {})
             settings = InverterSettings(parameters=wanted, reply_time=FIXED_REPLY)
-        return Inverter(self.kernel, self.line, SERIES, settings)
+        return Inverter(self.kernel, self.line, self.series, settings)
 
     def send(self, frame: bytes) -> list[bytes]:
         """Send a whole frame and wait for replies, 40 ms in all."""
@@ -54,6 +65,23 @@ class Bench:
             return ""
         assert replies[0] == seal(replies[0][1:-1])
         return replies[0][1:-1].hex(" ").upper()
+
+    def ask_modbus(self, payload: str) -> str:
+        """The reply to a MODBUS request, both without the CRC; empty for silence."""
+        replies = self.send(modbus.seal(bytes.fromhex(payload)))
+        assert len(replies) <= 1, "more than one reply"
+        if not replies:
+            return ""
+        assert replies[0] == modbus.seal(replies[0][:-2])
+        return replies[0][:-2].hex(" ").upper()
+
+    def _line(self) -> dict[str, float]:
+        """19200 bit/s and even parity, by the codes of the series."""
+        rates = self.series.comno("baud_rate").values
+        return {
+            "baud_rate": next(code for code, text in rates.items() if text == "19200 bit/s"),
+            "parity": 1,
+        }
 
     def wait(self, seconds: float) -> None:
         """Let time pass."""

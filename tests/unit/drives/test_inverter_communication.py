@@ -74,15 +74,17 @@ def test_broadcast_read_is_dropped_unless_the_option_allows_it() -> None:
     bench.add(settings=InverterSettings(parameters=parameters))
     assert bench.ask(f"FF 47 {READY}") == ""
     bench = Bench()
-    bench.add(settings=InverterSettings(parameters=parameters, broadcast_reads=True))
+    bench.add(
+        settings=InverterSettings(parameters=parameters, options=frozenset({"broadcast_reads"}))
+    )
     assert bench.ask(f"FF 47 {READY}") == f"FF 47 {READY}"
 
 
 def test_ascii_broadcast_and_groups_reach_those_who_are_meant() -> None:
     bench = Bench()
     drives = {number: bench.add(number) for number in (2, 10, 12, 13)}
-    assert bench.send(b"(*2P00090032)\r") == [b"(*2P00090032)\r"]
-    assert bench.send(b"(1*P00100032)\r") == [b"(1*P00100032)\r"]
+    assert bench.send(b"(*2P00090032)\r") == [b"(02P00090032)\r"]
+    assert bench.send(b"(1*P00100032)\r") == [b"(10P00100032)\r"]
     assert bench.send(b"(**P88000001)\r") == []
     assert [drive.read_word("0009") for drive in drives.values()] == [50, 100, 50, 100]
     assert [drive.read_word("0010") for drive in drives.values()] == [100, 50, 50, 50]

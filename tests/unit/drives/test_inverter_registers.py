@@ -202,19 +202,22 @@ def test_series_without_the_ramp_times_cannot_be_simulated() -> None:
     assert caught.value.diagnostics[0].code == "FB7103"
 
 
-@pytest.mark.parametrize("name", ["baud_rate", "parity"])
-def test_series_must_say_what_the_words_of_rate_and_parity_mean(name: str) -> None:
-    bench = Bench()
-    comnos = tuple(
-        comno.model_copy(update={"values": {0: "slow"}}) if comno.name == name else comno
-        for comno in SERIES.comnos
-    )
-    with pytest.raises(DiagnosticError, match=name) as caught:
-        type(bench.add())(bench.kernel, bench.line, SERIES.model_copy(update={"comnos": comnos}))
-    assert [finding.code for finding in caught.value.diagnostics] == ["FB7103"]
-
-
-def test_an_inverter_that_speaks_another_protocol_is_not_simulated() -> None:
-    with pytest.raises(DiagnosticError, match="with the protocol 'modbus'") as caught:
-        Bench().add(parameters={"protocol_selection": 1})
+def test_series_without_a_serial_port_cannot_be_simulated() -> None:
+    bench = Bench(series=SERIES.model_copy(update={"communication": None}))
+    with pytest.raises(DiagnosticError, match="it has no serial port") as caught:
+        bench.add()
     assert [finding.code for finding in caught.value.diagnostics] == ["FB7104"]
+
+
+def test_an_inverter_told_to_speak_what_its_series_cannot_is_refused() -> None:
+    known = SERIES.communication
+    assert known is not None
+    silent = SERIES.model_copy(update={"communication": known.model_copy(update={"modbus": None})})
+    with pytest.raises(DiagnosticError, match="does not speak the protocol 'modbus'") as caught:
+        Bench(series=silent).add(parameters={"protocol_selection": 1})
+    assert [finding.code for finding in caught.value.diagnostics] == ["FB7104"]
+    drive = Bench(series=silent).add()
+    assert drive.write_eeprom(0x0829, 1) is None
+    drive.power_off()
+    drive.power_on()
+    assert drive.communication.protocol == "modbus"
