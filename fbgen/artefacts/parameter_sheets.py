@@ -114,7 +114,7 @@ def _document(lists: PlantLists) -> Iterator[str]:
 
 
 def _gateway(lists: PlantLists, gateway: PlantGateway) -> Iterator[str]:
-    entry = lists.catalog.gateway(gateway.type)
+    entry = lists.catalog.profibus_gateway(gateway.type)
     yield ""
     yield f"## Gateway {gateway.title or gateway.name}"
     yield ""

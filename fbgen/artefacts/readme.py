@@ -218,7 +218,7 @@ def _gsd(entry: TelegramGateway) -> dict[str, str]:
 def _named_gsd(lists: PlantLists) -> Iterator[dict[str, str]]:
     """What the GSD files say that the plant file names."""
     for gateway in lists.plant.gateways:
-        chosen = plugged(gateway, lists.catalog.gateway(gateway.type))
+        chosen = plugged(gateway, lists.catalog.profibus_gateway(gateway.type))
         if gateway.gsd is not None and chosen is not None:
             yield {
                 "gateway": gateway.name,

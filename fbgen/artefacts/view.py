@@ -42,7 +42,7 @@ class PlantLists:
 
     def is_process_data(self, gateway: PlantGateway) -> bool:
         """Whether it is a gateway for process data, and not one with a line."""
-        return isinstance(self.catalog.gateway(gateway.type), ProcessDataGateway)
+        return isinstance(self.catalog.profibus_gateway(gateway.type), ProcessDataGateway)
 
     @cached_property
     def on_lines(self) -> tuple[PlantGateway, ...]:
@@ -56,7 +56,7 @@ class PlantLists:
 
     def layout(self, gateway: PlantGateway) -> Layout:
         """The module that it is configured with."""
-        return layout_of(gateway, self.catalog.gateway(gateway.type))
+        return layout_of(gateway, self.catalog.profibus_gateway(gateway.type))
 
     def file_name(self, part: str) -> str:
         """The name of a list: `conveyor_alarms.csv`."""

@@ -100,7 +100,8 @@ def line_gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> 
 def missing_fields(chosen: Iterable[PlantGateway], catalog: Catalog) -> Iterator[Diagnostic]:
     """FB5008: layouts whose fields are not those that the blocks know, each with its length."""
     layouts = {
-        (item.type, item.layout): layout_of(item, catalog.gateway(item.type)) for item in chosen
+        (item.type, item.layout): layout_of(item, catalog.profibus_gateway(item.type))
+        for item in chosen
     }
     for layout in layouts.values():
         for area, fields, wanted in (

@@ -84,7 +84,7 @@ def _reply_ms(gateway: TelegramGateway, reply_max_ms: float) -> float:
 def short_timeouts(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
     """FB5016: timeout_ms of a line, less than a reply may take."""
     for entry in plant.gateways:
-        gateway, chosen = catalog.gateway(entry.type), entry.parameters.timeout_ms
+        gateway, chosen = catalog.profibus_gateway(entry.type), entry.parameters.timeout_ms
         if chosen is None or not isinstance(gateway, TelegramGateway):
             continue
         reply_max_ms = max(catalog.drive(item.series).times.reply_max.ms for item in entry.drives)

@@ -73,7 +73,7 @@ def poll_cycle(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> PollCyc
 def slow_polls(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
     """FB5014: a round takes longer than the plant allows."""
     for gateway in plant.gateways:
-        known = catalog.gateway(gateway.type)
+        known = catalog.profibus_gateway(gateway.type)
         if not gateway.status_poll or not isinstance(known, TelegramGateway):
             continue
         found = poll_cycle(plant, gateway, catalog)

@@ -83,9 +83,13 @@ class Texts:
         """The catalogue with its texts in this language; ids and names stay."""
         if not self._known:
             return catalog
+        slaves = catalog.profibus_gateways
         return replace(
             catalog,
-            gateways={name: self._inside(item) for name, item in catalog.gateways.items()},
+            gateways={
+                **catalog.gateways,
+                **{name: self._inside(item) for name, item in slaves.items()},
+            },
             drives={name: self._inside(item) for name, item in catalog.drives.items()},
             sequences={name: self._inside(item) for name, item in catalog.sequences.items()},
         )

@@ -16,8 +16,9 @@ from fbgen.catalog.communication import (
     SerialPort,
     ToshibaService,
 )
+from fbgen.catalog.devicenet_gateways import Assembly, AssemblyPair, DeviceNetGateway
 from fbgen.catalog.drives import ComNo, Drive, TerminalFunction, Trip
-from fbgen.catalog.gateways import Gateway, Led, LedState, PublishedProfibus
+from fbgen.catalog.gateways import Gateway, Led, LedState
 from fbgen.catalog.layouts import (
     AccessWay,
     CyclicField,
@@ -31,6 +32,7 @@ from fbgen.catalog.located import Located, origin, validate
 from fbgen.catalog.modbus_protocol import ModbusException, ModbusFunction, ModbusProtocol
 from fbgen.catalog.options import Option, OptionValue
 from fbgen.catalog.process_data_gateways import ParameterChannel, ProcessDataGateway
+from fbgen.catalog.profibus_gateways import ProfibusGateway, PublishedProfibus
 from fbgen.catalog.protocols import Command, ErrorCode, Frame, Protocol, ToshibaProtocol
 from fbgen.catalog.sequences import Parameter, Result, Sequence, Telegram
 from fbgen.catalog.settings import Setting, Switch
@@ -53,6 +55,8 @@ from fbgen.catalog.yaml_nodes import Document, load_yaml
 
 __all__ = [
     "AccessWay",
+    "Assembly",
+    "AssemblyPair",
     "BitField",
     "Blocks",
     "Catalog",
@@ -69,6 +73,7 @@ __all__ = [
     "RepeatStep",
     "WaitStep",
     "Document",
+    "DeviceNetGateway",
     "Drive",
     "ErrorCode",
     "Frame",
@@ -91,6 +96,7 @@ __all__ = [
     "PlacedIdentifier",
     "ProcessDataGateway",
     "Protocol",
+    "ProfibusGateway",
     "PublishedProfibus",
     "ReadStep",
     "Replacement",

@@ -14,6 +14,7 @@ from types import MappingProxyType
 from typing import TypeVar
 
 from fbgen.cache import remembered
+from fbgen.catalog.devicenet_gateways import DeviceNetGateway
 from fbgen.catalog.drives import Drive
 from fbgen.catalog.gateway_kinds import GATEWAY_KINDS
 from fbgen.catalog.gateways import Gateway
@@ -22,6 +23,7 @@ from fbgen.catalog.kinship import relative_of, with_relative
 from fbgen.catalog.located import validate
 from fbgen.catalog.modbus_protocol import ModbusProtocol
 from fbgen.catalog.process_data_gateways import ProcessDataGateway
+from fbgen.catalog.profibus_gateways import ProfibusGateway
 from fbgen.catalog.protocol_kinds import PROTOCOL_KINDS
 from fbgen.catalog.protocols import Protocol, ToshibaProtocol
 from fbgen.catalog.references import unresolved
@@ -79,6 +81,20 @@ class Catalog:
     def gateway(self, name: str) -> Gateway:
         """The gateway of an id. Raises DiagnosticError FB1205 with the nearest ids."""
         return _entry(self.gateways, name, "gateway")
+
+    @property
+    def profibus_gateways(self) -> Mapping[str, ProfibusGateway]:
+        """Those gateways that are slaves on PROFIBUS, of which a plant file is made."""
+        known = self.gateways.items()
+        return {key: entry for key, entry in known if isinstance(entry, ProfibusGateway)}
+
+    def profibus_gateway(self, name: str) -> ProfibusGateway:
+        """The gateway of an id, if it is one on PROFIBUS. Raises FB1205, or FB1206 if not."""
+        return _of_kind(self.gateway(name), self.gateways, ProfibusGateway, "PROFIBUS gateway")
+
+    def devicenet_gateway(self, name: str) -> DeviceNetGateway:
+        """The gateway of an id, if it is one on DeviceNet. Raises FB1205, or FB1206 if not."""
+        return _of_kind(self.gateway(name), self.gateways, DeviceNetGateway, "DeviceNet adapter")
 
     def telegram_gateway(self, name: str) -> TelegramGateway:
         """The gateway of an id, if it is one for telegrams. Raises FB1205, or FB1206 if not."""

@@ -1,48 +1,22 @@
-"""What every fieldbus gateway has: its PROFIBUS side, cyclic layouts, words, lamps, options.
+"""What every fieldbus gateway has: the inverters behind it, words, lamps, options, switches.
 
-There are two kinds, which say in `kind` what their cyclic data carry: telegrams of the inverters'
-protocol (`telegram_gateways`), or process data (`process_data_gateways`).
+There are three kinds, which say in `kind` what their cyclic data carry: telegrams of the inverters'
+protocol (`telegram_gateways`), process data on PROFIBUS (`process_data_gateways`), or assemblies on
+DeviceNet (`devicenet_gateways`).
 """
 
 from collections.abc import Iterable
 from typing import Literal
 
-from pydantic import Field
-
-from fbgen.catalog.layouts import Layout
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
 from fbgen.catalog.options import Option
-from fbgen.catalog.scalars import Count, EntryId, Flag, HexWord, SnakeName, Text
+from fbgen.catalog.scalars import Count, EntryId, Flag, SnakeName, Text
 from fbgen.catalog.settings import Switch
 from fbgen.catalog.sourced import Sourced
 from fbgen.catalog.words import Word
 from fbgen.diagnostics import Diagnostic
 from fbgen.nearest import nearest
-
-
-class Profibus(Sourced):
-    """The gateway as a PROFIBUS DP slave. Addresses are those the switches can set."""
-
-    minimum_address: Count
-    maximum_address: Count
-    default_address: Count | None = None
-    sync: Flag
-    freeze: Flag
-    auto_baud: Flag
-    set_slave_address: Flag
-
-
-class PublishedProfibus(Profibus):
-    """A slave whose GSD file is public: what only that file tells."""
-
-    ident_number: HexWord
-    gsd_file: Text
-    default_address: Count
-    fail_safe: Flag
-    max_diagnosis_bytes: Count
-    min_slave_interval_us: Count
-    max_tsdr_bits: dict[str, Count]
 
 
 class LedState(Sourced):
@@ -67,26 +41,18 @@ class Led(Located):
 
 
 class Gateway(Sourced):
-    """One type of gateway, of whatever kind."""
+    """One type of gateway, of whatever kind. `series`: the inverters that it serves."""
 
     version: Literal[1]
     id: EntryId
     title: Text
     vendor: Text
     description: Text | None = None
-    protocol: EntryId
     series: tuple[EntryId, ...]
-    profibus: Profibus
-    default_layout: EntryId
-    layouts: tuple[Layout, ...] = Field(min_length=1)
     words: tuple[Word, ...]
     leds: tuple[Led, ...]
     options: tuple[Option, ...]
     switches: tuple[Switch, ...] = ()
-
-    def layout(self, name: str) -> Layout:
-        """The layout of a name. Raises DiagnosticError FB1105 with the nearest names."""
-        return pick(self.layouts, name, "FB1105", f"'{self.id}' has no layout '{name}'")
 
     def word(self, name: str) -> Word:
         """The word of a name. Raises DiagnosticError FB1201 with the nearest names."""
@@ -97,13 +63,11 @@ class Gateway(Sourced):
         return next(option for option in self.options if option.id == name)
 
     def problems(self) -> Iterable[Diagnostic]:
-        """FB1102 something twice; FB1105 a name that is not there."""
+        """FB1102 something twice."""
         yield from super().problems()
-        yield from no_duplicates(self.layouts, "name", lambda item: item.name, "layout")
         yield from no_duplicates(self.words, "name", lambda item: item.name, "word")
         yield from no_duplicates(self.options, "id", lambda item: item.id, "option")
         yield from no_duplicates(self.leds, "name", lambda item: item.name, "LED")
-        yield from unknown_name(self, "default_layout", self.default_layout, self.layouts)
 
 
 def unknown_name(

@@ -9,10 +9,11 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from fbgen.catalog.gateways import Gateway, unknown_name
+from fbgen.catalog.gateways import unknown_name
 from fbgen.catalog.layouts import CyclicField, Layout
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
+from fbgen.catalog.profibus_gateways import ProfibusGateway
 from fbgen.catalog.scalars import Count, Flag, HexWord, SnakeName, Text
 from fbgen.catalog.sourced import Duration, Sourced
 from fbgen.diagnostics import Diagnostic
@@ -137,7 +138,7 @@ class ProcessDataTimes(Located):
     heartbeat: Duration
 
 
-class ProcessDataGateway(Gateway):
+class ProcessDataGateway(ProfibusGateway):
     """A gateway for process data. Bit `online` of the word `status` is made by the gateway."""
 
     kind: Literal["process_data"]

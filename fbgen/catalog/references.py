@@ -7,6 +7,7 @@ from fbgen.catalog.communication_references import unresolved_communication
 from fbgen.catalog.drives import ComNo, Drive
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import named_in
+from fbgen.catalog.profibus_gateways import ProfibusGateway
 from fbgen.catalog.sequences import Parameter, Result, Sequence
 from fbgen.catalog.step_values import read_value, written_value
 from fbgen.catalog.steps import CheckStep, Condition, ReadStep, WaitStep, WriteStep
@@ -34,7 +35,8 @@ def unresolved(catalog: "Catalog", broken: Collection[tuple[str, str]]) -> Itera
         if drive.communication is not None:
             yield from unresolved_communication(drive, drive.communication, catalog, protocols)
     for gateway in catalog.gateways.values():
-        yield from named_in(gateway, "protocol", gateway.protocol, protocols, "protocol")
+        if isinstance(gateway, ProfibusGateway):
+            yield from named_in(gateway, "protocol", gateway.protocol, protocols, "protocol")
         for name in gateway.series:
             yield from named_in(gateway, "series", name, series, "drive series")
     for sequence in catalog.sequences.values():

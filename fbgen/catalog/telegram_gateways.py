@@ -3,9 +3,10 @@
 from collections.abc import Iterable
 from typing import Literal
 
-from fbgen.catalog.gateways import Gateway, PublishedProfibus, unknown_name
+from fbgen.catalog.gateways import unknown_name
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates
+from fbgen.catalog.profibus_gateways import ProfibusGateway, PublishedProfibus
 from fbgen.catalog.scalars import Count, HexByte, HexWord, SnakeName, Text
 from fbgen.catalog.sourced import Duration, Sourced
 from fbgen.catalog.words import Word
@@ -76,7 +77,7 @@ class TelegramTimes(Located):
     total_max: Duration
 
 
-class TelegramGateway(Gateway):
+class TelegramGateway(ProfibusGateway):
     """A gateway for telegrams. The words `control` and `status` lie at the start of the frames."""
 
     kind: Literal["telegrams"] = "telegrams"

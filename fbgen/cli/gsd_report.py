@@ -178,7 +178,7 @@ def _facts(found: GsdReport) -> Iterator[list[str]]:
 def _in_catalog(found: GsdReport) -> Iterator[str]:
     """The types of gateways with this ident number, and their layouts."""
     chosen = found.chosen
-    for entry in found.catalog.gateways.values():
+    for entry in found.catalog.profibus_gateways.values():
         profibus = entry.profibus
         if not isinstance(profibus, PublishedProfibus):
             continue

@@ -135,7 +135,7 @@ def _plant(
             "set them in the plant file",
         )
     entry = plan.gateways[0]
-    ways = {item.name: item.access_ways[0] for item in known.gateway(entry.type).layouts}
+    ways = {item.name: item.access_ways[0] for item in known.profibus_gateway(entry.type).layouts}
     chosen = entry.layout if layout is None else layout
     other = entry.model_copy(
         update={

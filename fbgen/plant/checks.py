@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING, TypeVar
 from fbgen.catalog import (
     Catalog,
     Drive,
-    Gateway,
     Layout,
     Located,
     Option,
     OptionValue,
     ProcessDataGateway,
+    ProfibusGateway,
 )
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
 from fbgen.nearest import nearest
@@ -66,10 +66,14 @@ have before they are given theirs, 127 is for all (Brinkmann FKO PROFIBUS manual
 def gateway(item: "PlantGateway", catalog: Catalog) -> Iterator[Diagnostic]:
     """FB2001 type, FB2002 layout, FB2003 options, FB2004 address, FB2005 access way, FB2007
     INV-NO out of range, FB2008 series that the gateway does not serve."""
-    entry = catalog.gateways.get(item.type)
+    entry = catalog.profibus_gateways.get(item.type)
     if entry is None:
         message = f"there is no gateway type '{item.type}'"
-        help_text = nearest(item.type, catalog.gateways)
+        if item.type in catalog.gateways:
+            message = (
+                f"a {item.type} is no slave on PROFIBUS, and plants have no other gateways yet"
+            )
+        help_text = nearest(item.type, catalog.profibus_gateways)
         yield Diagnostic("FB2001", message, item.span_of("type"), help_text)
         return
     low, high = entry.profibus.minimum_address, entry.profibus.maximum_address
@@ -106,7 +110,7 @@ def gateway(item: "PlantGateway", catalog: Catalog) -> Iterator[Diagnostic]:
             )
 
 
-def _layout(item: "PlantGateway", entry: Gateway) -> Iterator[Diagnostic]:
+def _layout(item: "PlantGateway", entry: ProfibusGateway) -> Iterator[Diagnostic]:
     names = [layout.name for layout in entry.layouts]
     if item.gsd is not None and not item.layout:
         return
@@ -283,7 +287,7 @@ def addresses(item: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
 
 
 def _found(part: "PlantGateway", catalog: Catalog) -> Layout | None:
-    entry = catalog.gateways.get(part.type)
+    entry = catalog.profibus_gateways.get(part.type)
     if entry is None:
         return None
     known = any(layout.name == part.layout for layout in entry.layouts)
@@ -291,7 +295,7 @@ def _found(part: "PlantGateway", catalog: Catalog) -> Layout | None:
 
 
 def _is_process_data(part: "PlantGateway", catalog: Catalog) -> bool:
-    return isinstance(catalog.gateways.get(part.type), ProcessDataGateway)
+    return isinstance(catalog.profibus_gateways.get(part.type), ProcessDataGateway)
 
 
 def _reachable(part: "PlantGateway", layout: Layout, family: Family) -> Iterator[Diagnostic]:

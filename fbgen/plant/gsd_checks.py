@@ -7,7 +7,7 @@ such as Sync and Freeze, is a warning: file and catalogue are of different versi
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from fbgen.catalog import Catalog, Gateway, PublishedProfibus
+from fbgen.catalog import Catalog, ProfibusGateway, PublishedProfibus
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.plant.gsd_file import configuration_of, plugged
 from fbgen.wire.gsd import Configuration, GsdStation
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from fbgen.plant.plant import Plant, PlantGateway
 
 
-def gsd_problems(item: "PlantGateway", entry: Gateway) -> Iterator[Diagnostic]:
+def gsd_problems(item: "PlantGateway", entry: ProfibusGateway) -> Iterator[Diagnostic]:
     """FB2040 keys that do not go together, FB2041 another device, FB2042 other lengths, and what is
     wrong in the file: FB1008, FB1301 to FB1306, FB1310, FB1311."""
     if item.gsd is None:
@@ -61,7 +61,7 @@ def gsd_warnings(plant: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
         if item.gsd is None or item.gsd.station is None:
             continue
         yield from item.gsd.station.warnings
-        entry = catalog.gateway(item.type)
+        entry = catalog.profibus_gateway(item.type)
         chosen = plugged(item, entry)
         if chosen is not None:
             yield from _other_identifiers(item, entry, chosen)
@@ -69,7 +69,7 @@ def gsd_warnings(plant: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
 
 
 def _other_device(
-    item: "PlantGateway", entry: Gateway, station: GsdStation
+    item: "PlantGateway", entry: ProfibusGateway, station: GsdStation
 ) -> Iterator[Diagnostic]:
     place = item.span_of("gsd")
     if station.is_master:
@@ -96,7 +96,7 @@ def _other_device(
 
 
 def _other_lengths(
-    item: "PlantGateway", entry: Gateway, chosen: Configuration
+    item: "PlantGateway", entry: ProfibusGateway, chosen: Configuration
 ) -> Iterator[Diagnostic]:
     layout = entry.layout(item.layout)
     found = (chosen.output_length, chosen.input_length)
@@ -124,7 +124,7 @@ def _other_lengths(
 
 
 def _other_identifiers(
-    item: "PlantGateway", entry: Gateway, chosen: Configuration
+    item: "PlantGateway", entry: ProfibusGateway, chosen: Configuration
 ) -> Iterator[Diagnostic]:
     layout = entry.layout(item.layout)
     if layout.identifiers != chosen.code and "identifiers" not in layout.unverified:
@@ -137,7 +137,7 @@ def _other_identifiers(
 
 
 def _other_features(
-    item: "PlantGateway", entry: Gateway, station: GsdStation
+    item: "PlantGateway", entry: ProfibusGateway, station: GsdStation
 ) -> Iterator[Diagnostic]:
     profibus = entry.profibus
     pairs: list[tuple[str, object, object]] = [

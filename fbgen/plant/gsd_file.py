@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
-from fbgen.catalog import Gateway, Layout
+from fbgen.catalog import Layout, ProfibusGateway
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.source import Span
@@ -87,7 +87,7 @@ def gsd_file(path: str, folder: Path, place: Span | None) -> GsdFile:
         return GsdFile(path, None, wrong.diagnostics)
 
 
-def layout_named_by(station: GsdStation, modules: Sequence[str], entry: Gateway) -> str:
+def layout_named_by(station: GsdStation, modules: Sequence[str], entry: ProfibusGateway) -> str:
     """The layout of a gateway that these modules carry: the same identifiers, or as many bytes.
 
     The usual layout where there is none, "" where the modules cannot be plugged or nothing says
@@ -117,7 +117,7 @@ def configuration_of(part: "PlantGateway", layout: Layout | None) -> Configurati
     return choose(part.gsd.station, part.modules, (*places, of_all), lengths)
 
 
-def plugged(part: "PlantGateway", entry: Gateway) -> Configuration | None:
+def plugged(part: "PlantGateway", entry: ProfibusGateway) -> Configuration | None:
     """As `configuration_of` for the gateway's layout; None without a GSD file, or where it does not
     fit, which checks of the plant tell."""
     if part.gsd is None or part.gsd.station is None:

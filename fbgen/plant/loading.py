@@ -44,7 +44,7 @@ def _read_gsd(gateway: YamlMapping, folder: Path, catalog: Catalog) -> None:
     gateway["gsd"] = file
     if gateway.get("layout"):
         return
-    entry = catalog.gateways.get(str(gateway.get("type")))
+    entry = catalog.profibus_gateways.get(str(gateway.get("type")))
     names = gateway.get("modules")
     modules = [str(name) for name in names] if isinstance(names, YamlSequence) else []
     if entry is None or file.station is None:

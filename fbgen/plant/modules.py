@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from fbgen.catalog import Gateway, Layout, ProcessDataGateway
+from fbgen.catalog import Layout, ProcessDataGateway, ProfibusGateway
 from fbgen.plant.gsd_file import plugged
 from fbgen.wire.profibus import IdentifierError, decode_identifiers, input_length, output_length
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from fbgen.plant.plant import PlantGateway
 
 
-def layout_of(part: "PlantGateway", entry: Gateway) -> Layout:
+def layout_of(part: "PlantGateway", entry: ProfibusGateway) -> Layout:
     """The layout of the plant file, with the identifiers of its GSD file or its own if it has any.
 
     Identifiers that do not fit, or of a gateway with a line, count as none: FB2025, FB2026, FB2042

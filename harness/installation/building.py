@@ -41,7 +41,7 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     with_memory = [
         item.name
         for item in plan.gateways
-        if isinstance(catalog.gateway(item.type), TelegramGateway)
+        if isinstance(catalog.profibus_gateway(item.type), TelegramGateway)
     ]
     _all_known("gateway", setup.memories, with_memory, plan)
     kernel = Kernel(setup.seed)
@@ -51,7 +51,7 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     devices = build_devices(plan, catalog, kernel, setup.drives)
     stations: dict[str, Station] = {}
     for entry in plan.gateways:
-        chosen = plugged(entry, catalog.gateway(entry.type))
+        chosen = plugged(entry, catalog.profibus_gateway(entry.type))
         parameters = b"" if chosen is None else chosen.user_parameters
         station = stations[entry.name] = _station(master, entry, devices, setup, parameters)
         by_image = entry.access == "process_image"

@@ -104,7 +104,7 @@ class Installation:
                 self.stations[entry.name],
                 self.lines[entry.name],
                 self.gateways[entry.name].port,
-                layout_of(entry, self.catalog.gateway(entry.type)),
+                layout_of(entry, self.catalog.profibus_gateway(entry.type)),
                 processing_ns=self.gateways[entry.name].settings.processing_ns,
             )
             for entry in self.telegram_entries

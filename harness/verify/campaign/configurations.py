@@ -50,7 +50,7 @@ def variations(plan: Plant, catalog: Catalog) -> tuple[Entry, ...]:
     types = {item.type for item in plan.gateways}
     layouts: list[Entry] = [{}]
     if len(types) == 1:
-        layouts = [{"layout": item.name} for item in catalog.gateway(types.pop()).layouts]
+        layouts = [{"layout": item.name} for item in catalog.profibus_gateway(types.pop()).layouts]
     found: list[Entry] = [{}]
     for (dialect, plc), access, layout in product(_PLCS, _ACCESS, layouts):
         entry = {"dialect": dialect, "plc": plc, "access": access, **layout}
@@ -96,7 +96,7 @@ def draw_program(
 
 def _switches(catalog: Catalog, gateway: PlantGateway) -> list[Option]:
     """The options with few positions."""
-    options = catalog.gateway(gateway.type).options
+    options = catalog.profibus_gateway(gateway.type).options
     return [option for option in options if option.type in ("flag", "choice")]
 
 

@@ -29,7 +29,7 @@ def test_the_shipped_entries_are_there() -> None:
         *("vf-s11", "vf-s15", "vf-s7", "vf-s9"),
     }
     assert set(CATALOG.drives) == series
-    assert set(CATALOG.gateways) == {"pbdp110", "tospbdp001"}
+    assert set(CATALOG.gateways) == {"dev003z", "pbdp110", "tospbdp001"}
     assert set(CATALOG.protocols) == {"modbus", "toshiba"}
     assert set(CATALOG.sequences) == {
         "start_forward",

@@ -107,3 +107,25 @@ def test_show_gives_the_diagnosis_bits_of_the_channels_with_their_source(fbgen: 
     assert table[2].split()[:3] == ["a", "0", "yes"]
     assert table[3].split()[:3] == ["b", "4", "no"]
     assert "other copies of the manual have them" in out.replace("\n", " ")
+
+
+def test_show_gives_assemblies_parameters_and_objects_of_a_devicenet_adapter(fbgen: Fbgen) -> None:
+    out = fbgen("catalog", "show", "dev003z").out
+    lines = [" ".join(line.split()) for line in out.splitlines()]
+    wanted = (
+        "toshiba_parameter 3 101 4..5 index index_request",
+        "c102 C102 timeout_preset 0..15 0",
+        "14 FD18",
+        "object 4B allocate service",
+        "those that begin with F number - 8000, attribute 3",
+        "duplicate_check 1000 ms",
+        "product vf-mb1: 3000, vf-s15: 3001",
+    )
+    for start in wanted:
+        assert [line for line in lines if line.startswith(start)], start
+
+
+def test_words_of_a_devicenet_adapter_are_decoded_and_encoded(fbgen: Fbgen) -> None:
+    assert "Enabled" in fbgen("decode", "dev003z.extended_status", "04F4").out
+    out = fbgen("encode", "dev003z.extended_control", *["run_reverse", "net_control"]).out
+    assert "dev003z.extended_control = 0022" in out

@@ -108,7 +108,7 @@ def test_no_german_text_is_left_of_what_is_not_said_any_more() -> None:
         used |= shown(drive, ("title",)) | {switch.name for switch in drive.switches}
         for entry in (*drive.settings, *drive.switches):
             used |= shown(entry, ("why", "when", "where", "stands"))
-    for gateway in CATALOG.gateways.values():
+    for gateway in CATALOG.profibus_gateways.values():
         used |= {text for switch in gateway.switches for text in shown(switch, ("where", "stands"))}
         if isinstance(gateway, ProcessDataGateway):
             for wrong in gateway.parameter_channel.errors:
