@@ -2,7 +2,16 @@
 
 from collections.abc import Iterator
 
-from fbgen.catalog import Drive, Gateway, Layout, Option, ProcessDataGateway, TelegramGateway
+from fbgen.catalog import (
+    DeviceNetGateway,
+    Drive,
+    Gateway,
+    Layout,
+    Option,
+    ProcessDataGateway,
+    ProfibusGateway,
+    TelegramGateway,
+)
 from fbgen.catalog.settings import Switch
 from fbgen.catalog.sourced import Duration
 from fbgen.docs.document import (
@@ -20,6 +29,7 @@ from fbgen.docs.document import (
 )
 from fbgen.docs.frame_picture import frame_picture
 from fbgen.docs.page_names import comno_page, device_page, protocol_page, trip_page, word_page
+from fbgen.docs.pages.devicenet import devicenet_sections, node_facts
 from fbgen.docs.sources import Sources
 from fbgen.docs.subject import Subject
 from fbgen.docs.texts import code, number, octets, with_unit
@@ -45,8 +55,11 @@ def _gateway(gateway: Gateway, subject: Subject) -> Page:
     sections = [
         Section("In short", (_gateway_facts(gateway, subject, sources),), "facts"),
         Section("Words", (_words(gateway),), "words"),
-        *(_layout(gateway, layout, sources) for layout in gateway.layouts),
     ]
+    if isinstance(gateway, ProfibusGateway):
+        sections += [_layout(gateway, layout, sources) for layout in gateway.layouts]
+    if isinstance(gateway, DeviceNetGateway):
+        sections += devicenet_sections(gateway, sources)
     if isinstance(gateway, TelegramGateway):
         sections.append(_status_codes(gateway, sources))
     if isinstance(gateway, ProcessDataGateway):
@@ -61,11 +74,23 @@ def _gateway(gateway: Gateway, subject: Subject) -> Page:
 
 
 def _gateway_facts(gateway: Gateway, subject: Subject, sources: Sources) -> Facts:
-    bus = gateway.profibus
-    yes_no = {True: "yes", False: "no"}
     rows: list[tuple[str, Phrase]] = [
         ("Made by", (gateway.vendor,)),
         ("Inverters", _those(gateway.series, subject)),
+    ]
+    if isinstance(gateway, ProfibusGateway):
+        rows += _profibus(gateway, sources)
+    if isinstance(gateway, DeviceNetGateway):
+        rows += node_facts(gateway, sources)
+    if isinstance(gateway, TelegramGateway):
+        rows += _line(gateway, sources)
+    return Facts(tuple(rows))
+
+
+def _profibus(gateway: ProfibusGateway, sources: Sources) -> list[tuple[str, Phrase]]:
+    bus = gateway.profibus
+    yes_no = {True: "yes", False: "no"}
+    return [
         ("Protocol", (Link(gateway.protocol, protocol_page(gateway.protocol)),)),
         ("PROFIBUS address", (f"{bus.minimum_address} to {bus.maximum_address}",)),
         ("Sync", (yes_no[bus.sync],)),
@@ -73,19 +98,20 @@ def _gateway_facts(gateway: Gateway, subject: Subject, sources: Sources) -> Fact
         ("Finds the baud rate", (yes_no[bus.auto_baud],)),
         ("PROFIBUS", sources.of(bus.source, bus.status)),
     ]
-    if isinstance(gateway, TelegramGateway):
-        line = gateway.subnetwork
-        text = (
-            f"{line.baud} bit/s, {line.data_bits} data bits, parity {line.parity}, "
-            f"{line.stop_bits} stop bit, {line.wires} wires, "
-            f"usually {line.typical_drives} inverters "
-        )
-        rows.append(("Line", (text, *sources.of(line.source, line.status))))
-        ident = gateway.profibus
-        rows.append(
-            ("GSD file", (ident.gsd_file, ", ident number ", Code(f"{ident.ident_number:04X}")))
-        )
-    return Facts(tuple(rows))
+
+
+def _line(gateway: TelegramGateway, sources: Sources) -> list[tuple[str, Phrase]]:
+    line = gateway.subnetwork
+    text = (
+        f"{line.baud} bit/s, {line.data_bits} data bits, parity {line.parity}, "
+        f"{line.stop_bits} stop bit, {line.wires} wires, "
+        f"usually {line.typical_drives} inverters "
+    )
+    ident = gateway.profibus
+    return [
+        ("Line", (text, *sources.of(line.source, line.status))),
+        ("GSD file", (ident.gsd_file, ", ident number ", Code(f"{ident.ident_number:04X}"))),
+    ]
 
 
 def _those(series: tuple[str, ...], subject: Subject) -> Phrase:
@@ -104,7 +130,7 @@ def _words(device: Gateway | Drive) -> Table:
     return Table(("Word", "What it is"), rows)
 
 
-def _layout(gateway: Gateway, layout: Layout, sources: Sources) -> Section:
+def _layout(gateway: ProfibusGateway, layout: Layout, sources: Sources) -> Section:
     named = {word.name for word in gateway.words}
     blocks: list[Block] = [
         Paragraph((f"{layout.title}. ", *sources.of(layout.source, layout.status))),

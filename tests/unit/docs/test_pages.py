@@ -65,3 +65,11 @@ def test_what_rests_on_no_document_is_marked(site: Site) -> None:
 @pytest.mark.parametrize("name", ["index", "tospbdp001", "pbdp110", "vf-as1", "protocol-modbus"])
 def test_each_kind_of_page_is_there(site: Site, name: str) -> None:
     assert page(site, name).sections
+
+
+def test_the_page_of_a_devicenet_adapter_has_assemblies_and_objects(site: Site) -> None:
+    shown = page(site, "dev003z")
+    assert {"assemblies-toshiba_parameter", "class-29", "selections"} <= set(shown.anchors())
+    status = row(shown, "assembly-151-status").cells
+    assert plain(status[1]) == "0 to 1"
+    assert plain(row(shown, "parameter-c102").cells[3]) == "0"
