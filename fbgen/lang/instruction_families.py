@@ -50,6 +50,11 @@ _LATER = {
     ),
     **dict.fromkeys(("IEC_COUNTER", "CTU_INT", "CTD_INT", "CTUD_INT"), "use CTU, CTD or CTUD"),
 }
+_OF_CP_34X = {
+    **dict.fromkeys(("P_SND_RK", "P_SEND"), "use Send_P2P, with a CM PtP or CM 1241"),
+    **dict.fromkeys(("P_RCV_RK", "P_RCV"), "use Receive_P2P, with a CM PtP or CM 1241"),
+}
+"""They work on the modules CP 340, 341 and 441, which plug into an S7-300 or S7-400 alone."""
 _NARROW = ("SINT", "DINT", "USINT", "UINT", "UDINT")
 _LONG = ("LINT", "ULINT")
 _COUNTERS = {
@@ -85,6 +90,7 @@ _NOT_ON_1200 = {
     **dict.fromkeys(("SCALE", "UNSCALE"), "use NORM_X and SCALE_X"),
 }
 _OF_STEP7 = {
+    **_OF_CP_34X,
     "READ_CLK": "use RD_SYS_T",
     "SET_CLK": "use WR_SYS_T",
     **dict.fromkeys(("AD_DT_TM", "SB_DT_TM"), "use T_ADD or T_SUB"),

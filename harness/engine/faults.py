@@ -212,7 +212,7 @@ def cannot_run(span: Span | None, what: str) -> DiagnosticError:
 
 
 def not_modelled(node: RoutineCall) -> DiagnosticError:
-    """FB6070: a call of something that only a stub could carry out."""
+    """FB6070: a call of something that only a stub could carry out, or a module of the plant."""
     inputs = ", ".join(name for name, _ in node.inputs)
     outputs = ", ".join(f'"{name}": ...' for name, _ in node.outputs)
     return error(

@@ -204,6 +204,10 @@ class Engine(Protocol):
         """What reads single values as `global_value`, in the order of the paths; fast."""
         ...
 
+    def data_block(self, number: int) -> bytearray | None:
+        """The bytes of a data block with that number; None if it does not lie in bytes."""
+        ...
+
     def snapshot(self) -> State:
         """All that lives in the program itself: global variables and the variables of PROGRAMs."""
         ...

@@ -7,6 +7,7 @@ from fbgen.lang.checker.literals import default_value
 from fbgen.lang.types import INT, VOID, WORD, Elementary, StringType, StructType, Type
 from harness.engine.faults import not_modelled, unknown_output, wrong_result
 from harness.engine.interface import Value
+from harness.engine.model_calls import call_model
 from harness.engine.stubs import Stubs, StubState
 from harness.engine.values import accept
 
@@ -23,9 +24,12 @@ def call_stub(
 ) -> dict[str, Value]:
     """What the stub gives, by casefolded name and with values of the types asked for.
 
-    Raises FB6070 without a stub, FB6071 and FB6021 for what it gives.
+    Without a stub the controller's own model carries it out. Raises FB6070 where there is neither,
+    FB6071 and FB6021 for what a stub gives.
     """
     stub = stubs.find(node.name)
+    if stub is None and state is not None and (model := stubs.models.get(node.name)):
+        return call_model(node, state.model_of(model), inputs)
     if stub is None:
         raise not_modelled(node)
     action = stub if state is None else state.action_of(stub)

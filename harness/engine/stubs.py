@@ -9,6 +9,8 @@ each instance of the program gets an object of its own, which is called.
 
 from collections.abc import Callable
 
+from harness.engine.block_models import BlockModel, ModelFactory
+
 Stub = Callable[..., object]
 """A function, or a class whose objects can be called."""
 
@@ -16,10 +18,11 @@ Stub = Callable[..., object]
 class StubState:
     """What one instance of a stubbed block has in Python: the object that is called."""
 
-    __slots__ = ("_action", "_made_by")
+    __slots__ = ("_action", "_made_by", "_model")
 
     def __init__(self) -> None:
         self._made_by: Stub | None = None
+        self._model: BlockModel | None = None
         self._action: Stub | None = None
 
     def action_of(self, stub: Stub) -> Stub:
@@ -30,14 +33,24 @@ class StubState:
             self._made_by, self._action = stub, stub()
         return self._action
 
+    def model_of(self, factory: ModelFactory) -> BlockModel:
+        """What stands for this instance in the controller."""
+        if self._model is None:
+            self._model = factory()
+        return self._model
+
 
 class Stubs:
-    """The stubs of one controller, by casefolded name."""
+    """The stubs of one controller by casefolded name, and the blocks that it has itself.
 
-    __slots__ = ("_by_key",)
+    `models` has those by the name that the checker gives them; a stub comes before a model.
+    """
+
+    __slots__ = ("_by_key", "models")
 
     def __init__(self) -> None:
         self._by_key: dict[str, Stub] = {}
+        self.models: dict[str, ModelFactory] = {}
 
     def add(self, name: str, stub: Stub) -> None:
         """From now on calls of that name go to the stub."""

@@ -141,6 +141,9 @@ class Cpu(HardwareAccess):
             raise error("FB7405", "the CPU has no program", None, "load a program first")
         return self._engine
 
+    def _data_block(self, number: int) -> bytearray | None:
+        return None if self._engine is None else self._engine.data_block(number)
+
     # --- operating modes --------------------------------------------------------------------
 
     def start(self, restart: Restart = Restart.WARM) -> None:
@@ -160,6 +163,8 @@ class Cpu(HardwareAccess):
         keep = self.settings.remanent_marker_bytes if restart is Restart.WARM else 0
         self.markers[keep:] = bytes(len(self.markers) - keep)
         self._begin()
+        for module in self.serial_ports:
+            module.cpu_started()
         self._restart = restart
         engine.reset(warm=restart is Restart.WARM)
         self.master.start()
@@ -179,6 +184,8 @@ class Cpu(HardwareAccess):
         self.outputs[:] = bytes(len(self.outputs))
         for station in self.master.stations:
             station.write(0, bytes(len(station.outputs)))
+        for module in self.serial_ports:
+            module.cpu_stopped()
         self.master.clear()
         self._set_mode(CpuMode.STOP)
 
@@ -193,13 +200,17 @@ class Cpu(HardwareAccess):
             action()
 
     def power_off(self) -> None:
-        """No supply: the master falls silent, too."""
+        """No supply: the master falls silent, too, and so do the modules for serial lines."""
         self.stop()
         self.master.stop()
+        for module in self.serial_ports:
+            module.power_off()
 
     def power_on(self) -> None:
         """Supply comes, and the switch is at STOP: the master sends zeros."""
         self.stop()
+        for module in self.serial_ports:
+            module.power_on()
         self.master.start()
         self.master.clear()
 

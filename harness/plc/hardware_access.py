@@ -17,6 +17,8 @@ from harness.plc.consistent_data import ConsistentData
 from harness.plc.error_events import ErrorEvent, access_event
 from harness.plc.link import MasterLink
 from harness.plc.modules import ModuleTable, Mounting
+from harness.plc.serial.instructions import serial_instructions
+from harness.plc.serial.ports import SerialPorts
 from harness.plc.settings import CpuSettings
 from harness.plc.several import Several, several_at
 from harness.plc.slave_diagnosis import SlaveDiagnosis
@@ -51,6 +53,7 @@ class HardwareAccess:
         "markers",
         "now_ns",
         "outputs",
+        "serial_ports",
         "services",
         "settings",
         "slave_diagnosis",
@@ -82,6 +85,10 @@ class HardwareAccess:
                 self.instructions[name] = self._dpwr_dat
             for name in ("DPNRM_DG", "SFC13"):
                 self.instructions[name] = self._dpnrm_dg
+        self.serial_ports = SerialPorts(kernel, self._reach_hardware, self._data_block)
+        if settings.family.consistent_instructions:
+            models = serial_instructions(self.serial_ports, classic=settings.family.classic)
+            self.services.stubs.models.update(models)
         self._begin()
 
     @property
@@ -261,9 +268,7 @@ class HardwareAccess:
     def _consistent_access(
         self, arguments: Mapping[str, Scalar | Area], span: Span
     ) -> tuple[int, Area]:
-        self._instant_ns += self.settings.instruction_ns
-        self._let_happen(self._instant_ns)
-        self._quiet_until_ns = 0
+        self._reach_hardware()
         laddr, record = arguments["LADDR"], arguments["RECORD"]
         if not isinstance(laddr, int) or isinstance(record, bool | int | float | str):
             raise error(
@@ -273,6 +278,16 @@ class HardwareAccess:
                 "give LADDR the module's address and RECORD an array of bytes",
             )
         return laddr, record
+
+    def _reach_hardware(self) -> None:
+        """An instruction comes to its module: up to then everything happens first."""
+        self._instant_ns += self.settings.instruction_ns
+        self._let_happen(self._instant_ns)
+        self._quiet_until_ns = 0
+
+    def _data_block(self, number: int) -> bytearray | None:
+        """The bytes of a data block of the program; whoever knows the program gives them."""
+        return None
 
     def _access_error(self, event: ErrorEvent) -> int:
         """Nobody is there: 0 is read, and whoever knows the program's blocks does more."""

@@ -58,7 +58,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     | {"fbgen.catalog", "fbgen.wire", "harness.kernel", "harness.line", "harness.fieldbus"},
     "harness.engine": BASE | {"fbgen.lang", "harness.kernel"},
     "harness.plc": BASE
-    | {"fbgen.lang", "fbgen.wire", "harness.engine", "harness.fieldbus", "harness.kernel"},
+    | {"fbgen.lang", "fbgen.wire", "harness.engine", "harness.fieldbus", "harness.kernel"}
+    | {"harness.line"},
     "harness.trace": BASE | TEXT | PLANT,
     "harness.report": BASE | {"harness.results", "harness.trace"},
     "harness.installation": BASE | TEXT | PLANT | {"fbgen.cache", "harness.trace"},

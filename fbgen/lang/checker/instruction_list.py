@@ -11,6 +11,7 @@ from fbgen.lang.checker.bit_gathering import BIT_MOVES
 from fbgen.lang.checker.memory_access import memory_access_named
 from fbgen.lang.checker.refused_instructions import NOT_SUPPORTED, WRITTEN_OTHERWISE
 from fbgen.lang.checker.routines import is_modelled, routine_named
+from fbgen.lang.checker.routines.point_to_point import POINT_TO_POINT
 from fbgen.lang.checker.standard_blocks import standard_block
 from fbgen.lang.checker.standard_calls import is_standard_function
 from fbgen.lang.checker.system_instructions import instruction_named
@@ -29,7 +30,7 @@ class Treatment(Enum):
     WRITTEN = "written otherwise"
 
 
-_IN_A_PLANT = ("DPNRM_DG", "DPRD_DAT", "DPWR_DAT")
+_IN_A_PLANT = ("DPNRM_DG", "DPRD_DAT", "DPWR_DAT", *POINT_TO_POINT)
 
 CATEGORIES: dict[str, tuple[str, ...]] = {
     "Bit logic": ("R_TRIG", "F_TRIG"),
@@ -117,8 +118,9 @@ CATEGORIES: dict[str, tuple[str, ...]] = {
         *("TRCV_C", "TMAIL_C", "T_RESET", "T_DIAG", "T_CONFIG", "FTP_CMD", "MB_CLIENT"),
         *("MB_SERVER", "Modbus_Comm_Load", "Modbus_Master", "Modbus_Slave", "AG_SEND", "AG_RECV"),
         *("X_SEND", "X_RCV", "X_GET", "X_PUT", "X_ABORT", "I_GET", "I_PUT", "I_ABORT"),
-        *("Port_Config", "Send_Config", "P3964_Config", "Send_P2P", "Receive_P2P", "SEND_PTP"),
-        "RCV_PTP",
+        *("Port_Config", "Send_Config", "Receive_Config", "P3964_Config", "Send_P2P"),
+        *("Receive_P2P", "Receive_Reset", "SEND_PTP", "RCV_PTP"),
+        *("P_SND_RK", "P_RCV_RK", "P_SEND", "P_RCV"),
     ),
     "Technology": (
         *("PID_Compact", "PID_3Step", "PID_Temp", "CONT_C", "CONT_S", "PULSEGEN", "TCONT_CP"),

@@ -14,7 +14,8 @@ What becomes of the instructions of the S7 CPUs in a program that fbgen reads. T
 from the tables of the checker by `python tools/instruction_index.py`.
 
 * **runs**: both engines carry it out; [semantics.md](semantics.md) says where controllers disagree.
-* **runs in a plant**: it needs the PROFIBUS of a plant file.
+* **runs in a plant**: it needs the PROFIBUS of a plant file, or its communication module; a stub
+  may stand for it too.
 * **stub**: it works on what the simulated controller does not have. Calls are checked, with the
   warning FB4140; what they do [you say](../how-to/stub-a-block.md). Function blocks have the inputs
   and outputs of the controller, so that `inst.REQ` can be set and `inst.DONE` read; functions take

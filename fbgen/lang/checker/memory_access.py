@@ -103,6 +103,7 @@ def _place(
 
 
 def use_block(ctx: Context, number: Expression) -> None:
+    """The bytes of the data block with that number are used."""
     if isinstance(number, Constant):
         ctx.library.memory.address(int(number.value))
     else:

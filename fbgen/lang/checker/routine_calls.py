@@ -21,6 +21,7 @@ from fbgen.lang.checked import (
     VariableKind,
 )
 from fbgen.lang.checker.arguments import bind
+from fbgen.lang.checker.closed_blocks import fits_closed_block, use_data_block
 from fbgen.lang.checker.coercion import as_typed, coerce, converted, spelled
 from fbgen.lang.checker.context import Context
 from fbgen.lang.checker.conversions import is_implicit, keeps_representation
@@ -34,6 +35,7 @@ from fbgen.lang.checker.routines.hardware_parameters import HARDWARE_PARAMETERS
 from fbgen.lang.checker.routines.signature import ANYTHING, NUMBER, SAME, WHOLE
 from fbgen.lang.checker.standard_blocks import standard_block
 from fbgen.lang.checker.targets import check_target
+from fbgen.lang.checker.unmodelled import closed_parameters
 from fbgen.lang.dates import of_dialect
 from fbgen.lang.types import (
     COUNTER,
@@ -156,16 +158,18 @@ def unmodelled_instance_call(
 ) -> Evaluate | None:
     """The call of an instance of a block without a model."""
     found = _Arguments()
+    closed = closed_parameters(block.name)
+    if closed and not fits_closed_block(ctx, node, block.name, closed):
+        return None
     _free_arguments(ctx, node, block.name, found, block)
     if not found.complete:
         return None
     _add_remembered(ctx, place, block, found)
-    if not ctx.library.is_stubbed(block.name):
+    if not closed:
         _without_model(ctx, node, block.name)
-    call = RoutineCall(
-        node.span, block.name, tuple(found.inputs), tuple(found.outputs), VOID, place
-    )
-    return Evaluate(node.span, call)
+    use_data_block(ctx, found.inputs)
+    inputs, outputs = tuple(found.inputs), tuple(found.outputs)
+    return Evaluate(node.span, RoutineCall(node.span, block.name, inputs, outputs, VOID, place))
 
 
 def _add_remembered(ctx: Context, place: Place, block: StandardBlock, found: _Arguments) -> None:

@@ -1,7 +1,7 @@
-"""Function blocks without a model: the controller's hardware blocks, and what a stub stands for.
+"""Function blocks that work on hardware: the controller's own, and what a stub stands for.
 
-An instance of one has the inputs and outputs that are known of it; what a call does is up to the
-user's stub.
+An instance of one has the inputs and outputs that are known of it. What a call does is up to the
+user's stub, or, for those of `point_to_point`, to the communication modules of a plant.
 """
 
 from collections.abc import Sequence
@@ -14,11 +14,16 @@ from fbgen.lang.checker.routines.hardware_blocks import (
     HARDWARE_BLOCKS,
     WORDS,
 )
-from fbgen.lang.checker.routines.signature import Direction, read_signature
+from fbgen.lang.checker.routines.point_to_point import POINT_TO_POINT
+from fbgen.lang.checker.routines.signature import Direction, Parameter, read_signature
 from fbgen.lang.walk import walk
 from fbgen.source import Source, Span
 
-_KINDS = {Direction.INPUT: VariableKind.INPUT, Direction.OUTPUT: VariableKind.OUTPUT}
+_KINDS = {
+    Direction.INPUT: VariableKind.INPUT,
+    Direction.OUTPUT: VariableKind.OUTPUT,
+    Direction.STATIC: VariableKind.INPUT,
+}
 _CLASSIC_TYPES = (
     ("ID UINT", "ID DWORD"),
     ("ID => UINT", "ID => DWORD"),
@@ -38,17 +43,28 @@ def hardware_block(name: str, dialect: str = "tia") -> StandardBlock | None:
     """
     key = name.upper()
     key = BLOCK_ALIASES.get(key, key)
-    text = HARDWARE_BLOCKS.get(key)
-    if text is None or (key in WORDS and dialect not in ("tia", "step7")):
+    known = key in HARDWARE_BLOCKS or key in POINT_TO_POINT
+    if not known or (key in WORDS and dialect not in ("tia", "step7")):
         return None
-    for newer, older in _CLASSIC_TYPES if dialect == "step7" else ():
-        text = text.replace(newer, older)
-    routine = read_signature(key, f"({text})", modelled=False)
     variables = (
         Variable(_NOWHERE, parameter.name, _KINDS[parameter.direction], parameter.types[0])
-        for parameter in routine.parameters
+        for parameter in _parameters(key, dialect)
+        if parameter.types
     )
     return StandardBlock(key, tuple(variables))
+
+
+@cache
+def _parameters(key: str, dialect: str) -> tuple[Parameter, ...]:
+    text = POINT_TO_POINT.get(key) or HARDWARE_BLOCKS[key]
+    for newer, older in _CLASSIC_TYPES if dialect == "step7" else ():
+        text = text.replace(newer, older)
+    return read_signature(key, f"({text})", modelled=False).parameters
+
+
+def closed_parameters(name: str) -> tuple[Parameter, ...]:
+    """All parameters of a block of which every one is known; empty for other blocks."""
+    return _parameters(name, "tia") if name in POINT_TO_POINT else ()
 
 
 def assigned_members(files: Sequence[ast.File]) -> dict[str, str]:

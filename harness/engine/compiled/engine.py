@@ -442,6 +442,10 @@ class CompiledEngine:
         located = located_at(path, self._program, self._located, self.programs)
         return self._find(path) if located is None else partial(self.global_value, path)
 
+    def data_block(self, number: int) -> bytearray | None:
+        """The bytes of a data block; None if there is none with that number in bytes."""
+        return self._bytes.block(number)
+
     def snapshot(self) -> State:
         """All that lives in the program itself: global variables and the variables of PROGRAMs."""
         return (

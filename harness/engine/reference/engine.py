@@ -56,7 +56,7 @@ class ReferenceEngine:
         self._program = program
         self._environment = environment
         self._blocks: dict[Variable, bytearray] = {}
-        memory = Memory(environment, self._data_block)
+        memory = Memory(environment, self.data_block)
         self._allocator = Allocator(program, memory)
         self._globals: dict[Variable, Storage] = {}
         self._by_key: dict[str, Storage] = {}
@@ -298,7 +298,8 @@ class ReferenceEngine:
             memory = self._allocator.memory_of(variable)
         return self._allocator.data_block(variable, memory)
 
-    def _data_block(self, number: int) -> bytearray | None:
+    def data_block(self, number: int) -> bytearray | None:
+        """The bytes of a data block; None if there is none with that number in bytes."""
         variable = self._program.data_blocks.get(number)
         return None if variable is None else self._blocks.get(variable)
 

@@ -53,15 +53,6 @@ HARDWARE_BLOCKS: dict[str, str] = {
     ),
     "MB_SERVER": "DISCONNECT BOOL, NDR => BOOL, DR => BOOL, ERROR => BOOL, STATUS => WORD",
     **dict.fromkeys(
-        ("MB_COMM_LOAD", "MODBUS_COMM_LOAD"),
-        "REQ BOOL, PORT UINT, BAUD UDINT, PARITY UINT, FLOW_CTRL UINT, RTS_ON_DLY UINT,"
-        f" RTS_OFF_DLY UINT, RESP_TO UINT, {_SHORT}",
-    ),
-    **dict.fromkeys(
-        ("MB_MASTER", "MODBUS_MASTER"),
-        f"REQ BOOL, MB_ADDR UINT, MODE USINT, DATA_ADDR UDINT, DATA_LEN UINT, {_DONE}",
-    ),
-    **dict.fromkeys(
         ("MB_SLAVE", "MODBUS_SLAVE"),
         "MB_ADDR UINT, NDR => BOOL, DR => BOOL, ERROR => BOOL, STATUS => WORD",
     ),
@@ -101,14 +92,12 @@ HARDWARE_BLOCKS: dict[str, str] = {
     # Point to point
     **dict.fromkeys(
         (
-            *("SEND_CONFIG", "PORT_CONFIG", "RCV_CONFIG", "RCV_RST", "P3964_CONFIG", "SGN_SET"),
-            *("SEND_P2P", "SEND_PTP", "P_SEND", "PORT_CFG", "SEND_CFG", "RCV_CFG"),
+            *("RCV_CONFIG", "RCV_RST", "P3964_CONFIG", "SGN_SET"),
+            *("SEND_PTP", "PORT_CFG", "SEND_CFG", "RCV_CFG"),
         ),
         _POINT,
     ),
-    **dict.fromkeys(
-        ("RECEIVE_P2P", "RCV_PTP", "RECEIVE_PTP", "P_RCV", "S_RCV", "S_SEND"), _POINT_NEW
-    ),
+    **dict.fromkeys(("RCV_PTP", "RECEIVE_PTP", "S_RCV", "S_SEND"), _POINT_NEW),
     "SGN_GET": (
         "REQ BOOL, PORT UINT, NDR => BOOL, ERROR => BOOL, STATUS => WORD, DTR => BOOL,"
         " DSR => BOOL, RTS => BOOL, CTS => BOOL, DCD => BOOL, RING => BOOL"

@@ -12,6 +12,7 @@ class Direction(Enum):
     INPUT = "input"
     OUTPUT = "output"
     IN_OUT = "in-out"
+    STATIC = "static"
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,12 +32,12 @@ class Parameter:
     @property
     def is_input(self) -> bool:
         """True if the caller gives a value."""
-        return self.direction is not Direction.OUTPUT
+        return self.direction in (Direction.INPUT, Direction.IN_OUT)
 
     @property
     def is_output(self) -> bool:
         """True if the caller gets a value."""
-        return self.direction is not Direction.INPUT
+        return self.direction in (Direction.OUTPUT, Direction.IN_OUT)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,8 +59,11 @@ ANYTHING = "ANY"
 """Any type at all."""
 NUMBER = "ANY_NUM"
 """Any integer, REAL or LREAL."""
+AREA = "AREA"
+"""A variable of any type but BOOL, for its bytes."""
 
 _NUMBERED = 32
+_DIRECTIONS = {"=>": Direction.OUTPUT, "<>": Direction.IN_OUT, ".": Direction.STATIC}
 
 
 def type_named(word: str) -> Type | None:
@@ -85,9 +89,7 @@ def read_signature(name: str, text: str, *, modelled: bool) -> Routine:
 
 def _parameters(piece: str) -> list[Parameter]:
     head, *middle, words = piece.split()
-    direction = {"=>": Direction.OUTPUT, "<>": Direction.IN_OUT}.get(
-        middle[0] if middle else "", Direction.INPUT
-    )
+    direction = _DIRECTIONS.get(middle[0] if middle else "", Direction.INPUT)
     optional = words.endswith("?")
     kinds = tuple(words.removesuffix("?").split("|"))
     if not head.endswith("#"):

@@ -1,0 +1,31 @@
+"""Which instructions for serial lines a CPU has, once a communication module is plugged."""
+
+from functools import partial
+
+from harness.engine.block_models import ModelFactory
+from harness.plc.serial.configuring import PortConfig, ReceiveConfig, SendConfig
+from harness.plc.serial.cp34x import PReceive, PSend
+from harness.plc.serial.freeport import ReceiveP2p, ReceiveReset, SendP2p
+from harness.plc.serial.jobs import PortInstruction
+from harness.plc.serial.ports import SerialPorts
+
+_FREEPORT: dict[str, type[PortInstruction]] = {
+    "SEND_P2P": SendP2p,
+    "RECEIVE_P2P": ReceiveP2p,
+    "RECEIVE_RESET": ReceiveReset,
+    "PORT_CONFIG": PortConfig,
+    "SEND_CONFIG": SendConfig,
+    "RECEIVE_CONFIG": ReceiveConfig,
+}
+_OF_CP_34X: dict[str, type[PortInstruction]] = {
+    "P_SND_RK": PSend,
+    "P_RCV_RK": PReceive,
+    "P_SEND": PSend,
+    "P_RCV": PReceive,
+}
+
+
+def serial_instructions(ports: SerialPorts, *, classic: bool) -> dict[str, ModelFactory]:
+    """By the name of the checker; those of the CP 340 and CP 341 on S7-300 and S7-400 alone."""
+    known = {**_FREEPORT, **(_OF_CP_34X if classic else {})}
+    return {name: partial(model, ports) for name, model in known.items()}
