@@ -7,7 +7,7 @@ import typer
 
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import CatalogOption
-from fbgen.cli.output import result
+from fbgen.cli.output import result, say
 
 
 def register(program: typer.Typer) -> None:
@@ -31,17 +31,18 @@ def docs(
     ] = None,
     catalog: CatalogOption = None,
     force: Annotated[
-        bool, typer.Option("--force", help="Overwrite pages that are there with other content.")
+        bool, typer.Option("--force", help="Overwrite pages that a person has changed.")
     ] = False,
 ) -> None:
     """Write how every bit, ComNo, telegram and trip is used, as a site that opens from disk.
 
     Every word has a decoder: type a value and see its bits, click bits and see the value and the
-    telegram. The site needs no server and no network; open index.html.
+    telegram. The site needs no server and no network; open index.html. A page that was changed by
+    hand is never overwritten without --force, and never removed.
     """
     from fbgen import __version__
     from fbgen.catalog import load_catalog, with_own_sequences
-    from fbgen.cli.files import write_files
+    from fbgen.docs.folder import write_site
     from fbgen.docs.html import html_site
     from fbgen.docs.site import build_site
     from fbgen.docs.subject import of_plant, whole_catalogue
@@ -54,5 +55,11 @@ def docs(
         known = with_own_sequences(known, plant.parent)
         subject = of_plant(load_plant(plant, known), known)
     pages = html_site(build_site(subject, __version__))
-    write_files({folder / name: data for name, data in pages.items()}, overwrite=force)
+    found = write_site(pages, folder, "html", force=force)
+    for name in found.kept:
+        say(f"kept: {folder / name} is not a page any more, but was changed by hand")
+    say(
+        f"{len(found.written)} written, {len(found.unchanged)} unchanged, "
+        f"{len(found.removed)} removed in {folder}"
+    )
     result(str(folder / "index.html"))

@@ -6,9 +6,10 @@ from itertools import chain
 from fbgen.dataclass import dataclass
 from fbgen.docs.document import Link, Page
 from fbgen.docs.pages.comnos import comno_pages
-from fbgen.docs.pages.devices import device_pages
+from fbgen.docs.pages.gateways import gateway_pages
 from fbgen.docs.pages.overview import overview_page
 from fbgen.docs.pages.protocols import protocol_pages
+from fbgen.docs.pages.series import series_pages
 from fbgen.docs.pages.trips import trip_pages
 from fbgen.docs.pages.words import word_pages
 from fbgen.docs.subject import Subject
@@ -35,7 +36,8 @@ class Site:
 def build_site(subject: Subject, version: str) -> Site:
     """The pages of a subject."""
     parts: Iterable[Iterator[Page]] = (
-        device_pages(subject),
+        gateway_pages(subject),
+        series_pages(subject),
         word_pages(subject),
         comno_pages(subject),
         trip_pages(subject),

@@ -9,8 +9,8 @@ from pathlib import Path
 
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, Severity
-from fbgen.emit.folder import read_content
 from fbgen.emit.generated import GeneratedFile, GeneratedSet
+from fbgen.kept_folder import read_content
 from fbgen.lang import ast
 from fbgen.lang.containers import XML_SUFFIXES, read_text
 from fbgen.plant import LANGUAGES

@@ -9,16 +9,10 @@ whoever has them in a project already.
 from pathlib import Path
 
 from fbgen.diagnostics import DiagnosticError
-from fbgen.emit.folder import (
-    FILE_LIST,
-    FolderChanges,
-    compare,
-    file_list,
-    not_writable,
-    read_content,
-)
+from fbgen.emit.folder import FILE_LIST, FolderChanges, compare, file_list
 from fbgen.emit.generated import GeneratedSet
 from fbgen.emit.origin_map import ORIGIN_MAP, origin_map
+from fbgen.kept_folder import not_writable, read_content
 from fbgen.writing import replace_file
 
 CHANGED_BLOCKS = "fbgen-changed-blocks.txt"
@@ -42,7 +36,7 @@ def write_set(generated: GeneratedSet, folder: Path, *, force: bool = False) -> 
         raise DiagnosticError(found.refusals(folder))
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        _write(found, folder)
+        found.apply(folder)
         if found.blocks or found.kept:
             before = read_content(folder / CHANGED_BLOCKS) or _CHANGED_BLOCKS_HEADING.encode()
             entry = _entry(found, generated.inputs_hash).encode("ascii")
@@ -53,21 +47,6 @@ def write_set(generated: GeneratedSet, folder: Path, *, force: bool = False) -> 
     except OSError as problem:
         raise not_writable(folder, problem) from None
     return found
-
-
-def _write(found: FolderChanges, folder: Path) -> None:
-    """Files that go, go last: unless one differs from a new one in case only, which is one file on
-    Windows."""
-    new = {name.casefold() for name in (*found.written, *found.unchanged)}
-    early = [name for name in found.removed if name.casefold() in new]
-    for name in early:
-        (folder / name).unlink()
-    for item in found.changes:
-        if item.after is not None:
-            replace_file(folder / item.name, item.after)
-    for name in found.removed:
-        if name not in early:
-            (folder / name).unlink()
 
 
 def _keep(path: Path, content: bytes) -> None:

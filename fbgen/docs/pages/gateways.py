@@ -1,19 +1,15 @@
-"""A page for each gateway and each series: what it is, its cyclic data, lamps, times, settings."""
+"""A page for each gateway: what it is, its cyclic data, status codes, lamps, times, switches."""
 
 from collections.abc import Iterator
 
 from fbgen.catalog import (
     DeviceNetGateway,
-    Drive,
     Gateway,
     Layout,
-    Option,
     ProcessDataGateway,
     ProfibusGateway,
     TelegramGateway,
 )
-from fbgen.catalog.settings import Switch
-from fbgen.catalog.sourced import Duration
 from fbgen.docs.document import (
     Block,
     Code,
@@ -28,13 +24,19 @@ from fbgen.docs.document import (
     Table,
 )
 from fbgen.docs.frame_picture import frame_picture
-from fbgen.docs.page_names import comno_page, device_page, protocol_page, trip_page, word_page
+from fbgen.docs.page_names import device_page, protocol_page, word_page
+from fbgen.docs.pages.device_parts import (
+    options_section,
+    switches_section,
+    times_section,
+    word_table,
+)
 from fbgen.docs.pages.devicenet import devicenet_sections, node_facts
 from fbgen.docs.sources import Sources
 from fbgen.docs.subject import Subject
-from fbgen.docs.texts import code, number, octets, with_unit
+from fbgen.docs.texts import code, octets
 
-GATEWAYS, SERIES = "Gateways", "Inverters"
+GROUP = "Gateways"
 _WAYS = {
     "per_identifier": "one access for each identifier",
     "dpxx_dat": "DPRD_DAT and DPWR_DAT (SFC14, SFC15)",
@@ -42,19 +44,17 @@ _WAYS = {
 }
 
 
-def device_pages(subject: Subject) -> Iterator[Page]:
-    """Gateways first, then the series behind them."""
+def gateway_pages(subject: Subject) -> Iterator[Page]:
+    """One page each."""
     for gateway in subject.gateways.values():
         yield _gateway(gateway, subject)
-    for series in subject.drives.values():
-        yield _series(series, subject)
 
 
 def _gateway(gateway: Gateway, subject: Subject) -> Page:
     sources = Sources()
     sections = [
         Section("In short", (_gateway_facts(gateway, subject, sources),), "facts"),
-        Section("Words", (_words(gateway),), "words"),
+        Section("Words", (word_table(gateway),), "words"),
     ]
     if isinstance(gateway, ProfibusGateway):
         sections += [_layout(gateway, layout, sources) for layout in gateway.layouts]
@@ -64,13 +64,13 @@ def _gateway(gateway: Gateway, subject: Subject) -> Page:
         sections.append(_status_codes(gateway, sources))
     if isinstance(gateway, ProcessDataGateway):
         sections += _parameter_channel(gateway, sources)
-    sections += [_lamps(gateway, sources), _times(gateway, sources)]
+    sections += [_lamps(gateway, sources), times_section(gateway, sources)]
     if gateway.switches:
-        sections.append(_switches(gateway.switches, sources))
-    sections += [_options(gateway.options, sources), *sources.sections()]
+        sections.append(switches_section(gateway.switches, sources))
+    sections += [options_section(gateway.options, sources), *sources.sections()]
     lead: Phrase = (gateway.description or gateway.title,)
     found = f"{gateway.id} {gateway.title}"
-    return Page(device_page(gateway.id), gateway.title, GATEWAYS, lead, tuple(sections), found)
+    return Page(device_page(gateway.id), gateway.title, GROUP, lead, tuple(sections), found)
 
 
 def _gateway_facts(gateway: Gateway, subject: Subject, sources: Sources) -> Facts:
@@ -120,14 +120,6 @@ def _those(series: tuple[str, ...], subject: Subject) -> Phrase:
         part: Phrase = (Link(name, device_page(name)),) if name in subject.drives else (name,)
         row += (", ", *part) if row else part
     return row
-
-
-def _words(device: Gateway | Drive) -> Table:
-    rows = tuple(
-        Row(((Link(f"{device.id}.{word.name}", word_page(device.id, word.name)),), (word.title,)))
-        for word in device.words
-    )
-    return Table(("Word", "What it is"), rows)
 
 
 def _layout(gateway: ProfibusGateway, layout: Layout, sources: Sources) -> Section:
@@ -249,138 +241,3 @@ def _lamps(gateway: Gateway, sources: Sources) -> Section:
             rows.append(Row(cells, f"led-{led.name}-{state.name}"))
     columns = ("Lamp", "Name", "Light", "Meaning", "", "Source")
     return Section("Lamps", (Table(columns, tuple(rows)),), "lamps")
-
-
-def _times(device: Gateway | Drive, sources: Sources) -> Section:
-    times = device.times if isinstance(device, Drive) else getattr(device, "times", None)
-    rows = []
-    for name in type(times).model_fields if times is not None else ():
-        duration = getattr(times, name)
-        if isinstance(duration, Duration):
-            text = name.replace("_", " ")
-            source = sources.of(duration.source, duration.status)
-            rows.append(Row(((text,), (f"{number(duration.ms)} ms",), source), f"time-{name}"))
-    return Section("Times", (Table(("Time", "Value", "Source"), tuple(rows)),), "times")
-
-
-def _switches(switches: tuple[Switch, ...], sources: Sources) -> Section:
-    rows = []
-    for switch in switches:
-        if switch.adds is not None:
-            stands = f"ON adds {switch.adds} to the address"
-        elif switch.shows is not None:
-            stands = f"{switch.shows} of the address"
-        else:
-            stands = switch.stands or ""
-        source = sources.of(switch.source, switch.status)
-        rows.append(Row(((switch.name,), (switch.where,), (stands,), source)))
-    table = Table(("Switch", "Where", "How it stands", "Source"), tuple(rows))
-    return Section("Switches", (table,), "switches")
-
-
-def _options(options: tuple[Option, ...], sources: Sources) -> Section:
-    """What documents leave open, and the reading that is taken."""
-    rows = []
-    for option in options:
-        default = (
-            str(option.default).lower() if isinstance(option.default, bool) else option.default
-        )
-        meaning = option.choices.get(str(option.default), "")
-        text = (
-            f"{default}: {meaning}"
-            if meaning
-            else with_unit(option.default, option.unit)
-            if (isinstance(option.default, int) and not isinstance(option.default, bool))
-            else str(default)
-        )
-        others = "; ".join(
-            f"{key}: {what}" for key, what in option.choices.items() if key != option.default
-        )
-        cells: tuple[Phrase, ...] = (
-            *(code(option.id), (option.title,), (text,), (others,)),
-            sources.of(option.source, option.status),
-        )
-        rows.append(Row(cells, f"option-{option.id}", f"option {option.id} {option.title}"))
-    blocks: tuple[Block, ...] = (
-        Paragraph(
-            (
-                "What the documents leave open or say in two ways. A plant file can choose, under ",
-                Code("options:"),
-                ".",
-            )
-        ),
-        Table(("Option", "What it is about", "Taken", "Other choices", "Source"), tuple(rows)),
-    )
-    return Section("Open questions", blocks, "options")
-
-
-def _series(series: Drive, subject: Subject) -> Page:
-    sources = Sources()
-    rows: list[tuple[str, Phrase]] = [
-        ("Protocol", (Link(series.protocol, protocol_page(series.protocol)),)),
-        ("ComNos", (Link(f"all {len(series.comnos)}", comno_page(series.id)),)),
-    ]
-    if series.trips:
-        rows.append(("Trips", (Link(f"all {len(series.trips)}", trip_page(series.id)),)))
-    if series.like is not None:
-        text = f"{series.like}: what is taken over from there is unverified"
-        rows.append(("Like", (text,)))
-    rows += [("Manual", (text,)) for text in series.manuals]
-    rows.append(("Source", sources.of(series.source, series.status)))
-    sections = [
-        Section("In short", (Facts(tuple(rows)),), "facts"),
-        Section("Words", (_words(series),), "words"),
-        _times(series, sources),
-    ]
-    if series.settings:
-        sections.append(_settings(series, sources))
-    if series.terminal_functions:
-        sections.append(_terminals(series, sources))
-    if series.switches:
-        sections.append(_switches(series.switches, sources))
-    if series.options:
-        sections.append(_options(series.options, sources))
-    sections += sources.sections()
-    lead: Phrase = (series.description or series.title,)
-    found = f"{series.id} {series.title}"
-    return Page(device_page(series.id), series.title, SERIES, lead, tuple(sections), found)
-
-
-def _settings(series: Drive, sources: Sources) -> Section:
-    rows = []
-    for setting in series.settings:
-        cell = series.comno(setting.comno)
-        if setting.value is not None:
-            value = with_unit(setting.value, cell.unit)
-        else:
-            value = (
-                f"{setting.plant} of the plant file" if setting.plant else "as the machine needs"
-            )
-        shown = f"{cell.display} " if cell.display else ""
-        cells: tuple[Phrase, ...] = (
-            (f"{shown}", Link(cell.hex, comno_page(series.id), cell.hex)),
-            *((value,), (setting.when or "always",), (setting.why,)),
-            sources.of(setting.source, setting.status),
-        )
-        rows.append(Row(cells))
-    columns = ("Parameter", "Value", "When", "Why", "Source")
-    return Section("To be set at the inverter", (Table(columns, tuple(rows)),), "settings")
-
-
-def _terminals(series: Drive, sources: Sources) -> Section:
-    rows = tuple(
-        Row(
-            (
-                (str(item.number),),
-                (str(item.inverted) if item.inverted is not None else "",),
-                code(item.name),
-                (item.title,),
-                sources.of(item.source, item.status),
-            ),
-            f"terminal-{item.name}",
-            f"{series.id} terminal function {item.number} {item.title}",
-        )
-        for item in series.terminal_functions
-    )
-    columns = ("Number", "Inverted", "Name", "What it does", "Source")
-    return Section("Terminal functions", (Table(columns, rows),), "terminals")
