@@ -6,7 +6,7 @@ depends on its version, so it is counted by a rule of thumb: bytes for the block
 operand (a variable, a constant) and for every call.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from fbgen.artefacts.view import PlantLists
 from fbgen.dataclass import dataclass
@@ -72,12 +72,13 @@ def work_memory(lists: PlantLists) -> WorkMemory:
     if lists.plant.family.classic:
         units = with_copies(units)
         program = check(units, CANONICAL_DIALECT)
-    return memory_of(units, program, classic=lists.plant.family.classic)
+    sizes = _Sizes(program, classic=lists.plant.family.classic)
+    return WorkMemory(tuple(_blocks(units, sizes, lists.canonical.bodies)))
 
 
 def memory_of(units: Sequence[ast.File], program: Program, *, classic: bool) -> WorkMemory:
     """What these units take; `classic` for S7-300/400, where a timer is a system function block."""
-    return WorkMemory(tuple(_blocks(units, _Sizes(program, classic=classic))))
+    return WorkMemory(tuple(_blocks(units, _Sizes(program, classic=classic), {})))
 
 
 def too_large(lists: PlantLists, found: WorkMemory) -> Iterator[Diagnostic]:
@@ -103,7 +104,12 @@ def too_large(lists: PlantLists, found: WorkMemory) -> Iterator[Diagnostic]:
             )
 
 
-def _blocks(units: Sequence[ast.File], sizes: "_Sizes") -> Iterator[BlockMemory]:
+def _blocks(
+    units: Sequence[ast.File],
+    sizes: "_Sizes",
+    bodies: Mapping[str, tuple[ast.Statement, ...]],
+) -> Iterator[BlockMemory]:
+    known: dict[int, int] = {}
     for file in units:
         for unit in file.units:
             if isinstance(unit, ast.DataBlock):
@@ -111,11 +117,14 @@ def _blocks(units: Sequence[ast.File], sizes: "_Sizes") -> Iterator[BlockMemory]
                 size = BYTES_A_DATA_BLOCK + _bytes(sizes.bits(kind))
                 yield BlockMemory(unit.name.name, size, exact=True)
             elif isinstance(unit, ast.Block):
-                yield BlockMemory(unit.name.name, _code(unit), exact=False)
+                body = bodies.get(unit.name.name, unit.body)
+                if id(body) not in known:
+                    known[id(body)] = _code(body)
+                yield BlockMemory(unit.name.name, known[id(body)], exact=False)
 
 
-def _code(block: ast.Block) -> int:
-    found = by_kind(block.body)
+def _code(body: tuple[ast.Statement, ...]) -> int:
+    found = by_kind(body)
     operands = sum(len(found.get(kind, ())) for kind in (ast.Name, ast.Literal, ast.DirectAddress))
     calls = len(found.get(ast.Call, ()))
     return BYTES_A_BLOCK + BYTES_AN_OPERAND * operands + BYTES_A_CALL * calls

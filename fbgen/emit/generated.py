@@ -1,5 +1,8 @@
 """What the generator gives: files with their text and where each line is from."""
 
+from collections.abc import Mapping
+from dataclasses import field
+
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
 from fbgen.emit.block_list import GeneratedBlock
@@ -56,10 +59,15 @@ class Artefact:
 
 @dataclass(frozen=True, slots=True)
 class CanonicalProgram:
-    """What was generated before it got its dialect: the units in canonical SCL, and checked."""
+    """What was generated before it got its dialect: the units in canonical SCL, and checked.
+
+    A block whose code is that of another one with other names has none here (`fbgen.emit.twins`);
+    `bodies` has that of the other one, by the name of the block.
+    """
 
     units: tuple[ast.File, ...]
     program: Program
+    bodies: Mapping[str, tuple[ast.Statement, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,23 +1,34 @@
 """A plant file to PLC text: which files there are, what stands in them, where each line is from."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 
 import fbgen
 from fbgen.blocks.plan import BlockPlan, plan_blocks
-from fbgen.blocks.texts import sources_of, texts_in
+from fbgen.blocks.texts import Texts, sources_of, texts_in
 from fbgen.catalog import Catalog
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.emit.block_list import generated_block
 from fbgen.emit.environment import TemplateRenderer
 from fbgen.emit.generated import CanonicalProgram, GeneratedSet
-from fbgen.emit.layout import laid_out
+from fbgen.emit.layout import has_file_for_each_unit, laid_out
 from fbgen.emit.lint import lint
 from fbgen.emit.name_clashes import names_that_clash
 from fbgen.emit.name_lengths import names_that_do_not_fit
-from fbgen.emit.rendering import CANONICAL_DIALECT, RenderedUnit, render_unit
+from fbgen.emit.rendering import (
+    CANONICAL_DIALECT,
+    FilledUnit,
+    RenderedUnit,
+    fill_in,
+    read_unit,
+)
+from fbgen.emit.twin_files import TwinFiles
+from fbgen.emit.twin_names import of_one_meaning
+from fbgen.emit.twins import GatewayTwins, Twin, twins_among
+from fbgen.lang import ast
 from fbgen.lang.checker import check, rules_for
 from fbgen.lang.collector import collector_at_rest
 from fbgen.plant import Plant
@@ -45,7 +56,53 @@ def _generated(plant: Plant, catalog: Catalog, templates: Sequence[Path]) -> Gen
         hash=inputs_hash,
     )
     known = dict(plan.context) | {"inputs_hash": f"16#{inputs_hash}"}
-    rendered = _render(replace(plan, context=known), renderer, heading, plant.prefix)
+    filled = _fill_in(replace(plan, context=known), renderer, heading, plant.prefix)
+    work = partial(_worked_on, plant, catalog, texts, filled)
+    found = _with_twins(work, plant, filled) or work(())
+    return replace(found, inputs_hash=inputs_hash, warnings=plan.warnings)
+
+
+_Filled = FilledUnit | DiagnosticError
+"""A unit, or why its template cannot be filled in."""
+
+
+def _fill_in(
+    plan: BlockPlan, renderer: TemplateRenderer, heading: str, prefix: str
+) -> list[_Filled]:
+    filled: list[_Filled] = []
+    for spec in plan.specs:
+        try:
+            filled.append(fill_in(spec, plan, renderer, heading, prefix))
+        except DiagnosticError as wrong:
+            filled.append(wrong)
+    return filled
+
+
+def _with_twins(
+    work: Callable[[Sequence[GatewayTwins]], GeneratedSet], plant: Plant, filled: Sequence[_Filled]
+) -> GeneratedSet | None:
+    """What comes out where the code of gateways that are alike is worked on once; None if it cannot
+    be, or something has to be reported."""
+    units = [unit for unit in filled if isinstance(unit, FilledUnit)]
+    names = {unit.source.name for unit in units}
+    if len(names) < len(filled) or not has_file_for_each_unit(plant):
+        return None
+    twins = twins_among(units)
+    try:
+        return work(twins) if twins else None
+    except DiagnosticError:
+        return None
+
+
+def _worked_on(
+    plant: Plant,
+    catalog: Catalog,
+    texts: Texts,
+    filled: Sequence[_Filled],
+    like: Sequence[GatewayTwins],
+) -> GeneratedSet:
+    """The set, but for what is known before."""
+    rendered, twins = _read(filled, texts, like)
     units = [unit.file for unit in rendered]
     names = [*names_that_do_not_fit(units, plant, catalog), *names_that_clash(units, plant)]
     if names:
@@ -53,28 +110,52 @@ def _generated(plant: Plant, catalog: Catalog, templates: Sequence[Path]) -> Gen
     program = check(
         units, CANONICAL_DIALECT, rules=replace(rules_for(CANONICAL_DIALECT), iec_check_open=False)
     )
-    files = laid_out(units, plant)
+    apart = {twin.unit.source.name for twin in twins}
+    files = laid_out([file for file in units if file.source.name not in apart], plant)
     written = [(file.name, file.text) for file in files if file.is_program]
     if found := [item for text in written for item in lint(*text, plant.dialect, plant.plc)]:
         raise DiagnosticError(found)
+    bodies: dict[str, tuple[ast.Statement, ...]] = {}
+    if twins:
+        of_twins = TwinFiles(units)
+        bodies = of_twins.bodies(twins)
+        places = {file.source.name: place for place, file in enumerate(units)}
+        own = (of_twins.file(twin) for twin in twins)
+        files = tuple(sorted((*files, *own), key=lambda file: places[file.name]))
     blocks = tuple(generated_block(unit, plant.prefix) for unit in rendered)
-    canonical = CanonicalProgram(tuple(units), program)
-    return GeneratedSet(plant.dialect, files, inputs_hash, plan.warnings, blocks, canonical)
+    canonical = CanonicalProgram(tuple(units), program, bodies)
+    return GeneratedSet(plant.dialect, files, "", (), blocks, canonical)
 
 
-def _render(
-    plan: BlockPlan, renderer: TemplateRenderer, heading: str, prefix: str
-) -> list[RenderedUnit]:
-    units: list[RenderedUnit] = []
+def _read(
+    filled: Sequence[_Filled], texts: Texts, like: Sequence[GatewayTwins]
+) -> tuple[list[RenderedUnit], list[Twin]]:
+    """All units, and those among them that are twins, whose code is left out.
+
+    Raises DiagnosticError with everything that is wrong in any of them.
+    """
+    perhaps = {id(twin.unit) for item in like for twin in item.twins}
+    rendered: dict[int, RenderedUnit] = {}
     found: list[Diagnostic] = []
-    for spec in plan.specs:
+    for unit in filled:
         try:
-            units.append(render_unit(spec, plan, renderer, heading, prefix))
+            if isinstance(unit, DiagnosticError):
+                raise unit
+            if id(unit) not in perhaps:
+                rendered[id(unit)] = read_unit(unit, texts)
         except DiagnosticError as wrong:
             found += wrong.diagnostics
     if found:
         raise DiagnosticError(found)
-    return units
+    trees = {unit.file.source.name: unit.file for unit in rendered.values()}
+    twins = {id(twin.unit): twin for twin in of_one_meaning(like, trees)}
+    units = [unit for unit in filled if isinstance(unit, FilledUnit)]
+    for unit in units:
+        if id(unit) in twins:
+            rendered[id(unit)] = twins[id(unit)].without_code()
+        elif id(unit) in perhaps:
+            rendered[id(unit)] = read_unit(unit, texts)
+    return [rendered[id(unit)] for unit in units], list(twins.values())
 
 
 def _hash_of_inputs(

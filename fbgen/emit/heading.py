@@ -48,11 +48,15 @@ def _interface(block: ast.Block, texts: Texts) -> Iterator[str]:
         yield texts("Inputs and outputs: none")
 
 
-def _facts(source: Source, texts: Texts) -> Iterator[str]:
+def facts_in(source: Source) -> list[str]:
     """Documents and sections, each once, in the order in which the unit needs them."""
     values = {id(origin): origin for _, origin in source.origins if origin is not None}.values()
     found = dict.fromkeys(text for origin in values for text in _sources(origin))
-    for text in dict.fromkeys(map(one_line, found)):
+    return list(dict.fromkeys(map(one_line, found)))
+
+
+def _facts(source: Source, texts: Texts) -> Iterator[str]:
+    for text in facts_in(source):
         yield f"{texts('Facts')}: {text}"
 
 

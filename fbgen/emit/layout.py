@@ -61,6 +61,12 @@ def laid_out(units: Sequence[ast.File], plant: Plant) -> tuple[GeneratedFile, ..
     return files
 
 
+def has_file_for_each_unit(plant: Plant) -> bool:
+    """Whether each unit becomes a file of its own, in the language of the templates."""
+    layout = plant.files or FILE_LAYOUTS[plant.dialect][0]
+    return (plant.dialect, layout) == ("tia", "per_block") and not plant.family.classic
+
+
 def _is_owned(file: GeneratedFile, plant: Plant) -> bool:
     """Whether it has the parameter block, and nothing else."""
     names = [f"{with_prefix(PARAMETERS, plant.prefix)}{suffix}" for suffix in (".db", ".scl")]

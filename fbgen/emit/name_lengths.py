@@ -36,7 +36,7 @@ def names_that_do_not_fit(
     prefix = _Part(plant.prefix, "prefix", plant.span_of("prefix"))
     otherwise = None if plant.prefix == USUAL_PREFIX else prefix
     longest: dict[_Part | None, tuple[str, Span]] = {}
-    for name, place in _declared(units):
+    for name, place in declared(units):
         if len(name) > dialect.identifier_length:
             part = next((one for one in parts if one.name in name), otherwise)
             if part not in longest or len(name) > len(longest[part][0]):
@@ -87,7 +87,7 @@ def _parts(plant: Plant, catalog: Catalog) -> Iterator[_Part]:
             yield _Part(item.name, "parameter or result", item.span_of("name"))
 
 
-def _declared(units: Sequence[ast.File]) -> Iterator[tuple[str, Span]]:
+def declared(units: Sequence[ast.File]) -> Iterator[tuple[str, Span]]:
     """The names of all units, variables and fields."""
     for file in units:
         for unit in file.units:

@@ -26,11 +26,13 @@ class PrintedText:
     """A text with line ends LF, and where each of its lines came from.
 
     `places` lie in the text that was read, `origins` in what that text was generated from.
+    `together` counts the lines that have one place together.
     """
 
     text: str
     origins: tuple[LineOrigins, ...]
     places: tuple[Span | None, ...]
+    together: tuple[int, ...]
 
 
 def print_file(file: File) -> PrintedText:
@@ -39,7 +41,7 @@ def print_file(file: File) -> PrintedText:
     with room_for_depth():
         printer.file(file)
     lines = printer.lines
-    return PrintedText(lines.text(), lines.origins(), lines.places())
+    return PrintedText(lines.text(), lines.origins(), lines.places(), lines.together())
 
 
 def print_generated(file: File) -> PrintedText:

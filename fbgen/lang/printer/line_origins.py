@@ -12,6 +12,20 @@ LineOrigins = tuple[Origin, ...]
 _WORD = re.compile(r"\w+")
 
 
+def origins_of_lines(
+    lines: Sequence[str], together: Sequence[int], places: Sequence[Span | None]
+) -> tuple[LineOrigins, ...]:
+    """Where each of the lines came from; `together` says how many have one place."""
+    found: list[LineOrigins] = []
+    for count in together:
+        at = len(found)
+        if count == 1:
+            found.append(of_one_line(places[at]))
+        else:
+            found += line_origins(lines[at : at + count], places[at])
+    return tuple(found)
+
+
 def line_origins(lines: Sequence[str], place: Span | None) -> list[LineOrigins]:
     """The origins of lines that were printed together from one place.
 

@@ -2,7 +2,7 @@
 
 from fbgen.lang.ast import Trivia, TriviaKind, TriviaList
 from fbgen.lang.dialects.dialect import Dialect, Feature
-from fbgen.lang.printer.line_origins import LineOrigins, line_origins, of_one_line
+from fbgen.lang.printer.line_origins import LineOrigins, origins_of_lines
 from fbgen.source import Span
 
 WIDTH = 100
@@ -30,16 +30,13 @@ class Lines:
         """What each line was made from."""
         return tuple(self._places)
 
+    def together(self) -> tuple[int, ...]:
+        """How many lines were made from one place, one such number after the other."""
+        return tuple(self._together)
+
     def origins(self) -> tuple[LineOrigins, ...]:
         """Where each line came from."""
-        found: list[LineOrigins] = []
-        for count in self._together:
-            at = len(found)
-            if count == 1:
-                found.append(of_one_line(self._places[at]))
-            else:
-                found += line_origins(self._lines[at : at + count], self._places[at])
-        return tuple(found)
+        return origins_of_lines(self._lines, self._together, self._places)
 
     def indentation(self) -> str:
         """What stands in front of a line at this level."""
