@@ -44,7 +44,8 @@ def channel_gateway(name: str, number: int) -> str:
     return (
         f"  - name: {name}\n    type: pbdp110\n    layout: module2\n    access: dpxx_dat\n"
         f"    profibus_address: {number + 3}\n    hardware_identifier: {270 + number}\n"
-        f"    drives:\n      - {{name: {name}_a, channel: A, series: vf-s11, max_frequency_hz: 60.0}}\n"
+        "    drives:\n"
+        f"      - {{name: {name}_a, channel: A, series: vf-s11, max_frequency_hz: 60.0}}\n"
         f"      - {{name: {name}_b, channel: B, series: vf-s11, max_frequency_hz: 50.0}}\n"
     )
 
