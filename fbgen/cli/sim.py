@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from fbgen.cli import sim_drive
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import CatalogOption
 from fbgen.cli.output import on_error_terminal, result, say
@@ -28,8 +29,9 @@ def register(program: typer.Typer) -> None:
     program.add_typer(
         commands,
         name="sim",
-        epilog=examples("fbgen sim gateway --pty", "fbgen sim gateway --port /dev/ttyUSB0"),
+        epilog=examples("fbgen sim drive --pty", "fbgen sim gateway --port /dev/ttyUSB0"),
     )
+    sim_drive.add_to(commands)
 
 
 @commands.callback()
@@ -87,7 +89,7 @@ def gateway(
     from harness.serial import gateways_to_serve
 
     known = load_catalog(catalog or ())
-    _check_port(port, pty)
+    check_port(port, pty, "the gateway")
     plan = _plant(plant, kind, layout, address, known)
     served = gateways_to_serve(plan, known)
     opened = _open(port, baud)
@@ -99,11 +101,12 @@ def gateway(
         opened.close()
 
 
-def _check_port(port: str | None, pty: bool) -> None:
+def check_port(port: str | None, pty: bool, what: str) -> None:
+    """FB9030 unless it is said in one way where the devices shall be."""
     from fbgen.diagnostics import error
 
     if (port is None) is not pty:
-        message = "--port and --pty at once" if pty else "it is not said where the gateway shall be"
+        message = "--port and --pty at once" if pty else f"it is not said where {what} shall be"
         raise error("FB9030", message, None, "give --port NAME, or --pty on Linux")
 
 

@@ -1,4 +1,7 @@
-"""Faults that a scenario can inject, one file each; each file ends with its `FAULT`."""
+"""Faults that a scenario can inject, one file each; each file ends with its `FAULT`.
+
+Those of drives and of lines need no PLC: `FIELD_FAULTS` happen to any drives on a line.
+"""
 
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -47,15 +50,12 @@ from harness.faults import (
     transfers_torn,
 )
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
+from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 
-__all__ = ["FAULTS", "Fault", "FaultSettings", "FaultType", "Target"]
+__all__ = ["FAULTS", "FIELD_FAULTS", "Fault", "FaultSettings", "FaultType", "Target"]
 
-_MODULES = (
-    cpu_jitter,
-    cpu_overrun,
-    cpu_retentive_lost,
-    cpu_stopped,
-    cpu_unpowered,
+_OF_THE_FIELD = (
     drive_alarm,
     drive_answers_for_another,
     drive_answers_late,
@@ -68,12 +68,6 @@ _MODULES = (
     drive_slow,
     drive_tripped,
     drive_unpowered,
-    gateway_buffer_overwritten,
-    gateway_diagnosis,
-    gateway_reports,
-    gateway_slow,
-    gateway_trigger_stuck,
-    gateway_unpowered,
     line_babbling,
     line_broken,
     line_broken_one_way,
@@ -81,6 +75,20 @@ _MODULES = (
     line_bytes_doubled,
     line_bytes_lost,
     line_noise,
+)
+_MODULES = (
+    cpu_jitter,
+    cpu_overrun,
+    cpu_retentive_lost,
+    cpu_stopped,
+    cpu_unpowered,
+    *_OF_THE_FIELD,
+    gateway_buffer_overwritten,
+    gateway_diagnosis,
+    gateway_reports,
+    gateway_slow,
+    gateway_trigger_stuck,
+    gateway_unpowered,
     master_stopped,
     profibus_clear,
     profibus_freeze_held,
@@ -94,7 +102,12 @@ _MODULES = (
     transfers_torn,
 )
 
-FAULTS: Mapping[str, FaultType] = MappingProxyType(
+FAULTS: Mapping[str, FaultType[Installation]] = MappingProxyType(
     {item.FAULT.name: item.FAULT for item in _MODULES}
 )
 """By the name that scenarios use."""
+
+FIELD_FAULTS: Mapping[str, FaultType[FieldLevel]] = MappingProxyType(
+    {item.FAULT.name: item.FAULT for item in _OF_THE_FIELD}
+)
+"""Those of drives and lines."""

@@ -6,7 +6,7 @@ from operator import or_
 from fbgen.catalog.scalars import Text
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 from harness.faults.holding import Holding
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 from harness.installation.holds import attribute
 
 
@@ -16,7 +16,7 @@ class AlarmSettings(FaultSettings):
     alarm: Text = "overheat"
 
 
-def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     """FB1202 for an alarm that the series of the drive does not have."""
     assert isinstance(settings, AlarmSettings)
     drive = plant.drives[on]

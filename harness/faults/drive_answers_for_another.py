@@ -4,7 +4,7 @@ from fbgen.catalog.scalars import Text
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 from harness.faults.holding import Holding
 from harness.faults.neighbours import neighbour
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 from harness.installation.holds import Hold
 
 
@@ -14,7 +14,7 @@ class AnotherSettings(FaultSettings):
     other: Text | None = None
 
 
-def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     """FB7520 if there is no such drive on its line."""
     assert isinstance(settings, AnotherSettings)
     number: int | None = neighbour(plant, on, settings.other).inv_no

@@ -5,7 +5,7 @@ from pydantic import Field
 from harness.durations import PositiveDurationNs
 from harness.faults.fault import Fault, FaultSettings, FaultType, Probability, Target
 from harness.faults.holding import Holding
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 from harness.installation.holds import attribute
 from harness.kernel import NS_PER_MS
 
@@ -19,7 +19,7 @@ class LateSettings(FaultSettings):
     probability: Probability = 0.2
 
 
-def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     assert isinstance(settings, LateSettings)
     port = plant.drives[on].communication
     return Holding(

@@ -5,11 +5,11 @@ VF-AS1 RS485 manual E6581315, page 20: impossible to execute, EEPROM faulty.
 
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 from harness.faults.holding import Holding
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 from harness.installation.holds import attribute
 
 
-def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     return Holding(plant, attribute(plant.drives[on].registers, "eeprom_faulty", True))
 
 

@@ -6,11 +6,11 @@ is reset (TOSPBDP001 manual v1.1, 7: the RES input as inverted EXTN).
 
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 from harness.faults.holding import Holding
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 from harness.installation.holds import attribute
 
 
-def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     return Holding(plant, attribute(plant.drives[on], "emergency_terminal", True))
 
 

@@ -8,11 +8,11 @@ from functools import partial
 
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 from harness.faults.holding import Holding
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 from harness.installation.holds import switched
 
 
-def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     switch = plant.drives[on].switch_to_local
     hold = switched(plant.drives[on], "local", partial(switch, True), partial(switch, False))
     return Holding(plant, hold)

@@ -8,7 +8,7 @@ from harness.drives import ReplyTime
 from harness.durations import PositiveDurationNs
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 from harness.faults.holding import Holding
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 from harness.installation.holds import Hold
 from harness.kernel import NS_PER_MS
 
@@ -21,7 +21,7 @@ class SlowDriveSettings(FaultSettings):
     )
 
 
-def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     assert isinstance(settings, SlowDriveSettings)
     slow = ReplyTime(settings.reply_time, settings.reply_time)
     port = plant.drives[on].communication

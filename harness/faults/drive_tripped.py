@@ -5,7 +5,7 @@ from functools import partial
 from fbgen.catalog.scalars import Text
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 from harness.faults.holding import Event
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 
 
 class TripSettings(FaultSettings):
@@ -14,7 +14,7 @@ class TripSettings(FaultSettings):
     display: Text = "OC1"
 
 
-def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     """FB7102 for a display that the series of the drive does not have."""
     assert isinstance(settings, TripSettings)
     drive = plant.drives[on]

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from enum import Enum
-from typing import Annotated, Protocol
+from typing import Annotated, Generic, Protocol, TypeVar
 
 from pydantic import Field
 
@@ -10,6 +10,9 @@ from fbgen.catalog import Located
 from fbgen.catalog.scalars import Real
 from fbgen.dataclass import dataclass
 from harness.installation import Installation
+
+Plant_contra = TypeVar("Plant_contra", contravariant=True)
+"""What a fault needs around it: a whole installation, or drives on lines (`FieldLevel`)."""
 
 Probability = Annotated[Real, Field(gt=0, le=1)]
 """A probability that is not 0."""
@@ -48,24 +51,24 @@ class Fault(Protocol):
         ...
 
 
-class FaultMaker(Protocol):
+class FaultMaker(Protocol[Plant_contra]):
     """Makes the fault for a place; `on` is "" for the whole plant.
 
     Making it does nothing to the plant. Raises DiagnosticError for settings that the place at hand
     does not allow.
     """
 
-    def __call__(self, plant: Installation, on: str, settings: FaultSettings) -> Fault:
+    def __call__(self, plant: Plant_contra, on: str, settings: FaultSettings) -> Fault:
         """The fault, not yet injected."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
-class FaultType:
+class FaultType(Generic[Plant_contra]):
     """A kind of fault as scenarios name it."""
 
     name: str
     title: str
     target: Target
-    make: FaultMaker
+    make: FaultMaker[Plant_contra]
     settings: type[FaultSettings] = FaultSettings

@@ -3,14 +3,14 @@
 from collections.abc import Callable
 from typing import Any
 
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 from harness.installation.holds import Hold
 
 
 class Holding:
     """Several of them at once, at one place or at different ones, get along with each other."""
 
-    def __init__(self, plant: Installation, *holds: Hold[Any]) -> None:
+    def __init__(self, plant: FieldLevel, *holds: Hold[Any]) -> None:
         self._plant = plant
         self._holds = tuple({hold.key: hold for hold in holds}.values())
 

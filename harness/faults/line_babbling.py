@@ -8,7 +8,7 @@ from fbgen.catalog.scalars import Count
 from harness.durations import PositiveDurationNs
 from harness.faults.fault import FaultSettings, FaultType, Target
 from harness.faults.line_pairs import Direction, pairs
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 from harness.kernel import NS_PER_MS, Event
 from harness.line import DRIVE_FORMAT
 
@@ -26,7 +26,7 @@ class BabblingSettings(FaultSettings):
 class LineBabbling:
     """Each of several such faults is a sender of its own."""
 
-    def __init__(self, plant: Installation, on: str, settings: FaultSettings) -> None:
+    def __init__(self, plant: FieldLevel, on: str, settings: FaultSettings) -> None:
         assert isinstance(settings, BabblingSettings)
         self._kernel = plant.kernel
         self._pairs = pairs(plant, on, settings.direction)

@@ -5,7 +5,7 @@ from typing import Literal
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 from harness.faults.holding import Holding
 from harness.faults.line_pairs import pairs
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 from harness.installation.holds import attribute
 
 
@@ -15,7 +15,7 @@ class OneWaySettings(FaultSettings):
     direction: Literal["to_drives", "from_drives"] = "from_drives"
 
 
-def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     assert isinstance(settings, OneWaySettings)
     broken = pairs(plant, on, settings.direction)
     return Holding(plant, *(attribute(pair, "broken", True) for pair in broken))

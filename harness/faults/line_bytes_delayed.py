@@ -9,7 +9,7 @@ from harness.durations import PositiveDurationNs
 from harness.faults.fault import Fault, FaultSettings, FaultType, Probability, Target
 from harness.faults.holding import Holding
 from harness.faults.line_pairs import Direction, pairs
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 from harness.installation.holds import attribute
 from harness.kernel import NS_PER_MS
 
@@ -24,7 +24,7 @@ class DelaySettings(FaultSettings):
     direction: Direction = "both"
 
 
-def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     assert isinstance(settings, DelaySettings)
     held = [pair.interference for pair in pairs(plant, on, settings.direction)]
     return Holding(

@@ -3,7 +3,7 @@
 from harness.faults.fault import Fault, FaultSettings, FaultType, Probability, Target
 from harness.faults.holding import Holding
 from harness.faults.line_pairs import Direction, pairs
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 from harness.installation.holds import attribute
 
 
@@ -14,7 +14,7 @@ class NoiseSettings(FaultSettings):
     direction: Direction = "both"
 
 
-def _make(plant: Installation, on: str, settings: FaultSettings) -> Fault:
+def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     assert isinstance(settings, NoiseSettings)
     rates = [pair.interference.bit_errors for pair in pairs(plant, on, settings.direction)]
     return Holding(

@@ -2,13 +2,13 @@
 
 from typing import Literal
 
-from harness.installation import Installation
+from harness.installation.field_level import FieldLevel
 from harness.line import Pair
 
 Direction = Literal["both", "to_drives", "from_drives"]
 
 
-def pairs(plant: Installation, gateway: str, direction: Direction = "both") -> tuple[Pair, ...]:
+def pairs(plant: FieldLevel, gateway: str, direction: Direction = "both") -> tuple[Pair, ...]:
     """The pairs behind a gateway; with two wires both directions share one."""
     line = plant.lines[gateway]
     chosen = {"to_drives": (line.master_pair,), "from_drives": (line.slave_pair,)}

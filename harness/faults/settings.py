@@ -1,6 +1,7 @@
 """Settings of a fault from a scenario file to the fault's own model."""
 
 from collections.abc import Mapping
+from typing import Any
 
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
@@ -19,7 +20,7 @@ _LIMITS = {
 
 
 def fault_settings(
-    kind: FaultType,
+    kind: FaultType[Any],
     values: Mapping[str, bool | int | float | str],
     places: Mapping[str, Span | None],
 ) -> FaultSettings:
@@ -35,7 +36,7 @@ def fault_settings(
 
 
 def _explain(
-    kind: FaultType, details: ErrorDetails, places: Mapping[str, Span | None]
+    kind: FaultType[Any], details: ErrorDetails, places: Mapping[str, Span | None]
 ) -> Diagnostic:
     name = str(details["loc"][0])
     if details["type"] == "extra_forbidden":

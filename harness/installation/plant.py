@@ -1,7 +1,8 @@
 """A simulated plant as a whole: PLC, PROFIBUS, gateways, lines and inverters on one clock."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
+from functools import partial
 
 from fbgen.catalog import Catalog
 from fbgen.dataclass import dataclass
@@ -11,7 +12,7 @@ from harness.fieldbus import DpMaster, Station
 from harness.gateways.pbdp110 import Pbdp110
 from harness.gateways.tospbdp001 import Memory, Tospbdp001
 from harness.installation.devices import FieldDevices
-from harness.installation.holds import Holds
+from harness.installation.holds import Hold, Holds, switched
 from harness.kernel import Kernel
 from harness.line import Line, Spacing
 from harness.plc import Cpu
@@ -74,6 +75,24 @@ class Installation:
     def interface_entries(self) -> tuple[PlantGateway, ...]:
         """Those gateways of the plant file that are for process data."""
         return tuple(item for item in self.plan.gateways if item.name in self.interfaces)
+
+    def neighbours(self, drive: str) -> Sequence[str]:
+        """The other drives on the line of a drive; there are none at an interface."""
+        entry = next(
+            entry for entry in self.plan.gateways if drive in {item.name for item in entry.drives}
+        )
+        on_a_line = entry.name in self.gateways
+        return tuple(item.name for item in entry.drives if item.name != drive and on_a_line)
+
+    def cable(self, drive: str) -> Iterator[Hold[bool]]:
+        """The cable to a drive at an interface: the supply comes through it, too."""
+        for entry in self.interface_entries:
+            device = self.interfaces[entry.name]
+            for item in entry.drives:
+                if item.name == drive and item.channel is not None:
+                    channel = item.channel.lower()
+                    begin, end = partial(device.unplug, channel), partial(device.plug, channel)
+                    yield switched(device, f"cable {channel}", begin, end)
 
     def start(self) -> None:
         """Switch the gateways on and start the CPU; drives have their supply already."""

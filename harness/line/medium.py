@@ -45,10 +45,17 @@ class Pair:
     count for transmissions that end from then on.
     """
 
-    __slots__ = ("_kernel", "_on_line", "_taps", "broken", "interference", "listeners", "name")
+    __slots__ = (
+        *("_begun", "_kernel", "_on_line", "_taps"),
+        *("broken", "interference", "listeners", "name"),
+    )
 
     def __init__(
-        self, name: str, kernel: Kernel, taps: "list[Callable[[Transmission], None]]"
+        self,
+        name: str,
+        kernel: Kernel,
+        taps: "list[Callable[[Transmission], None]]",
+        begun: "list[Callable[[Transmission], None]]",
     ) -> None:
         self.name = name
         self.broken = False
@@ -56,6 +63,7 @@ class Pair:
         self.listeners: list[Port] = []
         self._kernel = kernel
         self._taps = taps
+        self._begun = begun
         self._on_line: list[Transmission] = []
 
     @property
@@ -86,6 +94,8 @@ class Pair:
         transmission.event = self._kernel.at(
             transmission.end_ns, partial(self._deliver, transmission)
         )
+        for told in self._begun:
+            told(transmission)
 
     def cut(self, sender: "Port") -> None:
         """End what a node sends now; the byte in progress and those behind it are never sent."""
@@ -191,20 +201,21 @@ class Line:
     """The RS-485 line of one gateway or PLC, with everything that hangs on it.
 
     `master_pair` carries what masters send and `slave_pair` what slaves send; with two wires they
-    are the same pair. Each function in `taps` gets every transmission when it is over.
+    are the same pair. Each function in `taps` gets every transmission when it is over, and each in
+    `begun` when somebody has begun to send it or has put it behind what is still on its way.
     """
 
-    __slots__ = ("_kernel", "master_pair", "ports", "slave_pair", "taps", "topology")
+    __slots__ = ("_kernel", "begun", "master_pair", "ports", "slave_pair", "taps", "topology")
 
     def __init__(self, kernel: Kernel, topology: Topology = Topology.FOUR_WIRE) -> None:
         self._kernel = kernel
         self.topology = topology
         self.taps: list[Callable[[Transmission], None]] = []
         self.ports: list[Port] = []
-        self.master_pair = Pair("master", kernel, self.taps)
-        self.slave_pair = (
-            self.master_pair if topology is Topology.TWO_WIRE else Pair("slave", kernel, self.taps)
-        )
+        self.begun: list[Callable[[Transmission], None]] = []
+        self.master_pair = self.slave_pair = Pair("master", kernel, self.taps, self.begun)
+        if topology is not Topology.TWO_WIRE:
+            self.slave_pair = Pair("slave", kernel, self.taps, self.begun)
 
     def attach(self, node: Node, role: Role, format: SerialFormat) -> Port:  # noqa: A002
         """Connect a node; `format` is how it sends and what it expects to receive."""

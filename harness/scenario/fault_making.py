@@ -67,13 +67,13 @@ class FaultMaking:
             self._found += at(entry.span_of("settings"), wrong.diagnostics)
             return None
 
-    def kind(self, name: str, place: Span | None) -> FaultType | None:
+    def kind(self, name: str, place: Span | None) -> FaultType[Installation] | None:
         """The kind of fault with a name."""
         if name not in FAULTS:
             self._report(f"there is no fault '{name}'", place, nearest(name, FAULTS))
         return FAULTS.get(name)
 
-    def _is_there(self, kind: FaultType, entry: FaultEntry) -> bool:
+    def _is_there(self, kind: FaultType[Installation], entry: FaultEntry) -> bool:
         places = kind.target.places(self._plant)
         what = kind.target.value
         if kind.target is Target.WHOLE:

@@ -3,6 +3,8 @@
 Only for JSON Schemas. What a scenario may really do is checked with the plant at hand.
 """
 
+from typing import Any
+
 from pydantic.json_schema import JsonSchemaValue
 
 from harness.faults import FAULTS, FaultType, Target
@@ -27,7 +29,7 @@ def with_places_and_settings(schema: JsonSchemaValue) -> None:
     ]
 
 
-def _of_fault(kind: FaultType) -> JsonSchemaValue:
+def _of_fault(kind: FaultType[Any]) -> JsonSchemaValue:
     settings = kind.settings.model_json_schema().get("properties", {})
     for name, value in settings.items():
         if "enum" in value:

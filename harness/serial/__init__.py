@@ -1,16 +1,49 @@
 """The simulated devices on a real port, in real time: the one place that reads the wall clock."""
 
+from harness.serial.bridge import LineBridge
+from harness.serial.commands import Commands
+from harness.serial.control import ControlSocket
+from harness.serial.drive_server import DriveServer
+from harness.serial.drive_states import DriveState, drive_states
+from harness.serial.drives import (
+    DriveToServe,
+    LineSetting,
+    ServedDrives,
+    line_setting,
+    serial_port_of,
+    serve_drives,
+)
+from harness.serial.fault_switches import FaultSwitches
 from harness.serial.gateways import ServedGateways, gateways_to_serve
-from harness.serial.ports import Port, SerialPort, profibus_port
+from harness.serial.line_log import HeardFrame, LineLog
+from harness.serial.pace import Pace
+from harness.serial.ports import Port, SerialPort, profibus_port, serial_port
 from harness.serial.pseudo_terminal import PseudoTerminal
 from harness.serial.serving import Server
 
 __all__ = [
+    "Commands",
+    "ControlSocket",
+    "DriveServer",
+    "DriveState",
+    "DriveToServe",
+    "FaultSwitches",
+    "HeardFrame",
+    "LineBridge",
+    "LineLog",
+    "LineSetting",
+    "Pace",
     "Port",
     "PseudoTerminal",
     "SerialPort",
+    "ServedDrives",
     "ServedGateways",
     "Server",
+    "drive_states",
     "gateways_to_serve",
+    "line_setting",
     "profibus_port",
+    "serial_port",
+    "serial_port_of",
+    "serve_drives",
 ]

@@ -39,9 +39,9 @@ class PseudoTerminal:
         """The path that a master opens."""
         return self._name
 
-    def read(self) -> bytes:
+    def read(self, wait_s: float = TICK_S) -> bytes:
         """As `Port.read`."""
-        ready, _, _ = select.select([self._end], [], [], TICK_S)
+        ready, _, _ = select.select([self._end], [], [], wait_s)
         return os.read(self._end, _MOST) if ready else b""
 
     def write(self, data: bytes) -> None:

@@ -10,6 +10,7 @@ from time import monotonic_ns
 
 from harness.fieldbus import Segment
 from harness.kernel import NS_PER_MS, Kernel
+from harness.serial.pace import Pace
 from harness.serial.ports import Port
 
 _SILENCE_NS = 30 * NS_PER_MS
@@ -29,8 +30,7 @@ class Server:
         self._kernel = kernel
         self._segment = segment
         self._port = port
-        self._clock_ns = clock_ns
-        self._offset_ns = clock_ns() - kernel.now_ns
+        self._pace = Pace(kernel, clock_ns)
         self._heard_ns = kernel.now_ns
 
     def serve(self, goes_on: Callable[[], bool]) -> None:
@@ -44,7 +44,7 @@ class Server:
     def step(self) -> None:
         """Wait for bytes, but not long; let time pass; answer."""
         data = self._port.read()
-        self._kernel.run_until(self._clock_ns() - self._offset_ns)
+        self._pace.catch_up()
         now_ns = self._kernel.now_ns
         answer = b""
         if now_ns - self._heard_ns > _SILENCE_NS:

@@ -76,7 +76,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | PLANT
     | {"fbgen.columns", "harness.faults", "harness.results", "harness.scenario", "harness.verify"},
     "harness.results": BASE,
-    "harness.serial": BASE | TEXT | PLANT,
+    "harness.serial": BASE | TEXT | PLANT | {"harness.durations", "harness.faults"},
     "harness.scenario": BASE
     | TEXT
     | PLANT

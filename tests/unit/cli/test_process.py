@@ -31,6 +31,7 @@ COMMANDS = [
         ("catalog", "show"),
         ("sim",),
         ("sim", "gateway"),
+        ("sim", "drive"),
     ],
 ]
 
