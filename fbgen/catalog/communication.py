@@ -31,6 +31,7 @@ from fbgen.catalog.sourced import Sourced, unknown_fields
 from fbgen.diagnostics import Diagnostic, Note
 
 Parity = Literal["none", "even", "odd"]
+TimeoutAction = Literal["nothing", "alarm", "trip"]
 Cause = Literal[
     "unknown_function", "unknown_comno", "wrong_quantity", "wrong_data", "not_executable",
 ]  # fmt: skip
@@ -54,8 +55,10 @@ class SerialPort(Part):
 
     `wires`: 2 or 4; None where it is a port for a converter. `command` and `setpoint` are the
     ComNos that a master writes through this port, of which `setpoint` is also what drive to drive
-    telegrams carry. `protocols`: value of the ComNo `protocol` -> id of the protocol; with one
-    protocol only, there is no such ComNo.
+    telegrams carry; `command_2` is the second command word. `timeout_actions`: value of the ComNo
+    `timeout_action` -> what this port does when its time-out is over; without it it trips.
+    `protocols`: value of the ComNo `protocol` -> id of the protocol; with one protocol only, there
+    is no such ComNo.
     """
 
     name: SnakeName
@@ -67,14 +70,16 @@ class SerialPort(Part):
     parity: SnakeName
     inv_no: SnakeName
     timeout: SnakeName
+    command_2: SnakeName | None = None
     timeout_action: SnakeName | None = None
+    timeout_actions: dict[Number, TimeoutAction] = Field(default_factory=dict)
     send_waiting_time: SnakeName | None = None
     inter_drive: SnakeName | None = None
     protocol: SnakeName | None = None
     protocols: dict[Number, EntryId]
 
     def problems(self) -> Iterable[Diagnostic]:
-        """FB1103; FB1105; FB1115 several protocols and nothing that chooses, or the reverse."""
+        """FB1103; FB1105; FB1115 several protocols, or actions, and nothing that chooses."""
         yield from super().problems()
         if len(self.protocols) != 1 and self.protocol is None:
             yield Diagnostic(
@@ -83,6 +88,13 @@ class SerialPort(Part):
                 "ComNo that chooses",
                 self.span_of("protocols"),
                 "add protocol: with the name of the ComNo, or leave one protocol",
+            )
+        if self.timeout_actions and self.timeout_action is None:
+            yield Diagnostic(
+                "FB1115",
+                f"the port '{self.name}' has actions of a time-out and nothing that chooses",
+                self.span_of("timeout_actions"),
+                "add timeout_action: with the name of the ComNo",
             )
 
 
@@ -291,7 +303,7 @@ class Communication(Located):
 
 _PORT_COMNOS = (
     *("command", "setpoint", "baud_rate", "parity", "inv_no", "timeout", "timeout_action"),
-    *("send_waiting_time", "inter_drive", "protocol"),
+    *("send_waiting_time", "inter_drive", "protocol", "command_2"),
 )
 
 _PARITIES: Mapping[str, Parity] = MappingProxyType({"none": "none", "even": "even", "odd": "odd"})

@@ -54,17 +54,21 @@ def _port(drive: Drive, port: SerialPort) -> dict[str, str]:
     return {
         "title": port.title,
         "wires": "" if port.wires is None else str(port.wires),
-        "command": _comno(drive, port.command),
+        "command": " ".join([_comno(drive, port.command), _comno(drive, port.command_2)]).strip(),
         "set-point": _comno(drive, port.setpoint),
         "INV-NO": _comno(drive, port.inv_no),
         "rates": _codes(drive, port.baud_rate, drive.baud_rates(port)),
         "parities": _codes(drive, port.parity, drive.parities(port)),
         "time-out": _comno(drive, port.timeout),
-        "at the time-out": _comno(drive, port.timeout_action),
+        "at the time-out": " ".join([_comno(drive, port.timeout_action), _actions(port)]).strip(),
         "send waiting time": _comno(drive, port.send_waiting_time),
         "drive to drive": _comno(drive, port.inter_drive),
         "protocol": " ".join([_comno(drive, choice), ", ".join(protocols)]).strip(),
     }
+
+
+def _actions(port: SerialPort) -> str:
+    return ", ".join(f"{value} = {action}" for value, action in port.timeout_actions.items())
 
 
 def _comno(drive: Drive, name: str | None) -> str:

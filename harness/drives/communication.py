@@ -13,8 +13,9 @@ from typing import Protocol
 
 from fbgen.catalog import SerialPort
 from harness.drives.device import Owner
+from harness.drives.inter_drive import MasterPort, role_of
 from harness.drives.settings import InverterSettings
-from harness.drives.speakers import Ear, ear_for, protocol_of
+from harness.drives.speakers import TOSHIBA, Ear, ear_for, protocol_of
 from harness.kernel import NS_PER_S, Event, Kernel
 from harness.line import Line, Parity, Port, Rate, Reception, Role, SerialFormat
 
@@ -36,6 +37,7 @@ class Communication:
     own, `reply_number` one with which it answers. `heard_ns` is when it had heard what it answers
     or has answered last; up to `deaf_until_ns` nothing is heard. `protocol` is the one that it
     speaks, None if the inverter was told to speak one that it does not have. It listens on `hears`.
+    A port that is that of a master to other inverters when it is connected is wired as a master.
     """
 
     __slots__ = (
@@ -43,13 +45,16 @@ class Communication:
         "_ear",
         "_foreign_number",
         "_frame",
+        "_master",
         "_owner",
         "_registers",
         "_reply",
         "_settings",
+        "_timed_out",
         "_timeout",
         "_timer",
         "_waiting",
+        "_writes_only",
         "deaf_until_ns",
         "facts",
         "heard_ns",
@@ -77,7 +82,9 @@ class Communication:
     ) -> None:
         """`facts` is the port as the catalogue has it."""
         self.kernel = kernel
-        self.hears = line.master_pair
+        own = role_of(owner.series, facts, owner.registers)
+        role = Role.SLAVE if own is None or own.sends is None else Role.MASTER
+        self.hears = line.master_pair if role is Role.SLAVE else line.slave_pair
         self.facts = facts
         self._timeout, self._waiting = facts.timeout, facts.send_waiting_time
         self._owner = owner
@@ -95,7 +102,13 @@ class Communication:
         self.deaf_until_ns = self.heard_ns = kernel.now_ns
         self.inv_no = 0
         self.protocol: str | None = None
-        self.port: Port = line.attach(self, Role.SLAVE, self._format())
+        self._timed_out = False
+        self._writes_only = settings.timeout_restart == "writes"
+        device = owner.device
+        self._master = MasterPort(
+            self, owner.series, owner.registers, device.read, lambda: device.tripped
+        )
+        self.port: Port = line.attach(self, role, self._format())
         self._ear = self._listen()
         self.number_changed()
 
@@ -125,6 +138,7 @@ class Communication:
     def restart(self, silence_ns: int) -> None:
         """Begin anew, deaf and mute for a while; the parameters that waited act from now on."""
         self.stop()
+        self._timed_out = False
         self.deaf_until_ns = self.kernel.now_ns + silence_ns
         self.port.format = self._format()
         self._ear = self._listen()
@@ -135,6 +149,7 @@ class Communication:
         if self._reply is not None:
             self.kernel.cancel(self._reply)
         self.port.abort()
+        self._master.stop()
         self._ear.reset()
         self.timeout_changed()
         self.deaf_until_ns = _NEVER
@@ -143,7 +158,10 @@ class Communication:
 
     def carried_out(self, reads: bool) -> None:
         """A telegram is about to be carried out: that starts the time-out anew."""
-        if reads and self._settings.timeout_restart != "any_answered":
+        if self._timed_out:
+            self._timed_out = False
+            self._owner.device.heard(self.facts)
+        if reads and self._writes_only:
             return
         seconds = self._registers.word(self._timeout)
         if not seconds:
@@ -191,7 +209,8 @@ class Communication:
             self._timer = self.kernel.at(self._deadline_ns, self._expire, _EXPIRY_PRIORITY)
             return
         self._deadline_ns = None
-        self._owner.device.time_out()
+        self._timed_out = True
+        self._owner.device.time_out(self.facts)
 
     def _listen(self) -> Ear:
         facts = self.facts
@@ -199,7 +218,13 @@ class Communication:
         self.protocol = protocol_of(facts, chosen)
         ear = ear_for(self, self.protocol, self._owner, self._settings.options)
         self.receive = ear.receive
+        self.inter_drive_changed()
         return ear
+
+    def inter_drive_changed(self) -> None:
+        """Begin or end to send set-points to other inverters, as F806 or F826 says."""
+        if self.protocol == TOSHIBA:
+            self._master.start()
 
     def _format(self) -> SerialFormat:
         registers, facts, series = self._registers, self.facts, self._owner.series

@@ -2,7 +2,7 @@
 
 from typing import Protocol
 
-from fbgen.catalog import Drive
+from fbgen.catalog import Drive, SerialPort
 from fbgen.dataclass import dataclass
 from fbgen.wire.toshiba import ErrorCode
 from harness.drives.registers import Registers
@@ -24,11 +24,14 @@ class Device(Protocol):
     def write_eeprom(self, number: int, word: int) -> ErrorCode | None:
         """Write a cell for good; why it is refused, or None."""
 
-    def set_scaled(self, number: int, word: int) -> None:
-        """Take a value of the commands S and s."""
+    def follow(self, port: SerialPort, number: int, word: int, master_tripped: bool) -> None:
+        """Take a value of the commands S and s, heard at a port."""
 
-    def time_out(self) -> None:
-        """No telegram came within the time of F803."""
+    def time_out(self, port: SerialPort) -> None:
+        """No telegram came to a port within the time of F803."""
+
+    def heard(self, port: SerialPort) -> None:
+        """A telegram has come again to a port that had been in time-out."""
 
 
 @dataclass(frozen=True, slots=True)

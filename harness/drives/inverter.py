@@ -1,19 +1,19 @@
-"""A simulated VF-S11 on a line: everything a master, a scenario or a fault can see of it.
+"""A simulated inverter on its lines: everything a master, a scenario or a fault can see of it.
 
 It knows nothing of gateways. The series in the catalogue says which cells, words, trips and times
-it has; `operation` moves the motor, `communication` speaks the protocol, `registers` remember.
+it has; `operation` moves the motor, `communication` is a port, `registers` remember.
 Facts: VF-S11 communications manual E6581222; VF-AS1 RS485 manual E6581315; TOSPBDP001 manual,
 sections 6 to 9. What happens to a trip at power off (it is gone, the past trips stay) is inferred.
 """
 
 from collections.abc import Callable
-from math import isclose
 from typing import Literal
 
-from fbgen.catalog import ComNo, Drive
+from fbgen.catalog import ComNo, Drive, SerialPort
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.wire.toshiba import ErrorCode
-from harness.drives import operation
+from harness.drives import inter_drive, operation
+from harness.drives.command_words import CommandWords
 from harness.drives.communication import Communication
 from harness.drives.device import Owner
 from harness.drives.load import Load
@@ -22,15 +22,13 @@ from harness.drives.operation import Operation, Panel
 from harness.drives.registers import Registers
 from harness.drives.settings import InverterSettings
 from harness.drives.speakers import check_protocols
+from harness.drives.terminals import FUNCTION_OF, Terminals
 from harness.drives.trips import TripLog
-from harness.drives.word_bits import CommandBits
 from harness.kernel import Kernel
 from harness.line import Line
 
 EMERGENCY_STOP = "E"
 COMMUNICATION_ERROR = "Err5"
-_WHOLE_PERCENT = 100
-_SCALING = ("point_1_percent", "point_1_frequency", "point_2_percent", "point_2_frequency")
 _REFUSALS = {
     ErrorCode.CANNOT_EXECUTE: "it cannot be written, or not while the inverter runs",
     ErrorCode.DATA: "the value lies outside the range",
@@ -46,16 +44,12 @@ class Inverter:
     """
 
     __slots__ = (
-        "_bits",
-        "_command_number",
+        "_acts",
         "_emergency_code",
         "_emergency_terminal",
-        "_followed",
-        "_inv_no_number",
         "_kernel",
         "_settings",
         "_timeout_code",
-        "_timeout_number",
         "communication",
         "monitors",
         "name",
@@ -65,6 +59,7 @@ class Inverter:
         "powered",
         "registers",
         "series",
+        "terminals",
         "trips",
     )
 
@@ -89,16 +84,14 @@ class Inverter:
         self._emergency_terminal = False
         self.registers = Registers(series, _delivered(series, settings))
         check_protocols(series, self.registers)
-        self._bits = CommandBits.of(series.command_word)
-        number = self.registers.number
-        self._command_number = number(series.link.command)
-        self._inv_no_number = number(series.link.inv_no)
-        self._timeout_number = number(series.link.timeout)
-        followed = (*operation.PARAMETERS, series.link.setpoint)
-        self._followed = frozenset(number(name) for name in followed)
+        self._acts = self._what_acts()
         self.trips = TripLog(series)
-        self.operation = Operation(kernel, series, self.registers, settings.motor, settings.load)
-        self.monitors = Monitors(series, self.registers, self.operation, self.trips)
+        self.terminals = Terminals(series, self.registers)
+        words = CommandWords(series, self.registers, self.terminals)
+        self.operation = Operation(kernel, self.registers, words, settings.motor, settings.load)
+        self.monitors = Monitors(
+            series, self.registers, self.operation, self.trips, settings.rating
+        )
         self._timeout_code = self.trips.code_of(COMMUNICATION_ERROR)
         self._emergency_code = self.trips.code_of(EMERGENCY_STOP)
         self._kernel = kernel
@@ -224,7 +217,13 @@ class Inverter:
 
     def switch_to_local(self, local: bool) -> None:
         """Switch it at a terminal to local control, or back to what CMOd and the network say."""
-        self.operation.local = local
+        self.operation.words.local = local
+        self._follow()
+        self._changed()
+
+    def switch_terminal(self, name: str, on: bool) -> None:
+        """Switch an input terminal, such as s1. FB7105 for one that the series does not have."""
+        self.terminals.switch(name, on)
         self._follow()
         self._changed()
 
@@ -278,13 +277,14 @@ class Inverter:
         self.powered = False
         for port in self.ports.values():
             port.stop()
-        self.operation.stop_output()
+        self.operation.supply(False)
         self._changed()
 
     def power_on(self) -> None:
         """Give the supply back; the inverter is silent while it boots."""
         if not self.powered:
             self.powered = True
+            self.operation.supply(True)
             self._restart(self.series.times.boot.ns)
 
     # What the communication asks for
@@ -310,50 +310,91 @@ class Inverter:
             self._written(number)
         return refused
 
-    def set_scaled(self, number: int, word: int) -> None:
-        """Take a value of the commands S and s; only the set-point is scaled.
+    def follow(self, port: SerialPort, number: int, word: int, master_tripped: bool) -> None:
+        """Take a value of the commands S and s, as the role of the port in drive to drive has it.
 
-        100.00 % are 10000. The two points of F811 to F814 give a straight line from percent to Hz,
-        cut off at 0 and at the maximum frequency. What is out of range is dropped: nobody answers.
+        Only the set-point of the port is scaled. What is out of range is dropped: nobody answers.
         """
-        if number != self.registers.number(self.series.link.setpoint):
+        role = inter_drive.role_of(self.series, port, self.registers)
+        if role is not None and role.sends is not None:
+            return
+        if master_tripped and role is not None and role.on_master_trip == "trip":
+            self._trip(self._emergency_code)
+            return
+        if number != self.registers.number(port.setpoint):
             self.write_ram(number, word)
             return
-        value = self.registers.value
-        low, low_hz, high, high_hz = (value(name) for name in _SCALING)
-        if isclose(low, high):
-            hz = high_hz
-        else:
-            hz = low_hz + (word / _WHOLE_PERCENT - low) * (high_hz - low_hz) / (high - low)
-        hz = min(max(hz, 0.0), value(self.series.link.maximum_frequency))
-        self.registers.write_ram(number, self.series.comno(number).to_word(hz))
+        scaled = inter_drive.set_point_word(self.series, port, self.registers, word)
+        stands = master_tripped and role is not None and role.on_master_trip == "zero"
+        self.registers.write_ram(number, 0 if stands else scaled)
         self._written(number)
 
-    def time_out(self) -> None:
-        """No telegram came within the time of F803."""
-        self._trip(self._timeout_code)
+    def time_out(self, port: SerialPort) -> None:
+        """No telegram came to a port within the time of F803: what F804 says of it."""
+        action = "trip"
+        if port.timeout_action is not None and port.timeout_actions:
+            action = port.timeout_actions.get(self.registers.word(port.timeout_action), "nothing")
+        if action == "trip":
+            self._trip(self._timeout_code)
+        elif action == "alarm":
+            self.monitors.timed_out.add(port.name)
+            self._changed()
+
+    def heard(self, port: SerialPort) -> None:
+        """A telegram has come again to a port that had been in time-out: its alarm goes."""
+        self.monitors.timed_out.discard(port.name)
+        self._changed()
 
     # Inside
 
+    def _what_acts(self) -> dict[int, Callable[[int], None]]:
+        """What happens when a ComNo is written, for those that act at once."""
+        known, number = self.series.communication, self.registers.number
+        ports = () if known is None else known.ports
+        names = {comno.name for comno in self.series.comnos}
+        followed = {*operation.PARAMETERS, *(port.setpoint for port in ports)}
+        followed |= {port.command_2 for port in ports if port.command_2 is not None}
+        followed |= {name for name in operation.MORE_RAMPS if name in names}
+        followed |= {name for name in names if name.startswith(FUNCTION_OF)}
+        acts: dict[int, Callable[[int], None]] = dict.fromkeys(
+            map(number, followed), self._parameter
+        )
+        for port in ports:
+            acts[number(port.command)] = self._command
+            acts[number(port.inv_no)] = self._number_changed
+            acts[number(port.timeout)] = self._timeout_changed
+            if port.inter_drive is not None:
+                acts[number(port.inter_drive)] = self._inter_drive_changed
+        return acts
+
     def _written(self, number: int) -> None:
-        if number == self._command_number:
-            self._command(self.registers.ram[number])
-        elif number == self._inv_no_number:
-            for port in self.ports.values():
-                port.number_changed()
-        elif number == self._timeout_number:
-            for port in self.ports.values():
-                port.timeout_changed()
-        elif number in self._followed:
-            self._follow()
+        act = self._acts.get(number)
+        if act is not None:
+            act(number)
         self._changed()
 
-    def _command(self, command: int) -> None:
-        if command & self._bits.fault_reset:
+    def _parameter(self, number: int) -> None:
+        self._follow()
+
+    def _number_changed(self, number: int) -> None:
+        for port in self.ports.values():
+            port.number_changed()
+
+    def _timeout_changed(self, number: int) -> None:
+        for port in self.ports.values():
+            port.timeout_changed()
+
+    def _inter_drive_changed(self, number: int) -> None:
+        for port in self.ports.values():
+            port.inter_drive_changed()
+
+    def _command(self, number: int) -> None:
+        command = self.registers.ram[number]
+        bits = self.operation.words.bits
+        if command & bits.fault_reset:
             self._restart(self.series.times.reset_silence.ns)
             return
-        self.operation.command = command
-        if command & self._bits.emergency_stop:
+        if command & bits.emergency_stop:
             self._trip(self._emergency_code)
         self._follow()
 
@@ -369,6 +410,7 @@ class Inverter:
 
     def _restart(self, silence_ns: int) -> None:
         self.trips.reset()
+        self.monitors.timed_out.clear()
         self.registers.restart()
         self.operation.restart()
         for port in self.ports.values():
@@ -385,7 +427,7 @@ class Inverter:
 def _complete(series: Drive) -> None:
     """FB7103 unless the series has every ComNo that the simulation stands on, by its name."""
     names = {comno.name for comno in series.comnos}
-    wanted = (*operation.PARAMETERS, *_SCALING)
+    wanted = (*operation.PARAMETERS, *inter_drive.SCALING)
     if missing := [name for name in wanted if name not in names]:
         raise error(
             "FB7103",

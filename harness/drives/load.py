@@ -86,3 +86,16 @@ class Motor:
 
     def _flux(self, hz: float) -> float:
         return min(1.0, self.base_frequency_hz / abs(hz)) if hz else 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Rating:
+    """What the name plate of the inverter says: here that of 200 V class, 3.7 kW."""
+
+    power_kw: float = 3.7
+    current_a: float = 17.5
+    voltage_v: float = 200.0
+
+    def power_at(self, torque_percent: float, relative_speed: float) -> float:
+        """Power in kW at a torque and a speed as part of the base frequency; without losses."""
+        return self.power_kw * torque_percent / 100.0 * relative_speed

@@ -6,24 +6,28 @@ from the last change.
 
 Inferred, because the documents at hand do not say: coast stop wins over DC braking, and both over
 run; jog needs the run bit; with a preset speed its frequency counts whatever bit 14 says; LL is not
-for jogging; after coasting the inverter starts at 0 Hz and does not search the speed.
+for jogging; after coasting the inverter starts at 0 Hz and does not search the speed. Forced
+continuous operation (terminal function 56) runs on as it ran last; specified speed operation (58)
+runs forward at preset speed 15; both come to an end by a trip. The greatest deceleration, bit 7 of
+FA20, is the shortest that dEC can be set to.
 """
 
 from dataclasses import replace
 from enum import Enum
 from math import inf
 
-from fbgen.catalog import Drive
 from fbgen.dataclass import dataclass
+from harness.drives.command_words import CommandWords
 from harness.drives.load import Load, Motor
 from harness.drives.ramp import Ramp, standing
 from harness.drives.registers import Registers
-from harness.drives.word_bits import CommandBits
+from harness.drives.terminals import FORCED_RUN, SPECIFIED_SPEED
 from harness.kernel import NS_PER_S, Kernel
 
-SERIAL = "serial communication"
+_RAMP_KINDS = ("acceleration", "deceleration")
 PARAMETERS = (
     "command_mode",
+    "frequency_mode",
     "acceleration_time",
     "acceleration_time_2",
     "deceleration_time",
@@ -36,6 +40,11 @@ PARAMETERS = (
     *(f"preset_speed_{number}" for number in range(1, 16)),
 )
 """Names of the ComNos that say how the inverter runs."""
+
+MORE_RAMPS = tuple(f"{kind}_time_{number}" for number in (3, 4) for kind in _RAMP_KINDS)
+"""Those that only some series have."""
+
+_FIRE_SPEED = "preset_speed_15"
 
 
 class Mode(Enum):
@@ -62,14 +71,18 @@ class Panel:
 
 @dataclass(frozen=True, slots=True)
 class Wish:
-    """What the commands ask for, wherever they come from. `hz` lies within the limits."""
+    """What the commands ask for, wherever they come from. `hz` lies within the limits.
+
+    `pattern` counts the ramps, from 0 for ACC and dEC on.
+    """
 
     run: bool = False
     reverse: bool = False
     coast: bool = False
     dc_braking: bool = False
     jog: bool = False
-    pattern_2: bool = False
+    pattern: int = 0
+    quick_stop: bool = False
     pi_control_off: bool = False
     motor_2: bool = False
     hz: float = 0.0
@@ -79,73 +92,74 @@ class Operation:
     """The output stage with motor and load. `evaluate` after each change of command or setting."""
 
     __slots__ = (
-        "_bits",
         "_counted_ns",
         "_kernel",
         "_operated_ns",
+        "_powered_ns",
+        "_powered_since_ns",
+        "_ramps",
         "_registers",
-        "_serial_mode",
-        "_setpoint",
-        "command",
+        "_shortest_s",
         "load",
-        "local",
         "mode",
         "motor",
         "panel",
         "ramp",
         "shaft",
         "wish",
+        "words",
     )
 
     def __init__(
-        self, kernel: Kernel, series: Drive, registers: Registers, motor: Motor, load: Load
+        self,
+        kernel: Kernel,
+        registers: Registers,
+        words: CommandWords,
+        motor: Motor,
+        load: Load,
     ) -> None:
         self._kernel = kernel
         self._registers = registers
-        self._bits = CommandBits.of(series.command_word)
-        self._setpoint = series.link.setpoint
-        self._serial_mode = next(
-            (
-                value
-                for value, text in series.comno("command_mode").values.items()
-                if text == SERIAL
-            ),
-            None,
-        )
+        self.words = words
+        names = {comno.name for comno in registers.cells.values()}
+        numbers = ("", *(f"_{number}" for number in (2, 3, 4)))
+        self._ramps = [more for more in numbers if f"acceleration_time{more}" in names]
+        cell = registers.cell("deceleration_time")
+        self._shortest_s = max(cell.resolution, cell.minimum or 0.0)
         self._counted_ns = kernel.now_ns
-        self._operated_ns = 0
+        self._operated_ns = self._powered_ns = 0
+        self._powered_since_ns: int | None = kernel.now_ns
         self.motor = motor
         self.load = load
         self.panel = Panel()
-        self.local = False
-        self.command = 0
         self.mode = Mode.STOP
         self.ramp = standing(kernel.now_ns)
         self.shaft = standing(kernel.now_ns)
+        self.wish = Wish()
         self.wish = self._wish()
 
     @property
     def network_command(self) -> bool:
-        """True while run and stop come from the command word: by bit 15 or by CMOd.
+        """True while run and stop come from a command word: by bit 15 or by CMOd.
 
         A terminal that forces local control wins over both (VF-AS1 E6581315, 8.1, input 48).
         """
-        return not self.local and (
-            bool(self.command & self._bits.network_command)
-            or self._registers.word("command_mode") == self._serial_mode
-        )
+        return self.words.commanding is not None
 
     @property
     def command_source(self) -> int:
-        """Who commands at present, in the values of CMOd; a forced one is the terminal board."""
-        if self.network_command:
-            return 0 if self._serial_mode is None else int(self._serial_mode)
-        return 0 if self.local else self._registers.word("command_mode")
+        """Who commands at present, in the values of CMOd."""
+        return self.words.source("command_mode", self.network_command)
+
+    @property
+    def frequency_source(self) -> int:
+        """Where the set-point comes from at present, in the values of FMOd."""
+        return self.words.source("frequency_mode", self.network_frequency)
 
     @property
     def network_frequency(self) -> bool:
-        """True while the set-point comes from FA01, by bit 14."""
-        return not self.local and bool(self.command & self._bits.network_frequency)
+        """True while the set-point is that of a port: by bit 14 or by FMOd."""
+        return self.words.setting_frequency is not None
 
     @property
     def output_hz(self) -> float:
@@ -213,6 +227,18 @@ class Operation:
         self._count()
         return self._operated_ns
 
+    @property
+    def powered_ns(self) -> int:
+        """Time with supply in all."""
+        since_ns = self._powered_since_ns
+        return self._powered_ns + (0 if since_ns is None else self._kernel.now_ns - since_ns)
+
+    def supply(self, on: bool) -> None:
+        """The supply comes or goes; without it the output stage is off."""
+        self._powered_ns = self.powered_ns
+        self._powered_since_ns = self._kernel.now_ns if on else None
+        self.stop_output()
+
     def evaluate(self) -> None:
         """Follow the commands and parameters as they are now."""
         self._count()
@@ -222,8 +248,9 @@ class Operation:
         elif wish.dc_braking:
             self._switch_off(Mode.DC_BRAKE, self.motor.dc_braking_rate)
         else:
-            target = (-wish.hz if wish.reverse else wish.hz) if wish.run else 0.0
-            self._drive(Mode.RUN if wish.run else Mode.STOP, target)
+            runs = wish.run and not wish.quick_stop
+            target = (-wish.hz if wish.reverse else wish.hz) if runs else 0.0
+            self._drive(Mode.RUN if runs else Mode.STOP, target)
 
     def stop_output(self) -> None:
         """Switch the output stage off at once, as a trip or a loss of supply does."""
@@ -233,7 +260,6 @@ class Operation:
     def restart(self) -> None:
         """As after power-on: no command from the network, nobody has pressed RUN again."""
         self.stop_output()
-        self.command = 0
         self.panel = replace(self.panel, run=False)
         self.evaluate()
 
@@ -242,9 +268,11 @@ class Operation:
         if mode is Mode.STOP and self.mode in (Mode.COAST, Mode.DC_BRAKE):
             self._switch_off(Mode.COAST, self.load.coast_rate)
             return
-        which = "_2" if self.wish.pattern_2 else ""
+        which = self._ramps[min(self.wish.pattern, len(self._ramps) - 1)]
         acceleration = self._rate("acceleration_time" + which)
         deceleration = self._rate("deceleration_time" + which)
+        if self.wish.quick_stop:
+            deceleration = self._registers.value("maximum_frequency") / self._shortest_s
         changed = (target, acceleration, deceleration) != self.ramp[2:]
         if changed or mode is not self.mode:
             self.ramp = Ramp(now_ns, self.output_hz, target, acceleration, deceleration)
@@ -261,34 +289,44 @@ class Operation:
         return self._registers.value("maximum_frequency") / seconds if seconds else inf
 
     def _wish(self) -> Wish:
-        command, bits, registers = self.command, self._bits, self._registers
-        network = self.network_command
-        preset = bits.preset(command) if network else 0
-        jog = network and bool(command & bits.jog)
-        if preset:
+        words, registers = self.words, self._registers
+        forced = words.overriding
+        if forced == FORCED_RUN:
+            wish, hz = self.wish, self._limited(self.wish.hz)
+            return Wish(run=True, reverse=wish.reverse, pattern=wish.pattern, hz=hz)
+        if forced == SPECIFIED_SPEED:
+            return Wish(run=True, hz=self._limited(registers.value(_FIRE_SPEED)))
+        channel, setting = words.commanding, words.setting_frequency
+        hz = self.panel.frequency_hz if setting is None else registers.value(setting.setpoint)
+        if channel is None:
+            panel, coast = self.panel, words.coasts_always
+            return Wish(run=panel.run, reverse=panel.reverse, coast=coast, hz=self._limited(hz))
+        command, bits = words.word_of(channel), words.bits
+        second, second_bits = words.second_word_of(channel), words.second_bits
+        jog = bool(command & bits.jog)
+        if preset := bits.preset(command):
             hz = registers.value(f"preset_speed_{preset}")
         elif jog:
             hz = registers.value("jog_frequency")
-        elif self.network_frequency:
-            hz = registers.value(self._setpoint)
-        else:
-            hz = self.panel.frequency_hz
-        if not jog:
-            hz = max(hz, registers.value("lower_limit_frequency"))
-        hz = min(hz, registers.value("upper_limit_frequency"), registers.value("maximum_frequency"))
-        if not network:
-            return Wish(run=self.panel.run, reverse=self.panel.reverse, hz=hz)
         return Wish(
             run=bool(command & bits.run),
             reverse=bool(command & bits.reverse),
-            coast=bool(command & bits.coast_stop),
+            coast=bool(command & bits.coast_stop) or words.coasts_always,
             dc_braking=bool(command & bits.dc_braking),
             jog=jog,
-            pattern_2=bool(command & bits.pattern_2),
+            pattern=bool(command & bits.pattern_2) | second_bits.pattern_of(second),
+            quick_stop=bool(second & second_bits.quick_stop),
             pi_control_off=bool(command & bits.pi_control_off),
             motor_2=bool(command & bits.motor_2),
-            hz=hz,
+            hz=self._limited(hz, to_jog=jog),
         )
+
+    def _limited(self, hz: float, to_jog: bool = False) -> float:
+        """A frequency within LL, but for jogging, UL and FH."""
+        value = self._registers.value
+        if not to_jog:
+            hz = max(hz, value("lower_limit_frequency"))
+        return min(hz, value("upper_limit_frequency"), value("maximum_frequency"))
 
     def _count(self) -> None:
         """Add the time since the last count in which the output stage ran."""

@@ -5,7 +5,7 @@ from dataclasses import field
 from typing import Literal
 
 from fbgen.dataclass import dataclass
-from harness.drives.load import Load, Motor
+from harness.drives.load import Load, Motor, Rating
 from harness.kernel import NS_PER_MS
 
 TimeoutRestart = Literal["any_answered", "writes"]
@@ -38,6 +38,7 @@ class InverterSettings:
     parameters: Mapping[str, float] = field(default_factory=dict)
     motor: Motor = field(default_factory=Motor)
     load: Load = field(default_factory=Load)
+    rating: Rating = field(default_factory=Rating)
     reply_time: ReplyTime = field(default_factory=ReplyTime)
     rotary_switch: int = 0
     port: str | None = None

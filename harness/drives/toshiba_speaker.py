@@ -138,7 +138,7 @@ class ToshibaSpeaker:
         elif command is _WRITE_EEPROM:
             error = device.write_eeprom(number, request.data)
         else:
-            device.set_scaled(number, request.data)
+            device.follow(self._port.facts, number, request.data, command is Command.S_TRIPPED)
             return
         port = self._port
         if not answers or port.deaf_until_ns > port.kernel.now_ns:

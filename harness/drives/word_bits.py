@@ -73,3 +73,18 @@ class StatusBits(_Masks):
     alarm: int
     tripped: int
     failure: int
+
+
+@dataclass(frozen=True, slots=True)
+class SecondBits(_Masks):
+    """Masks of the second command word, FA20 and FA22 of the VF-AS1."""
+
+    pattern: int
+    quick_stop: int
+
+    def pattern_of(self, word: int) -> int:
+        """The ramp that a word asks for, 0 to 3."""
+        return (word & self.pattern) // (self.pattern & -self.pattern) if self.pattern else 0
+
+
+NO_SECOND_WORD = SecondBits(0, 0)

@@ -204,6 +204,7 @@ def _drive(
     }
     options = {item.id: item.default for item in series.options} | dict(entry.options)
     settings = _with_options(InverterSettings(name=entry.name, parameters=parameters), options)
+    settings = replace(settings, port=conditions.port)
     if conditions.load is not None:
         settings = replace(settings, load=conditions.load)
     if conditions.reply_time_ns is not None:

@@ -25,11 +25,13 @@ class DriveConditions:
 
     `load` None is the inverter's own default. `parameters` are physical values by ComNo or name,
     set on top of those of the TOSPBDP001 manual. `reply_time_ns` fixes the reply time.
+    `port` is the one at the line, by its name in the catalogue; None is the first.
     """
 
     load: Load | None = None
     parameters: Mapping[str, float] = field(default_factory=dict)
     reply_time_ns: int | None = None
+    port: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -200,6 +200,9 @@ class DriveSetup(Located):
     reply_time: DurationNs | None = Field(
         default=None, description="Every reply after this time; else 10 to 20 ms, drawn by the seed"
     )
+    port: Text | None = Field(
+        default=None, description="The port at the line, for series with several; else the first"
+    )
 
     def conditions(self) -> DriveConditions:
         """The same as the plant takes it."""
@@ -207,6 +210,7 @@ class DriveSetup(Located):
             load=self.load.load() if self.load is not None else None,
             parameters=self.parameters,
             reply_time_ns=self.reply_time,
+            port=self.port,
         )
 
 

@@ -4,7 +4,8 @@ plc.VARIABLE        a variable of the PLC, `plc.TOS_Plant.gw1.pump.stop.execute`
                     TOS_ stands for the plant's own prefix, too
 cpu.ITEM, bus.ITEM  the CPU and the DP master
 gateway.NAME.ITEM   a gateway, `gateway.gw1.led.device_status`, `gateway.gw1.input.a_status`
-drive.NAME.ITEM     a drive, `drive.pump.frequency`, `drive.pump.comno.FE03`
+drive.NAME.ITEM     a drive, `drive.pump.frequency`, `drive.pump.comno.FE03`,
+                    `drive.pump.terminal.s1`
 
 `docs/reference/scenario-files.md` has the whole list.
 """
@@ -73,6 +74,8 @@ DRIVE_ITEMS = (*_DRIVE, "trip", "trip_code")
 """What a drive has by itself."""
 COMNO_ITEMS = ("comno", "word", "writes")
 """What a drive has by ComNo: value in its unit, raw word, write cycles of the EEPROM cell."""
+_TERMINAL = "terminal"
+"""An input terminal of a drive, by its name."""
 _GATEWAY: Mapping[str, tuple[ValueKind, Callable[[Tospbdp001], Found]]] = MappingProxyType(
     {
         "powered": (FLAG, lambda gateway: gateway.powered),
@@ -138,16 +141,20 @@ class Paths:
             )
         name, _, item = rest.partition(".")
         what, _, key = item.partition(".")
-        if root != "drive" or what != "comno":
+        if root != "drive" or what not in ("comno", _TERMINAL):
             one_of(root, ROOTS, "kind of thing", span)
             raise error(
                 "FB8003",
                 f"'{path}' cannot be set",
                 span,
-                "set plc.<variable>, or drive.<name>.comno.<parameter> as at its panel",
+                "set plc.<variable>, drive.<name>.terminal.<terminal>, or "
+                "drive.<name>.comno.<parameter> as at its panel",
             )
         one_of(name, self._plant.drives, "drive", span)
         drive = self._plant.drives[name]
+        if what == _TERMINAL:
+            one_of(key, drive.terminals.names, "input terminal of this drive", span)
+            return Writable(FLAG, lambda value: drive.switch_terminal(key, bool(value)))
         number = _comno(drive, key, span)
         if "w" not in drive.series.comno(number).access:
             advice = "it can only be read: expect it"
@@ -204,7 +211,10 @@ def _drive(drive: Inverter, item: str, span: Span | None) -> Readable:
         name = drive.series.comno(number).word
         word = drive.series.word(name) if name is not None else None
         return Readable(word_kind(word), lambda: drive.read_word(number))
-    one_of(item, (*DRIVE_ITEMS, *COMNO_ITEMS), "property of a drive", span)
+    if what == _TERMINAL:
+        one_of(key, drive.terminals.names, "input terminal of this drive", span)
+        return Readable(FLAG, lambda: drive.terminals.is_on(key))
+    one_of(item, (*DRIVE_ITEMS, *COMNO_ITEMS, _TERMINAL), "property of a drive", span)
     trips = drive.series.trips
     if item == "trip":
         displays = choice_kind(("", *(trip.display for trip in trips)))

@@ -74,7 +74,13 @@ def device_problems(scenario: Scenario, plan: Plant, catalog: Catalog) -> Iterat
 
 
 def _parameter_problems(setup: DriveSetup, series: Drive) -> Iterator[Diagnostic]:
-    """Each parameter tried on a drive of its own, so that each refusal gets its place."""
+    """Port and each parameter tried on a drive of its own, so that each refusal has its place."""
+    if setup.port is not None:
+        kernel = Kernel()
+        try:
+            Inverter(kernel, Line(kernel), series, InverterSettings(port=setup.port))
+        except DiagnosticError as refused:
+            yield from at(setup.span_of("port"), refused.diagnostics)
     for key, value in setup.parameters.items():
         kernel = Kernel()
         try:

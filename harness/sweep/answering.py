@@ -5,7 +5,7 @@ value that it gives for a read is a number of its own, counted up over all drive
 value that the PLC shows belongs to one telegram and to no other.
 """
 
-from fbgen.catalog import Drive
+from fbgen.catalog import Drive, SerialPort
 from fbgen.dataclass import dataclass
 from fbgen.wire.toshiba import ErrorCode
 from harness.drives.communication import Communication
@@ -91,8 +91,11 @@ class AnsweringDrive:
         """Take any value."""
         return self.write_ram(number, word)
 
-    def set_scaled(self, number: int, word: int) -> None:
+    def follow(self, port: SerialPort, number: int, word: int, master_tripped: bool) -> None:
         """Take any set-point."""
 
-    def time_out(self) -> None:
+    def time_out(self, port: SerialPort) -> None:
+        """Its time-out is off."""
+
+    def heard(self, port: SerialPort) -> None:
         """Its time-out is off."""

@@ -28,9 +28,10 @@ class Bench:
         seed: int = 1,
         topology: Topology = Topology.FOUR_WIRE,
         series: Drive | str = SERIES,
+        kernel: Kernel | None = None,
     ) -> None:
         self.series = CATALOG.drive(series) if isinstance(series, str) else series
-        self.kernel = Kernel(seed)
+        self.kernel = Kernel(seed) if kernel is None else kernel
         self.line = Line(self.kernel, topology)
         self.port = self.line.attach(self, Role.MASTER, GATEWAY_FORMAT)
         self.heard: list[Reception] = []

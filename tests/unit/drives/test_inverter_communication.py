@@ -181,6 +181,7 @@ def test_s_sets_the_scaled_set_point_without_an_answer(command: str) -> None:
             "point_1_frequency": 10.0,
             "point_2_percent": 100,
             "point_2_frequency": 60.0,
+            "inter_drive_mode": 1,
         }
     )
     assert bench.ask(f"0B {command} FA 01 13 88") == ""

@@ -61,7 +61,9 @@ def test_held_monitors_follow_the_present_ones_without_a_trip() -> None:
 
 def test_terminals_and_alarm_read_as_the_scenario_sets_them() -> None:
     bench, drive = at_50_hz(0.0)
-    drive.monitors.alarm, drive.monitors.input_terminals = 0x0080, 0x0021
+    drive.monitors.alarm = 0x0080
+    for terminal in ("f", "s3"):
+        drive.switch_terminal(terminal, True)
     drive.monitors.output_terminals = 0x0002
     assert bench.ask("0B 47 FC 91 00 00") == "0B 47 FC 91 00 80"
     assert (drive.read_word("FD06"), drive.read_word("FD07")) == (0x21, 2)

@@ -97,7 +97,7 @@ def _drive(drive: Inverter) -> dict[str, object]:
     port = drive.communication
     return {
         "powered": drive.powered,
-        "local": drive.operation.local,
+        "local": drive.operation.words.local,
         "alarm": drive.monitors.alarm,
         "locked": drive.registers.locked,
         "worn": drive.registers.eeprom_faulty,

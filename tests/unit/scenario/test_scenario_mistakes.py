@@ -25,6 +25,7 @@ def one(folder: Path, text: str) -> tuple[str, str, str]:
         ("drive.pmp.running", "did you mean 'pump'?"),
         ("drive.pump.runing", "did you mean 'running'?"),
         ("drive.pump.comno.FE99", "FE"),
+        ("drive.pump.terminal.s9", "known: f, r, res, s1, s2, s3"),
         ("drive.pump.word.output_curent", "did you mean 'output_current'"),
         ("gateway.gw2.online", "did you mean 'gw1'?"),
         ("gateway.gw1.onlin", "did you mean 'online'"),
@@ -323,3 +324,10 @@ def test_everything_is_found_at_once(tmp_path: Path) -> None:
         "FB8009",
         "FB8004",
     ]
+
+
+def test_a_port_that_the_series_does_not_have_is_marked(tmp_path: Path) -> None:
+    text = "drives: {pump: {port: four_wire}}\n" + steps(FINE)
+    code, marked_text, advice = one(tmp_path, text)
+    assert (code, marked_text) == ("FB7104", "four_wire")
+    assert advice == "free ports: serial"

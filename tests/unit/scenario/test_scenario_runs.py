@@ -22,6 +22,21 @@ def test_an_expectation_without_time_is_looked_at_once(tmp_path: Path) -> None:
     assert (result.passed, result.checks, result.virtual_ns) == (True, 1, 5 * NS_PER_MS)
 
 
+def test_an_input_terminal_is_switched_and_shows_in_fd06(tmp_path: Path) -> None:
+    text = steps("- set: {drive.pump.terminal.s2: true}",
+                 "- expect: {drive.pump.terminal.s2: true, drive.pump.word.FD06: 16}",
+                 "- set: {drive.pump.terminal.s2: false}",
+                 "- expect: {drive.pump.terminal.s2: false, drive.pump.word.FD06: 0}")  # fmt: skip
+    assert ran(tmp_path, text).passed
+
+
+def test_a_drive_that_was_told_to_speak_modbus_is_not_heard_by_the_gateway(tmp_path: Path) -> None:
+    told = "drives: {pump: {port: serial, parameters: {protocol_selection: 1}}}\n"
+    text = steps("- wait: 100 ms", f"- set: {{{READ}.execute: true}}",
+                 f"- expect: {{{READ}.status: 16#8401}}", "  within: 3 s")  # fmt: skip
+    assert ran(tmp_path, told + text).passed
+
+
 def test_within_ends_the_wait_as_soon_as_all_hold_at_once(tmp_path: Path) -> None:
     text = steps(*START, "- expect: {drive.pump.frequency: 30.0, drive.pump.running: true}",
                  "  within: 10 s")  # fmt: skip
