@@ -5,7 +5,7 @@ and later (published exports, and programs that write what these import). The co
 as TIA Portal calls the first one. Sequences are left out: they are for the program of the plant.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from fbgen.artefacts.spreadsheet import Sheet, workbook
 from fbgen.artefacts.text_table import csv_table
@@ -52,15 +52,36 @@ _COLUMNS_BEHIND = (
     "Confirmation Type",
     "Mandatory Commenting",
 )
-_LIMITS = ("None", _NOTHING) * 4
-_UNSCALED = ("False", "10", "0", "100", "0", "False", "None", "False")
+_LIMITS = ("Upper 2", "Upper 1", "Lower 2", "Lower 1")
+_SAME = {
+    "Connection": CONNECTION,
+    "Coding": "Binary",
+    "Access Method": "Symbolic access",
+    "Address": _NOTHING,
+    "Indirect addressing": "False",
+    "Index tag": _NOTHING,
+    "Start value": _NOTHING,
+    "ID tag": "0",
+    "Acquisition cycle": "1 s",
+    **{f"Limit {which} Type": "None" for which in _LIMITS},
+    **{f"Limit {which}": _NOTHING for which in _LIMITS},
+    "Linear scaling": "False",
+    "End value PLC": "10",
+    "Start value PLC": "0",
+    "End value HMI": "100",
+    "Start value HMI": "0",
+    "Gmp relevant": "False",
+    "Confirmation Type": "None",
+    "Mandatory Commenting": "False",
+}
+"""What stands in a column whatever the tag."""
 
 
 def hmi_tags(lists: PlantLists) -> list[Artefact]:
     """The lists of the plant's dialect."""
     if lists.plant.dialect != "tia":
         return [Artefact(lists.file_name("hmi_tags.csv"), csv_table(_plain_rows(lists)))]
-    book = workbook([Sheet("Hmi Tags", wincc_rows(lists))])
+    book = workbook([_wincc_sheet(lists)])
     return [Artefact(lists.file_name("hmi_tags.xlsx"), book)]
 
 
@@ -78,33 +99,28 @@ def for_an_operator(lists: PlantLists) -> Iterator[PlcVariable]:
             yield variable
 
 
-def wincc_rows(lists: PlantLists) -> list[list[str]]:
-    """The rows of the sheet "Hmi Tags", the names of the columns first."""
+def _wincc_sheet(lists: PlantLists) -> Sheet:
+    """The sheet "Hmi Tags"."""
     culture = _CULTURES[lists.language]
     texts = (f"Display name [{culture}]", f"Comment [{culture}]")
+    columns = (*_COLUMNS_IN_FRONT, *texts, *_COLUMNS_BEHIND)
     table = lists.name("TOS_").rstrip("_") or lists.plant.name
-    rows = [[*_COLUMNS_IN_FRONT, *texts, *_COLUMNS_BEHIND]]
+    same = _SAME | {"Path": table, texts[0]: _NOTHING}
+    rows: list[Sequence[str]] = [columns]
+    names = lists.tag_names
     for variable in for_an_operator(lists):
         is_alarm = variable.path[-1] == "alarms"
         rows.append(
-            [
-                lists.tag_names[variable],
-                table,
-                CONNECTION,
+            (
+                names[variable],
                 variable.name,
                 variable.type_name,
                 str(variable.size),
-                "Binary",
-                "Symbolic access",
-                *(_NOTHING, "False", _NOTHING, _NOTHING, "0", _NOTHING),
                 variable.comment or _NOTHING,
                 "Cyclic continuous" if is_alarm else "Cyclic in operation",
-                "1 s",
-                *_LIMITS,
-                *_UNSCALED,
-            ]
+            )
         )
-    return rows
+    return Sheet("Hmi Tags", rows, {columns.index(name): text for name, text in same.items()})
 
 
 def _plain_rows(lists: PlantLists) -> list[list[str]]:

@@ -7,7 +7,8 @@ Source: ECMA-376, part 1 (SpreadsheetML: 18.2 workbook, 18.3 worksheets, 18.4 sh
 2 (packages).
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import field
 from html import escape
 from io import BytesIO
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
@@ -20,6 +21,7 @@ _MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
 _OF_DOCUMENT = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
 _OF_PACKAGE = "http://schemas.openxmlformats.org/package/2006"
 _CONTENT = "application/vnd.openxmlformats-officedocument.spreadsheetml."
+_CELL = '<c r="%s" t="s"><v>%s</v></c>'
 _ROW = "\0"
 """Stands for the number of a row in the pattern of its cells."""
 _TEXT_FORMAT = 49
@@ -28,17 +30,21 @@ _TEXT_FORMAT = 49
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """A sheet: its name and its rows, the first of which has the names of the columns."""
+    """A sheet: its name and its rows, the first of which has the names of the columns.
+
+    `same` has columns with one text in all rows below, which these rows leave out.
+    """
 
     name: str
     rows: Sequence[Sequence[str]]
+    same: Mapping[int, str] = field(default_factory=dict)
 
 
 def workbook(sheets: Sequence[Sheet]) -> bytes:
     """The bytes of a workbook with these sheets."""
     indices: dict[str, int] = {}
     worksheets = [_worksheet(sheet, indices) for sheet in sheets]
-    parts = {
+    texts = {
         "[Content_Types].xml": _content_types(len(sheets)),
         "_rels/.rels": _relations([("officeDocument", "xl/workbook.xml")]),
         "xl/workbook.xml": _workbook(sheets),
@@ -52,13 +58,14 @@ def workbook(sheets: Sequence[Sheet]) -> bytes:
         "xl/styles.xml": _styles(),
         "xl/sharedStrings.xml": _shared_strings(indices),
     }
-    parts |= {f"xl/worksheets/sheet{n}.xml": text for n, text in enumerate(worksheets, start=1)}
+    parts = {name: (_HEAD + text).encode("utf-8") for name, text in texts.items()}
+    parts |= {f"xl/worksheets/sheet{n}.xml": data for n, data in enumerate(worksheets, start=1)}
     target = BytesIO()
     with ZipFile(target, "w", ZIP_STORED) as archive:
-        for name, text in parts.items():
+        for name, data in parts.items():
             entry = ZipInfo(name, _FIRST_DATE)
             entry.create_system = 0
-            archive.writestr(entry, (_HEAD + text).encode("utf-8"))
+            archive.writestr(entry, data)
     return target.getvalue()
 
 
@@ -72,49 +79,44 @@ def column(index: int) -> str:
     return letters
 
 
-def _worksheet(sheet: Sheet, indices: dict[str, int]) -> str:
-    width = max((len(row) for row in sheet.rows), default=0)
-    cells = [f'<c r="{column(index)}{_ROW}" s="1" t="s"><v>%d</v></c>' for index in range(width)]
-    rows = [_row(number, row, cells, indices) for number, row in enumerate(sheet.rows[:2], start=1)]
-    rows += _rows_below(sheet.rows[2:], cells, indices, _same_everywhere(sheet.rows[1:], width))
-    return f'<worksheet xmlns="{_MAIN}"><sheetData>{"".join(rows)}</sheetData></worksheet>'
+def _worksheet(sheet: Sheet, indices: dict[str, int]) -> bytes:
+    """Texts that are new get the next indices, row by row in the order of the columns."""
+    written = [f'{_HEAD}<worksheet xmlns="{_MAIN}"><sheetData>'.encode()]
+    for number, row in enumerate(sheet.rows, start=1):
+        if number <= 2:
+            written.append(_row(number, row if number == 1 else _whole(row, sheet.same), indices))
+            pattern = _pattern(len(row), sheet.same, indices) if number == 2 else []
+        elif len(row) == len(sheet.rows[1]) and "" not in row:
+            places = [indices.setdefault(text, len(indices)) for text in row]
+            written.append((b"%d" % number).join(pattern) % (number, *places))
+        else:
+            written.append(_row(number, _whole(row, sheet.same), indices))
+    written.append(b"</sheetData></worksheet>")
+    return b"".join(written)
 
 
-def _row(number: int, row: Sequence[str], cells: Sequence[str], indices: dict[str, int]) -> str:
-    """A row of a sheet. Texts that are new get the next indices, in the order of the columns."""
-    places = tuple([indices.setdefault(text, len(indices)) for text in row if text])
-    pattern = "".join(cell for cell, text in zip(cells, row, strict=False) if text)
-    inside = (pattern % places).replace(_ROW, str(number))
-    return f'<row r="{number}">{inside}</row>'
-
-
-def _same_everywhere(rows: Sequence[Sequence[str]], width: int) -> dict[int, str]:
-    """The columns with one text in all rows, in which no column is empty."""
-    if not rows or any(len(row) != width or "" in row for row in rows):
-        return {}
-    return {
-        index: text for index, text in enumerate(rows[0]) if {row[index] for row in rows} == {text}
-    }
-
-
-def _rows_below(
-    rows: Sequence[Sequence[str]],
-    cells: Sequence[str],
-    indices: dict[str, int],
-    same: Mapping[int, str],
-) -> Iterator[str]:
-    """The rows behind the first one with content: what is the same in all is written only once."""
-    if not same:
-        yield from (_row(number, row, cells, indices) for number, row in enumerate(rows, start=3))
-        return
-    pattern = "".join(
-        cell % indices[same[index]] if index in same else cell for index, cell in enumerate(cells)
+def _row(number: int, row: Sequence[str], indices: dict[str, int]) -> bytes:
+    cells = "".join(
+        _CELL % (f"{column(index)}{number}", indices.setdefault(text, len(indices)))
+        for index, text in enumerate(row)
+        if text
     )
-    others = [index for index in range(len(cells)) if index not in same]
-    for number, row in enumerate(rows, start=3):
-        places = tuple([indices.setdefault(row[index], len(indices)) for index in others])
-        inside = (pattern % places).replace(_ROW, str(number))
-        yield f'<row r="{number}">{inside}</row>'
+    return f'<row r="{number}">{cells}</row>'.encode()
+
+
+def _whole(row: Sequence[str], same: Mapping[int, str]) -> list[str]:
+    """The row with the texts that are the same in all."""
+    rest = iter(row)
+    return [same[index] if index in same else next(rest) for index in range(len(row) + len(same))]
+
+
+def _pattern(cells: int, same: Mapping[int, str], indices: Mapping[str, int]) -> list[bytes]:
+    """A row with so many cells of its own in pieces, between which its number stands."""
+    pattern = "".join(
+        _CELL % (f"{column(index)}{_ROW}", indices[same[index]] if index in same else "%d")
+        for index in range(cells + len(same))
+    )
+    return f'<row r="%d">{pattern}</row>'.encode().split(_ROW.encode())
 
 
 def _shared_strings(indices: dict[str, int]) -> str:
@@ -135,6 +137,7 @@ def _workbook(sheets: Sequence[Sheet]) -> str:
 
 
 def _styles() -> str:
+    """One format for all cells, which name none."""
     same = 'fontId="0" fillId="0" borderId="0"'
     return (
         f'<styleSheet xmlns="{_MAIN}">'
@@ -143,8 +146,8 @@ def _styles() -> str:
         '<fill><patternFill patternType="gray125"/></fill></fills>'
         '<borders count="1"><border><left/><right/><top/><bottom/><diagonal/></border></borders>'
         f'<cellStyleXfs count="1"><xf numFmtId="0" {same}/></cellStyleXfs>'
-        f'<cellXfs count="2"><xf numFmtId="0" {same} xfId="0"/>'
-        f'<xf numFmtId="{_TEXT_FORMAT}" {same} xfId="0" applyNumberFormat="1"/></cellXfs>'
+        f'<cellXfs count="1"><xf numFmtId="{_TEXT_FORMAT}" {same} xfId="0" '
+        'applyNumberFormat="1"/></cellXfs>'
         '<cellStyles count="1"><cellStyle name="Normal" xfId="0" builtinId="0"/></cellStyles>'
         "</styleSheet>"
     )

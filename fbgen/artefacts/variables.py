@@ -4,7 +4,7 @@ They are taken from the checked program, so that a list names exactly what is in
 are those of the data types.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from typing import NamedTuple
 
 from fbgen.dataclass import dataclass
@@ -78,13 +78,19 @@ class PlcVariable:
         return isinstance(self.type, Elementary)
 
 
-def variables(program: Program, units: Sequence[ast.File], block: str) -> tuple[PlcVariable, ...]:
-    """Every single value in a data block that is a structure, in the order of declaration."""
+def variables(
+    program: Program, units: Sequence[ast.File], block: str, left_out: Iterable[str] = ()
+) -> tuple[PlcVariable, ...]:
+    """Every single value in a data block that is a structure, in the order of declaration.
+
+    Of structures of the types `left_out` there is nothing.
+    """
     kind = program.globals[block.casefold()].type
     assert isinstance(kind, StructType), "only data blocks with a structure of their own"
+    parts = _Parts(_comments(units), {name.casefold() for name in left_out})
     return tuple(
         PlcVariable(block, part.path, part.type, part.comment, part.bit)
-        for part in _Parts(_comments(units)).inside(kind)
+        for part in parts.inside(kind)
     )
 
 
@@ -100,8 +106,9 @@ class _Part(NamedTuple):
 class _Parts:
     """The single values in structures. A plant has hundreds of drives and one type of drive."""
 
-    def __init__(self, comments: Mapping[tuple[str, str], str]) -> None:
+    def __init__(self, comments: Mapping[tuple[str, str], str], left_out: Set[str]) -> None:
         self._comments = comments
+        self._left_out = left_out
         self._known: dict[int, list[_Part]] = {}
 
     def inside(self, kind: StructType) -> list[_Part]:
@@ -114,6 +121,8 @@ class _Parts:
         for field, start in S7_SIZES.placed(kind):
             name = (field.name,)
             if isinstance(field.type, StructType):
+                if field.type.name.casefold() in self._left_out:
+                    continue
                 for path, of_type, comment, bit in self.inside(field.type):
                     yield _Part(name + path, of_type, comment, start + bit)
             elif isinstance(field.type, Elementary | StringType):

@@ -68,9 +68,11 @@ class PlantLists:
 
     @cached_property
     def variables(self) -> tuple[PlcVariable, ...]:
-        """Commands and states of all drives and lines."""
+        """Commands and states of all drives and lines. Sequences are left out: they are for the
+        program of the plant."""
         found = self.canonical
-        return variables(found.program, found.units, self.name("TOS_Plant"))
+        sequences = [self.name(f"typeTos_{name}") for name in self.plant.sequences]
+        return variables(found.program, found.units, self.name("TOS_Plant"), sequences)
 
     @cached_property
     def numbers(self) -> dict[str, tuple[str, int]]:
