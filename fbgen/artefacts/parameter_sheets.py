@@ -5,6 +5,7 @@ the same as one table in CSV. What the sequence `check_parameters` compares is m
 """
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from fbgen.artefacts.text_table import csv_table
 from fbgen.artefacts.view import PlantLists
@@ -35,9 +36,10 @@ _HEADINGS = {
 
 def parameter_sheets(lists: PlantLists) -> Iterator[Artefact]:
     """The sheets of all drives in Markdown, and as a table in CSV."""
-    text = "\n".join(_document(lists)) + "\n"
+    lines = _Lines(lists)
+    text = "\n".join(_document(lists, lines)) + "\n"
     yield Artefact(lists.file_name("parameters.md"), text.encode("utf-8"))
-    rows = [_HEADINGS[lists.language], *_rows(lists)]
+    rows = [_HEADINGS[lists.language], *_rows(lists, lines)]
     yield Artefact(lists.file_name("parameters.csv"), csv_table(rows))
 
 
@@ -58,27 +60,78 @@ def _compared(lists: PlantLists, series: Drive) -> frozenset[int]:
     )
 
 
-def _rows(lists: PlantLists) -> Iterator[tuple[str, ...]]:
+class _Line(NamedTuple):
+    """What a sheet says about a parameter that is set to a value: the cells behind the drive's in
+    the table, and the line in Markdown."""
+
+    cells: tuple[str, ...]
+    markdown: str
+
+
+class _Lines:
+    """The lines of all sheets. Drives of one series behind gateways of one kind have most of them
+    in common."""
+
+    def __init__(self, lists: PlantLists) -> None:
+        self._lists = lists
+        self._settings: dict[tuple[str, bool], tuple[Setting, ...]] = {}
+        self._known: dict[tuple[str, str, float | None], _Line] = {}
+
+    def settings(self, gateway: PlantGateway, series: Drive) -> tuple[Setting, ...]:
+        """What the drive needs behind this gateway: one for process data has no line to be set
+        for."""
+        key = series.id, self._lists.is_process_data(gateway)
+        if key not in self._settings:
+            of_line = {"baud_rate", "parity", series.link.inv_no, series.link.timeout}
+            left_out = of_line if key[1] else set()
+            self._settings[key] = tuple(
+                setting for setting in series.settings if setting.comno not in left_out
+            )
+        return self._settings[key]
+
+    def lines(self, gateway: PlantGateway, drive: PlantDrive) -> Iterator[_Line]:
+        """Those of a drive."""
+        series = self._lists.catalog.drive(drive.series)
+        for setting in self.settings(gateway, series):
+            value = value_of(setting, drive)
+            key = series.id, setting.comno, value
+            if key not in self._known:
+                self._known[key] = self._line(series, setting, value)
+            yield self._known[key]
+
+    def _line(self, series: Drive, setting: Setting, value: float | None) -> _Line:
+        lists = self._lists
+        comno = series.comno(setting.comno)
+        is_compared = comno.number in _compared(lists, series)
+        meaning = _meaning(lists, comno, value)
+        source = _source(lists, setting)
+        cells = (
+            *(comno.display or "", comno.hex, comno.title),
+            *(_number(value), comno.unit if value is not None else ""),
+            "" if value is None else f"{comno.to_word(value):04X}",
+            *(meaning, setting.when or "", setting.why),
+            lists.in_words("yes", "ja") if is_compared else "",
+            source,
+        )
+        shown = f"**{_number(value)}** {comno.unit}".strip() if value is not None else "-"
+        only = lists.in_words("only if", "nur wenn")
+        why = f"{only} {setting.when}: {setting.why}" if setting.when else setting.why
+        in_document = (
+            *("*" if is_compared else "", comno.display or "", comno.hex, shown),
+            *(meaning or comno.title, why, source),
+        )
+        return _Line(cells, f"| {' | '.join(_cell(cell) for cell in in_document)} |")
+
+
+def _rows(lists: PlantLists, lines: _Lines) -> Iterator[tuple[str, ...]]:
     for gateway in lists.plant.gateways:
         for drive in gateway.drives:
-            series = lists.catalog.drive(drive.series)
-            compared = _compared(lists, series)
-            for setting in _settings(lists, gateway, series):
-                comno = series.comno(setting.comno)
-                value = value_of(setting, drive)
-                yes = comno.number in compared
-                yield (
-                    *(gateway.name, drive.name, drive.channel or str(drive.inv_no)),
-                    *(comno.display or "", comno.hex, comno.title),
-                    *(_number(value), comno.unit if value is not None else ""),
-                    "" if value is None else f"{comno.to_word(value):04X}",
-                    *(_meaning(lists, comno, value), setting.when or "", setting.why),
-                    lists.in_words("yes", "ja") if yes else "",
-                    _source(lists, setting),
-                )
+            place = gateway.name, drive.name, drive.channel or str(drive.inv_no)
+            for line in lines.lines(gateway, drive):
+                yield (*place, *line.cells)
 
 
-def _document(lists: PlantLists) -> Iterator[str]:
+def _document(lists: PlantLists, lines: _Lines) -> Iterator[str]:
     plant = lists.plant
     title = lists.in_words("Parameter sheets", "Parameterblätter")
     yield f"# {title}: {plant.title or plant.name}"
@@ -110,7 +163,7 @@ def _document(lists: PlantLists) -> Iterator[str]:
     for gateway in plant.gateways:
         yield from _gateway(lists, gateway)
         for drive in gateway.drives:
-            yield from _sheet(lists, gateway, drive)
+            yield from _sheet(lists, lines, gateway, drive)
 
 
 def _gateway(lists: PlantLists, gateway: PlantGateway) -> Iterator[str]:
@@ -138,17 +191,10 @@ def _line(lists: PlantLists, entry: Gateway) -> str:
     )
 
 
-def _settings(lists: PlantLists, gateway: PlantGateway, series: Drive) -> Iterator[Setting]:
-    """What the drive needs behind this gateway: one for process data has no line to be set for."""
-    of_line = {"baud_rate", "parity", series.link.inv_no, series.link.timeout}
-    for setting in series.settings:
-        if not (lists.is_process_data(gateway) and setting.comno in of_line):
-            yield setting
-
-
-def _sheet(lists: PlantLists, gateway: PlantGateway, drive: PlantDrive) -> Iterator[str]:
+def _sheet(
+    lists: PlantLists, lines: _Lines, gateway: PlantGateway, drive: PlantDrive
+) -> Iterator[str]:
     series = lists.catalog.drive(drive.series)
-    compared = _compared(lists, series)
     yield ""
     yield f"## {lists.in_words('Drive', 'Antrieb')} {drive.title or drive.name}"
     yield ""
@@ -157,8 +203,7 @@ def _sheet(lists: PlantLists, gateway: PlantGateway, drive: PlantDrive) -> Itera
     place = f"{channel} {drive.channel}" if drive.channel else f"INV-NO {drive.inv_no}"
     yield f"{series.title}, {place}, {behind} {gateway.name}"
     yield ""
-    settings = tuple(_settings(lists, gateway, series))
-    if not settings:
+    if not lines.settings(gateway, series):
         yield lists.in_words(
             "No document at hand says what has to be set at this series. Its highest frequency "
             f"(FH) must be that of the plant file: **{_number(drive.max_frequency_hz)}** Hz.",
@@ -172,17 +217,7 @@ def _sheet(lists: PlantLists, gateway: PlantGateway, drive: PlantDrive) -> Itera
         "| | Parameter | ComNo | Wert | Bedeutung | Grund | Quelle |",
     )
     yield from (head, "|---|---|---|---|---|---|---|")
-    for setting in settings:
-        comno = series.comno(setting.comno)
-        value = value_of(setting, drive)
-        shown = f"**{_number(value)}** {comno.unit}".strip() if value is not None else "-"
-        only = lists.in_words("only if", "nur wenn")
-        why = f"{only} {setting.when}: {setting.why}" if setting.when else setting.why
-        cells = (
-            *("*" if comno.number in compared else "", comno.display or "", comno.hex, shown),
-            *(_meaning(lists, comno, value) or comno.title, why, _source(lists, setting)),
-        )
-        yield f"| {' | '.join(_cell(cell) for cell in cells)} |"
+    yield from (line.markdown for line in lines.lines(gateway, drive))
     if not lists.is_process_data(gateway):  # the option board is that of the line
         yield ""
         yield from _switches(lists, series.switches, gateway.profibus_address)

@@ -5,7 +5,7 @@ published exports of V18 and V21, which hold no more than a name where the rest 
 all tools there is the same as CSV: the column `Watch` can be pasted into a watch table.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 
 from fbgen.artefacts.text_table import csv_table
@@ -40,11 +40,12 @@ _FORMATS = {"Bool": "Bool", "Real": "Floating-point", "Int": "DEC", "Time": "Tim
 
 def watch_tables(lists: PlantLists) -> list[Artefact]:
     """The tables of the plant's dialect."""
-    found = [Artefact(lists.file_name("watch.csv"), csv_table(_rows(lists)))]
+    tables = {gateway.name: list(watched(lists, gateway)) for gateway in lists.plant.gateways}
+    found = [Artefact(lists.file_name("watch.csv"), csv_table(_rows(lists, tables.values())))]
     if lists.plant.dialect == "tia":
-        for gateway in lists.plant.gateways:
-            name = lists.file_name(f"watch_{gateway.name}")
-            found.append(Artefact(f"{name}.xml", _simatic_ml(lists, gateway).encode("ascii")))
+        for gateway, table in tables.items():
+            name = lists.file_name(f"watch_{gateway}")
+            found.append(Artefact(f"{name}.xml", _simatic_ml(name, table).encode("ascii")))
     return found
 
 
@@ -62,11 +63,11 @@ def watched(lists: PlantLists, gateway: PlantGateway) -> Iterator[PlcVariable]:
             yield lists.variable(gateway.name, drive.name, *path)
 
 
-def _rows(lists: PlantLists) -> list[list[str]]:
+def _rows(lists: PlantLists, tables: Iterable[Sequence[PlcVariable]]) -> list[list[str]]:
     quoted = lists.plant.dialect in ("tia", "step7")
     rows = [["Watch", "Address", "Display format", "Comment"]]
-    for gateway in lists.plant.gateways:
-        for variable in watched(lists, gateway):
+    for table in tables:
+        for variable in table:
             rows.append(
                 [
                     variable.quoted if quoted else variable.name,
@@ -78,7 +79,7 @@ def _rows(lists: PlantLists) -> list[list[str]]:
     return rows
 
 
-def _simatic_ml(lists: PlantLists, gateway: PlantGateway) -> str:
+def _simatic_ml(name: str, table: Sequence[PlcVariable]) -> str:
     entries = "".join(
         f'      <SW.WatchAndForceTables.PlcWatchTableEntry ID="{number:X}" '
         'CompositionName="Entries">\n'
@@ -86,7 +87,7 @@ def _simatic_ml(lists: PlantLists, gateway: PlantGateway) -> str:
         f"          <Name>{escape(variable.quoted, quote=False)}</Name>\n"
         "        </AttributeList>\n"
         "      </SW.WatchAndForceTables.PlcWatchTableEntry>\n"
-        for number, variable in enumerate(watched(lists, gateway), start=1)
+        for number, variable in enumerate(table, start=1)
     )
     return (
         '<?xml version="1.0" encoding="utf-8"?>\n'
@@ -94,7 +95,7 @@ def _simatic_ml(lists: PlantLists, gateway: PlantGateway) -> str:
         '  <Engineering version="V17" />\n'
         '  <SW.WatchAndForceTables.PlcWatchTable ID="0">\n'
         "    <AttributeList>\n"
-        f"      <Name>{lists.file_name(f'watch_{gateway.name}')}</Name>\n"
+        f"      <Name>{name}</Name>\n"
         "    </AttributeList>\n"
         f"    <ObjectList>\n{entries}    </ObjectList>\n"
         "  </SW.WatchAndForceTables.PlcWatchTable>\n"

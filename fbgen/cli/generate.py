@@ -131,10 +131,12 @@ def generate(
     from fbgen.emit.generator import generate as generate_text
     from fbgen.emit.owned import misfits
     from fbgen.emit.writing import write_set
+    from fbgen.lang.collector import collector_at_rest
     from fbgen.plant import load_plant
 
-    known = with_own_sequences(load_catalog(catalog or ()), plant.parent)
-    wanted = _in_dialect(load_plant(plant, known), dialect, known)
+    with collector_at_rest():
+        known = with_own_sequences(load_catalog(catalog or ()), plant.parent)
+        wanted = _in_dialect(load_plant(plant, known), dialect, known)
     wanted = _changed(wanted, known, prefix=prefix, files=files, language=language)
     if block_numbers is not None:
         wanted = _with_numbers(wanted, block_numbers)

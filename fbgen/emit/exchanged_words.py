@@ -15,10 +15,10 @@ from fbgen.lang.dialects import DIALECTS
 from fbgen.lang.dialects.words import STANDARD_NAMES
 
 Pairs = set[tuple[str, str]]
-"""Words and what stands in their places, equal ones among them."""
+"""Pieces of a text and what stands in their places, equal ones among them."""
 
-_PIECE = re.compile(r"([0-9]\w*(?:#\w+)?|%?[^\W0-9]\w*)")
-"""Numbers with their base, names, direct addresses. What is between them is kept by `split`."""
+_PIECE = re.compile(r"(%?\b(?:[0-9]\w*(?:#\w+)?|[A-Za-z_]+[0-9]\w*))")
+"""Words with digits: numbers with their base, names, direct addresses. `split` keeps all else."""
 _NAME = re.compile(r"[^\W0-9]\w*")
 _ADDRESS = re.compile(r"%[IQ][BWDX][0-9]+")
 _DIGIT = re.compile(r"[0-9]")
@@ -27,12 +27,12 @@ _OF_THE_USER = frozenset({"main", "ob1", "startup", "ob100"})
 
 
 def pieces_of(text: str) -> list[str]:
-    """The text in pieces: every second one is a word."""
+    """The text in pieces: every second one is a word with digits."""
     return _PIECE.split(text)
 
 
 def words_of(text: str) -> set[str]:
-    """The words of a text in lower case, as names count; addresses without their `%`."""
+    """The words with digits in lower case, as names count; addresses without their `%`."""
     return {word.casefold().lstrip("%") for word in _PIECE.findall(text)}
 
 

@@ -38,7 +38,7 @@ def origin_map(files: Iterable[GeneratedFile]) -> bytes:
     known = {
         file.name: {
             "hash": sha256(file.data).hexdigest(),
-            "lines": [[table.number(origin) for origin in line] for line in file.origins],
+            "lines": [table.numbers(line) for line in file.origins],
         }
         for file in files
         if any(file.origins)
@@ -70,13 +70,23 @@ def explain_line(path: Path, line: int) -> ExplainedLine:
 
 
 class _Table:
-    """Each origin once."""
+    """Each origin once. Equal ones are mostly one object, which is found without comparing."""
 
     def __init__(self) -> None:
         self.rows: list[list[object]] = []
         self._numbers: dict[Origin, int] = {}
+        self._objects: dict[int, tuple[Origin, int]] = {}
+
+    def numbers(self, line: LineOrigins) -> list[int]:
+        """Those of a line."""
+        known = self._objects
+        for origin in line:
+            if id(origin) not in known:
+                known[id(origin)] = origin, self.number(origin)
+        return [known[id(origin)][1] for origin in line]
 
     def number(self, origin: Origin) -> int:
+        """That of an origin."""
         known = self._numbers.get(origin)
         if known is None:
             inputs = [self.number(item) for item in origin.inputs]
