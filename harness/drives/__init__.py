@@ -3,7 +3,7 @@
 from harness.drives.inverter import COMMUNICATION_ERROR, EMERGENCY_STOP, Inverter
 from harness.drives.load import Load, LoadShape, Motor
 from harness.drives.operation import Mode, Panel
-from harness.drives.settings import InverterSettings, ReplyTime
+from harness.drives.settings import InverterSettings, ReplyTime, set_for_line
 
 __all__ = [
     "COMMUNICATION_ERROR",
@@ -16,4 +16,5 @@ __all__ = [
     "Motor",
     "Panel",
     "ReplyTime",
+    "set_for_line",
 ]

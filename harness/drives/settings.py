@@ -4,7 +4,10 @@ from collections.abc import Mapping
 from dataclasses import field
 from typing import Literal
 
+from fbgen.catalog import Drive
+from fbgen.catalog.communication import Parity as CatalogParity
 from fbgen.dataclass import dataclass
+from fbgen.diagnostics import error
 from harness.drives.load import Load, Motor, Rating
 from harness.kernel import NS_PER_MS
 
@@ -44,3 +47,37 @@ class InverterSettings:
     port: str | None = None
     timeout_restart: TimeoutRestart = "any_answered"
     options: frozenset[str] = frozenset()
+
+
+def set_for_line(
+    series: Drive, port: str | None, baud: int, parity: CatalogParity
+) -> dict[str, float]:
+    """Parameters that set a port to a speed and parity; None is the first port.
+
+    DiagnosticError FB7104 for a port or a speed that the series does not have.
+    """
+    known = series.communication
+    ports = () if known is None else known.ports
+    facts = next((item for item in ports if port in (None, item.name)), None)
+    if facts is None:
+        names = ", ".join(item.name for item in ports)
+        raise error(
+            "FB7104",
+            f"the series '{series.id}' has no " + (f"port '{port}'" if port else "serial port"),
+            series.span,
+            f"its ports: {names or 'none'}",
+        )
+    rates = {rate: code for code, rate in series.baud_rates(facts).items()}
+    parities = {meaning: code for code, meaning in series.parities(facts).items()}
+    if baud not in rates or parity not in parities:
+        raise error(
+            "FB7104",
+            f"the port '{facts.name}' of the series '{series.id}' has no {baud} bit/s with parity "
+            f"{parity}",
+            facts.span,
+            "its rates: " + ", ".join(map(str, rates)) + "; parities: " + ", ".join(parities),
+        )
+    return {
+        facts.baud_rate: series.comno(facts.baud_rate).to_value(rates[baud]),
+        facts.parity: series.comno(facts.parity).to_value(parities[parity]),
+    }

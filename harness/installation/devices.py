@@ -12,7 +12,7 @@ from fbgen.catalog import Catalog, Drive, OptionValue, ProcessDataGateway
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of, plugged
-from harness.drives import Inverter, InverterSettings, ReplyTime
+from harness.drives import Inverter, InverterSettings, ReplyTime, set_for_line
 from harness.drives.settings import TimeoutRestart
 from harness.fieldbus import DpSlave
 from harness.gateways.pbdp110 import Pbdp110, drive_facts, pbdp110_settings
@@ -21,8 +21,7 @@ from harness.installation.setup import DriveConditions
 from harness.kernel import Kernel
 from harness.line import Line, Spacing, Topology
 
-BAUD_RATE_19200 = 4
-PARITY_EVEN = 1
+_BAUD_RATE = 19_200
 TIMEOUT_S = 1
 
 
@@ -79,7 +78,7 @@ def build_devices(
         for item in entry.drives:
             own = conditions.get(item.name, DriveConditions())
             series = catalog.drive(item.series)
-            own = replace(own, parameters={**_on_a_line(series, item), **own.parameters})
+            own = replace(own, parameters={**_on_a_line(series, item, own.port), **own.parameters})
             drives[item.name] = _drive(kernel, series, item, line, own)
     return FieldDevices(gateways, interfaces, lines, drives, spacing)
 
@@ -136,7 +135,8 @@ def _drives_at(
     for item in entry.drives:
         series, channel = catalog.drive(item.series), _channel(item)
         own = conditions.get(item.name, DriveConditions())
-        parameters = {"baud_rate": BAUD_RATE_19200, **own.parameters}
+        fastest = set_for_line(series, own.port, _BAUD_RATE, "even")
+        parameters = {**fastest, **own.parameters}
         own = replace(own, parameters=parameters)
         drive = _drive(interface.kernel, series, item, interface.lines[channel], own)
         _give_supply(interface.device, channel, drive)
@@ -185,11 +185,10 @@ def _not_simulated(entry: PlantGateway) -> DiagnosticError:
     )
 
 
-def _on_a_line(series: Drive, entry: PlantDrive) -> Mapping[str, float]:
+def _on_a_line(series: Drive, entry: PlantDrive, port: str | None) -> Mapping[str, float]:
     """What the manual of the TOSPBDP001 has one set at an inverter."""
     return {
-        "baud_rate": BAUD_RATE_19200,
-        "parity": PARITY_EVEN,
+        **set_for_line(series, port, _BAUD_RATE, "even"),
         series.link.inv_no: entry.inv_no,
         series.link.timeout: TIMEOUT_S,
     }

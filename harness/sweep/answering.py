@@ -11,11 +11,11 @@ from fbgen.wire.toshiba import ErrorCode
 from harness.drives.communication import Communication
 from harness.drives.device import Owner
 from harness.drives.registers import Registers
-from harness.drives.settings import InverterSettings, ReplyTime
+from harness.drives.settings import InverterSettings, ReplyTime, set_for_line
 from harness.kernel import Kernel
 from harness.line import Line
 
-_BAUD_RATE_19200, _PARITY_EVEN = 4, 1
+_BAUD_RATE = 19_200
 UNKNOWN_COM_NO = 0x7FFF
 """No drive knows this ComNo: it refuses, and its refusal does not pass the gateway."""
 
@@ -44,8 +44,7 @@ class AnsweringDrive:
     ) -> None:
         link = series.link
         words = {
-            "baud_rate": _BAUD_RATE_19200,
-            "parity": _PARITY_EVEN,
+            **set_for_line(series, None, _BAUD_RATE, "even"),
             link.inv_no: inv_no,
             link.timeout: 0,
         }

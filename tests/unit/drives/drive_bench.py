@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from fbgen.catalog import Drive, load_catalog
 from fbgen.wire import modbus
 from fbgen.wire.toshiba import seal
-from harness.drives import Inverter, InverterSettings, Load, ReplyTime
+from harness.drives import Inverter, InverterSettings, Load, ReplyTime, set_for_line
 from harness.kernel import NS_PER_MS, NS_PER_S, Kernel
 from harness.line import GATEWAY_FORMAT, Line, Reception, Role, Topology
 
@@ -47,7 +47,8 @@ class Bench:
     ) -> Inverter:
         """One more inverter, by default set up as the gateway's manual asks."""
         if settings is None:
-            wanted = self._line() | {"inverter_number": inv_no} | dict(parameters or {})
+            wanted = set_for_line(self.series, None, 19_200, "even")
+            wanted |= {"inverter_number": inv_no} | dict(parameters or {})
             settings = InverterSettings(parameters=wanted, reply_time=FIXED_REPLY)
         return Inverter(self.kernel, self.line, self.series, settings)
 
@@ -75,14 +76,6 @@ class Bench:
             return ""
         assert replies[0] == modbus.seal(replies[0][:-2])
         return replies[0][:-2].hex(" ").upper()
-
-    def _line(self) -> dict[str, float]:
-        """19200 bit/s and even parity, by the codes of the series."""
-        rates = self.series.comno("baud_rate").values
-        return {
-            "baud_rate": next(code for code, text in rates.items() if text == "19200 bit/s"),
-            "parity": 1,
-        }
 
     def wait(self, seconds: float) -> None:
         """Let time pass."""

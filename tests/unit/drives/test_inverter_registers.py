@@ -4,7 +4,7 @@ import pytest
 from drive_bench import GATEWAY_SETTINGS, SERIES, Bench
 
 from fbgen.diagnostics import DiagnosticError
-from harness.drives import InverterSettings, Panel
+from harness.drives import InverterSettings, Panel, set_for_line
 from harness.line import FRAMING_ERROR
 
 ACC = 0x0009
@@ -204,9 +204,18 @@ def test_series_without_the_ramp_times_cannot_be_simulated() -> None:
 
 def test_series_without_a_serial_port_cannot_be_simulated() -> None:
     bench = Bench(series=SERIES.model_copy(update={"communication": None}))
-    with pytest.raises(DiagnosticError, match="it has no serial port") as caught:
+    with pytest.raises(DiagnosticError, match="has no serial port") as caught:
         bench.add()
     assert [finding.code for finding in caught.value.diagnostics] == ["FB7104"]
+    with pytest.raises(DiagnosticError, match="it has no serial port"):
+        type(Bench().add())(bench.kernel, bench.line, bench.series)
+
+
+def test_a_port_is_not_set_to_a_rate_or_by_a_name_that_it_does_not_have() -> None:
+    for port, baud, says in (("serial", 38_400, "no 38400 bit/s"), ("x", 9600, "no port 'x'")):
+        with pytest.raises(DiagnosticError, match=says) as caught:
+            set_for_line(SERIES, port, baud, "even")
+        assert [finding.code for finding in caught.value.diagnostics] == ["FB7104"]
 
 
 def test_an_inverter_told_to_speak_what_its_series_cannot_is_refused() -> None:
