@@ -8,17 +8,28 @@ import copyreg
 import io
 import marshal
 import pickle
+from collections.abc import Callable, Mapping
 from types import CodeType, MappingProxyType
-from typing import Any
+from typing import Any, TypeAlias
 
 _PROTOCOL = 5
 
 
-def packed_objects(content: object) -> bytes | None:
-    """The bytes; None for what Python cannot pack, or what is nested deeper than it can follow."""
+_Reduce: TypeAlias = Callable[[Any], tuple[Any, ...]]
+"""What an object is made from again, as `__reduce__` tells it."""
+
+
+def packed_objects(
+    content: object, instead: Mapping[type, _Reduce] = MappingProxyType({})
+) -> bytes | None:
+    """The bytes; None for what Python cannot pack, or what is nested deeper than it can follow.
+
+    `instead` says of which types less is enough, and what that is.
+    """
     stream = io.BytesIO()
     pickler = pickle.Pickler(stream, _PROTOCOL)
-    pickler.dispatch_table = {**copyreg.dispatch_table, CodeType: _code, MappingProxyType: _proxy}
+    own: dict[type, _Reduce] = {CodeType: _code, MappingProxyType: _proxy}
+    pickler.dispatch_table = {**copyreg.dispatch_table, **own, **instead}
     try:
         pickler.dump(content)
     except (RecursionError, pickle.PicklingError, AttributeError, TypeError):

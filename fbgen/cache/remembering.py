@@ -11,10 +11,15 @@ from fbgen.cache.objects import packed_objects, unpacked_objects
 T = TypeVar("T")
 
 
-def remembered(parts: Iterable[str | bytes], make: Callable[[], T]) -> T:
+def remembered(
+    parts: Iterable[str | bytes],
+    make: Callable[[], T],
+    may_be_kept: Callable[[T], bool] = lambda made: True,
+) -> T:
     """What `make` gives for these parts, which must be all that it depends on beside fbgen.
 
-    The parts begin with what it is. Whatever `make` raises is not kept.
+    The parts begin with what it is. Whatever `make` raises is not kept, nor what does depend on
+    more.
     """
     if cache_folder() is None:
         return make()
@@ -24,7 +29,7 @@ def remembered(parts: Iterable[str | bytes], make: Callable[[], T]) -> T:
         found: T = unpacked_objects(known)
         return found
     made = make()
-    content = packed_objects(made)
+    content = packed_objects(made) if may_be_kept(made) else None
     if content is not None:
         keep(key, content)
     return made

@@ -15,13 +15,17 @@ import gc
 import io
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 FINDINGS, DEFECT, INTERRUPTED, READER_GONE = 1, 70, 130, 141
 
-_NEW_OBJECTS = 100_000
+_NEW_OBJECTS = 300_000
 """How many objects come into being before Python looks for garbage among them. Modules, models and
-trees stay as long as the process; Python's usual 700 costs a tenth of a short command."""
+trees stay as long as the process; Python's usual 700 costs a tenth of a short command, and to look
+once through what `fbgen test` has read by then a seventh."""
+
+_ROOM = 40_000
+"""Words: 320 KB, for which Python takes 512 KB. What is left is for other calls."""
 
 
 def run() -> int:
@@ -29,7 +33,22 @@ def run() -> int:
     # What a command has made goes with its process. Python would look for garbage in all of it
     # first, which takes a quarter of a short command.
     atexit.register(gc.freeze)
-    return main()
+    return _with_room(main)
+
+
+def _with_room(action: Callable[[], int]) -> int:
+    """Call it with memory for all that is called from there.
+
+    Python takes memory for calls in pieces of 16 KB, and gives a piece back as soon as nothing is
+    in it. A loop that calls a function where a piece ends does so a thousand times. A frame that
+    seems to be large makes the piece large that all further ones are in.
+    """
+
+    def call() -> int:
+        return action()
+
+    call.__code__ = call.__code__.replace(co_stacksize=_ROOM)
+    return call()
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import field
+from functools import cached_property
 
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
@@ -12,7 +13,7 @@ from fbgen.lang.printer import LineOrigins
 from fbgen.source import Origin, Source
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class GeneratedFile:
     """One file: its name, its text (ASCII, LF), and the origins of each of its lines.
 
@@ -32,9 +33,9 @@ class GeneratedFile:
         """The bytes on disk."""
         return self.text.replace("\n", self.line_end).encode("ascii")
 
-    @property
+    @cached_property
     def source(self) -> Source:
-        """The text as one that is read, with the origins of its lines.
+        """The text as one that is read, the same one each time, with the origins of its lines.
 
         A line of a template stands in front of the value that the line is said to be from.
         """

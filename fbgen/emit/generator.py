@@ -112,8 +112,8 @@ def _worked_on(
     )
     apart = {twin.unit.source.name for twin in twins}
     files = laid_out([file for file in units if file.source.name not in apart], plant)
-    written = [(file.name, file.text) for file in files if file.is_program]
-    if found := [item for text in written for item in lint(*text, plant.dialect, plant.plc)]:
+    written = [file.source for file in files if file.is_program]
+    if found := [item for text in written for item in lint(text, plant.dialect, plant.plc)]:
         raise DiagnosticError(found)
     bodies: dict[str, tuple[ast.Statement, ...]] = {}
     if twins:

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 from fbgen.catalog import Catalog, ProfibusGateway, PublishedProfibus
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.plant.gsd_file import configuration_of, plugged
-from fbgen.wire.gsd import Configuration, GsdStation
 
 if TYPE_CHECKING:
     from fbgen.plant.plant import Plant, PlantGateway
+    from fbgen.wire.gsd import Configuration, GsdStation
 
 
 def gsd_problems(item: "PlantGateway", entry: ProfibusGateway) -> Iterator[Diagnostic]:
@@ -69,7 +69,7 @@ def gsd_warnings(plant: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
 
 
 def _other_device(
-    item: "PlantGateway", entry: ProfibusGateway, station: GsdStation
+    item: "PlantGateway", entry: ProfibusGateway, station: "GsdStation"
 ) -> Iterator[Diagnostic]:
     place = item.span_of("gsd")
     if station.is_master:
@@ -96,7 +96,7 @@ def _other_device(
 
 
 def _other_lengths(
-    item: "PlantGateway", entry: ProfibusGateway, chosen: Configuration
+    item: "PlantGateway", entry: ProfibusGateway, chosen: "Configuration"
 ) -> Iterator[Diagnostic]:
     layout = entry.layout(item.layout)
     found = (chosen.output_length, chosen.input_length)
@@ -124,7 +124,7 @@ def _other_lengths(
 
 
 def _other_identifiers(
-    item: "PlantGateway", entry: ProfibusGateway, chosen: Configuration
+    item: "PlantGateway", entry: ProfibusGateway, chosen: "Configuration"
 ) -> Iterator[Diagnostic]:
     layout = entry.layout(item.layout)
     if layout.identifiers != chosen.code and "identifiers" not in layout.unverified:
@@ -137,7 +137,7 @@ def _other_identifiers(
 
 
 def _other_features(
-    item: "PlantGateway", entry: ProfibusGateway, station: GsdStation
+    item: "PlantGateway", entry: ProfibusGateway, station: "GsdStation"
 ) -> Iterator[Diagnostic]:
     profibus = entry.profibus
     pairs: list[tuple[str, object, object]] = [

@@ -12,10 +12,12 @@ from fbgen.catalog import Layout, ProfibusGateway
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
 from fbgen.source import Span
-from fbgen.wire.gsd import MAX_BYTES, Configuration, GsdStation, choose, read_gsd
 
 if TYPE_CHECKING:
     from fbgen.plant.plant import PlantGateway
+    from fbgen.wire.gsd import Configuration, GsdStation
+
+# What reads GSD files is imported where one is read: few plants name one.
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -26,7 +28,7 @@ class GsdFile:
     """
 
     path: str
-    station: GsdStation | None
+    station: "GsdStation | None"
     findings: tuple[Diagnostic, ...] = ()
 
     @property
@@ -64,11 +66,13 @@ class GsdFile:
         raise ValueError("the GSD file is named by a text: its path from the plant file")
 
 
-def read_gsd_file(path: Path, name: str, place: Span | None = None) -> GsdStation:
+def read_gsd_file(path: Path, name: str, place: Span | None = None) -> "GsdStation":
     """The station in a file, called `name` in messages; `place` is where a plant file names it.
 
     Raises DiagnosticError FB1008 for a file that cannot be read, FB1301 to FB1306 as `read_gsd`.
     """
+    from fbgen.wire.gsd import MAX_BYTES, read_gsd  # noqa: PLC0415
+
     try:
         with path.open("rb") as file:
             data = file.read(MAX_BYTES + 1)
@@ -87,12 +91,14 @@ def gsd_file(path: str, folder: Path, place: Span | None) -> GsdFile:
         return GsdFile(path, None, wrong.diagnostics)
 
 
-def layout_named_by(station: GsdStation, modules: Sequence[str], entry: ProfibusGateway) -> str:
+def layout_named_by(station: "GsdStation", modules: Sequence[str], entry: ProfibusGateway) -> str:
     """The layout of a gateway that these modules carry: the same identifiers, or as many bytes.
 
     The usual layout where there is none, "" where the modules cannot be plugged or nothing says
     which: checks of the plant tell what is wrong then.
     """
+    from fbgen.wire.gsd import choose  # noqa: PLC0415
+
     try:
         chosen = choose(station, modules)
     except DiagnosticError:
@@ -102,12 +108,14 @@ def layout_named_by(station: GsdStation, modules: Sequence[str], entry: Profibus
     return (*same, *alike, entry.default_layout)[0]
 
 
-def configuration_of(part: "PlantGateway", layout: Layout | None) -> Configuration:
+def configuration_of(part: "PlantGateway", layout: Layout | None) -> "Configuration":
     """The modules that are plugged at a gateway whose plant file names a GSD file that was read.
 
     A layout that the plant file says helps to choose among them. Raises
     DiagnosticError FB1310, FB1311 at the places in the plant file.
     """
+    from fbgen.wire.gsd import choose  # noqa: PLC0415
+
     assert part.gsd is not None, "the caller has asked"
     assert part.gsd.station is not None, "the caller has asked"
     places = [part.item_span_of("modules", index) for index in range(len(part.modules))]
@@ -117,7 +125,7 @@ def configuration_of(part: "PlantGateway", layout: Layout | None) -> Configurati
     return choose(part.gsd.station, part.modules, (*places, of_all), lengths)
 
 
-def plugged(part: "PlantGateway", entry: ProfibusGateway) -> Configuration | None:
+def plugged(part: "PlantGateway", entry: ProfibusGateway) -> "Configuration | None":
     """As `configuration_of` for the gateway's layout; None without a GSD file, or where it does not
     fit, which checks of the plant tell."""
     if part.gsd is None or part.gsd.station is None:
@@ -130,5 +138,5 @@ def plugged(part: "PlantGateway", entry: ProfibusGateway) -> Configuration | Non
     return found if _lengths(found) == _lengths(layout) else None
 
 
-def _lengths(carrier: Configuration | Layout) -> tuple[int, int]:
+def _lengths(carrier: "Configuration | Layout") -> tuple[int, int]:
     return carrier.output_length, carrier.input_length

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from pathlib import Path
 
+from fbgen.cache import remembered
 from fbgen.catalog import Catalog, load_catalog, load_yaml, validate
 from fbgen.catalog.catalog import read_source
 from fbgen.catalog.yaml_nodes import Document, YamlMapping, YamlSequence
@@ -14,9 +15,21 @@ from fbgen.source import Source
 def load_plant(path: Path, catalog: Catalog | None = None) -> Plant:
     """The plant in a file, checked against the catalogue (the shipped one if none is given).
 
+    An earlier process may have read it, if it was with the shipped catalogue.
     Raises DiagnosticError with everything that is wrong: FB1001 to FB1008, FB2001 to FB2019.
     """
-    return read_plant(read_source(path, path.as_posix()), catalog)
+    source = read_source(path, path.as_posix())
+    shipped = load_catalog()
+    if catalog is not None and catalog is not shipped:
+        return read_plant(source, catalog)
+    parts = ("plant", source.name, source.text)
+    known = (text for file in shipped.sources for text in (file.name, file.text))
+    return remembered((*parts, *known), lambda: read_plant(source, shipped), _stands_for_itself)
+
+
+def _stands_for_itself(plant: Plant) -> bool:
+    """Whether nothing of it stands in a GSD file, which may become another one."""
+    return all(gateway.gsd is None for gateway in plant.gateways)
 
 
 def read_plant(source: Source, catalog: Catalog | None = None) -> Plant:

@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING, Protocol
 
 from fbgen.catalog import Drive, SerialPort, ToshibaService
 from fbgen.diagnostics import error
-from fbgen.wire import modbus_stream, toshiba_stream
+from fbgen.wire import toshiba_stream
 from fbgen.wire.toshiba import BadRequest, Request
 from fbgen.wire.toshiba_block import BlockRequest
 from fbgen.wire.toshiba_stream import FrameStream, block_request_stream, request_stream
 from harness.drives.blocks import BlockTransfer
 from harness.drives.device import Owner
 from harness.drives.ears import LengthEar, SilenceEar
-from harness.drives.modbus_speaker import ModbusSpeaker
 from harness.drives.registers import Registers
 from harness.drives.toshiba_speaker import ToshibaSpeaker
 from harness.kernel import NS_PER_MS
@@ -100,6 +99,9 @@ def ear_for(
         stream = toshiba_stream.silence_request_stream(silence)
         return SilenceEar(port, stream, speaker.concerns, speaker.take)
     if protocol == MODBUS and known.modbus is not None:
+        from fbgen.wire import modbus_stream  # noqa: PLC0415 - few drives speak it
+        from harness.drives.modbus_speaker import ModbusSpeaker  # noqa: PLC0415
+
         listener = ModbusSpeaker(port, device, known.modbus, blocks, options)
         frames = modbus_stream.request_stream(modbus_stream.silent_intervals(baud))
         return SilenceEar(port, frames, listener.concerns, listener.take)

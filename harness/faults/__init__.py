@@ -3,52 +3,7 @@
 Those of drives and of lines need no PLC: `FIELD_FAULTS` happen to any drives on a line.
 """
 
-from collections.abc import Mapping
-from types import MappingProxyType
-
-from harness.faults import (
-    cpu_jitter,
-    cpu_overrun,
-    cpu_retentive_lost,
-    cpu_stopped,
-    cpu_unpowered,
-    drive_alarm,
-    drive_answers_for_another,
-    drive_answers_late,
-    drive_disconnected,
-    drive_eeprom_worn,
-    drive_emergency_stop,
-    drive_local,
-    drive_number_doubled,
-    drive_parameters_locked,
-    drive_slow,
-    drive_tripped,
-    drive_unpowered,
-    gateway_buffer_overwritten,
-    gateway_diagnosis,
-    gateway_reports,
-    gateway_slow,
-    gateway_trigger_stuck,
-    gateway_unpowered,
-    line_babbling,
-    line_broken,
-    line_broken_one_way,
-    line_bytes_delayed,
-    line_bytes_doubled,
-    line_bytes_lost,
-    line_noise,
-    master_stopped,
-    profibus_clear,
-    profibus_freeze_held,
-    profibus_interrupted,
-    profibus_jitter,
-    profibus_plug_pulled,
-    profibus_sync_held,
-    profibus_watchdog_expired,
-    profibus_wrong_configuration,
-    transfers_refused,
-    transfers_torn,
-)
+from fbgen.named_modules import NamedModules
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 from harness.installation import Installation
 from harness.installation.field_level import FieldLevel
@@ -56,58 +11,56 @@ from harness.installation.field_level import FieldLevel
 __all__ = ["FAULTS", "FIELD_FAULTS", "Fault", "FaultSettings", "FaultType", "Target"]
 
 _OF_THE_FIELD = (
-    drive_alarm,
-    drive_answers_for_another,
-    drive_answers_late,
-    drive_disconnected,
-    drive_eeprom_worn,
-    drive_emergency_stop,
-    drive_local,
-    drive_number_doubled,
-    drive_parameters_locked,
-    drive_slow,
-    drive_tripped,
-    drive_unpowered,
-    line_babbling,
-    line_broken,
-    line_broken_one_way,
-    line_bytes_delayed,
-    line_bytes_doubled,
-    line_bytes_lost,
-    line_noise,
+    "drive_alarm",
+    "drive_answers_for_another",
+    "drive_answers_late",
+    "drive_disconnected",
+    "drive_eeprom_worn",
+    "drive_emergency_stop",
+    "drive_local",
+    "drive_number_doubled",
+    "drive_parameters_locked",
+    "drive_slow",
+    "drive_tripped",
+    "drive_unpowered",
+    "line_babbling",
+    "line_broken",
+    "line_broken_one_way",
+    "line_bytes_delayed",
+    "line_bytes_doubled",
+    "line_bytes_lost",
+    "line_noise",
 )
-_MODULES = (
-    cpu_jitter,
-    cpu_overrun,
-    cpu_retentive_lost,
-    cpu_stopped,
-    cpu_unpowered,
+_NAMES = (
+    "cpu_jitter",
+    "cpu_overrun",
+    "cpu_retentive_lost",
+    "cpu_stopped",
+    "cpu_unpowered",
     *_OF_THE_FIELD,
-    gateway_buffer_overwritten,
-    gateway_diagnosis,
-    gateway_reports,
-    gateway_slow,
-    gateway_trigger_stuck,
-    gateway_unpowered,
-    master_stopped,
-    profibus_clear,
-    profibus_freeze_held,
-    profibus_interrupted,
-    profibus_jitter,
-    profibus_plug_pulled,
-    profibus_sync_held,
-    profibus_watchdog_expired,
-    profibus_wrong_configuration,
-    transfers_refused,
-    transfers_torn,
+    "gateway_buffer_overwritten",
+    "gateway_diagnosis",
+    "gateway_reports",
+    "gateway_slow",
+    "gateway_trigger_stuck",
+    "gateway_unpowered",
+    "master_stopped",
+    "profibus_clear",
+    "profibus_freeze_held",
+    "profibus_interrupted",
+    "profibus_jitter",
+    "profibus_plug_pulled",
+    "profibus_sync_held",
+    "profibus_watchdog_expired",
+    "profibus_wrong_configuration",
+    "transfers_refused",
+    "transfers_torn",
 )
 
-FAULTS: Mapping[str, FaultType[Installation]] = MappingProxyType(
-    {item.FAULT.name: item.FAULT for item in _MODULES}
-)
-"""By the name that scenarios use."""
+FAULTS: NamedModules[FaultType[Installation]] = NamedModules("harness.faults", "FAULT", _NAMES)
+"""By the name that scenarios use, which is that of the module."""
 
-FIELD_FAULTS: Mapping[str, FaultType[FieldLevel]] = MappingProxyType(
-    {item.FAULT.name: item.FAULT for item in _OF_THE_FIELD}
+FIELD_FAULTS: NamedModules[FaultType[FieldLevel]] = NamedModules(
+    "harness.faults", "FAULT", _OF_THE_FIELD
 )
 """Those of drives and lines."""

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import partial
+from typing import TYPE_CHECKING
 
 from fbgen.catalog import Catalog
 from fbgen.dataclass import dataclass
@@ -16,8 +17,10 @@ from harness.installation.holds import Hold, Holds, switched
 from harness.kernel import Kernel
 from harness.line import Line, Spacing
 from harness.plc import Cpu
-from harness.trace.recorder import Recorder
-from harness.trace.telegrams import TelegramRecorder
+
+if TYPE_CHECKING:
+    from harness.trace.recorder import Recorder
+    from harness.trace.telegrams import TelegramRecorder
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,16 +110,20 @@ class Installation:
         """Let `duration_ns` of the plant's time pass."""
         self.kernel.run_for(duration_ns)
 
-    def record(self, variables: Iterable[str] = ()) -> Recorder:
+    def record(self, variables: Iterable[str] = ()) -> "Recorder":
         """Record everything from now on; `finish` of what this gives is the trace.
 
         `variables` are paths of the PLC beside those of TOS_Plant. Raises DiagnosticError for
         variables that the PLC does not have.
         """
+        from harness.trace.recorder import Recorder  # noqa: PLC0415 - few plants are recorded
+
         return Recorder(self, variables)
 
-    def record_telegrams(self) -> dict[str, TelegramRecorder]:
+    def record_telegrams(self) -> "dict[str, TelegramRecorder]":
         """Listen to every gateway for telegrams from now on; by the gateway's name."""
+        from harness.trace.telegrams import TelegramRecorder  # noqa: PLC0415 - as above
+
         return {
             entry.name: TelegramRecorder(
                 self.master,

@@ -9,6 +9,7 @@ from fbgen import cache
 from fbgen.cache.objects import packed_objects, unpacked_objects
 from fbgen.cache.texts import packed, unpacked
 from fbgen.catalog import Catalog, load_catalog
+from fbgen.lang.ast import Block
 from fbgen.lang.checked import Program
 from fbgen.plant import Plant
 from fbgen.resources import shipped
@@ -66,9 +67,15 @@ def keep_loaded(program: Program) -> None:
     if key is None or _kept.get(key, 0) >= len(known) or cache.cache_folder() is None:
         return
     _kept[key] = len(known)
-    content = packed_objects((program, known))
+    content = packed_objects((program, known), {Block: _head})
     if content is not None:
         cache.keep(_place(key), content)
+
+
+def _head(syntax: Block) -> tuple[object, ...]:
+    """A block as it was written, but without its declarations and statements: what runs was made
+    from them, and they are half of a program."""
+    return Block, (syntax.span, syntax.kind, syntax.name, None, (), (), ())
 
 
 def _place(key: str) -> str:
@@ -97,7 +104,7 @@ def _inputs(plan: Plant, catalog: Catalog) -> Iterator[str | bytes]:
     read, and as they were written, for the lines in which something stands.
     """
     yield "text of a plant"
-    yield plan.model_dump_json()
+    yield repr(plan)  # every field; pydantic would first prepare for writing JSON
     if plan.span is not None:
         yield plan.span.source.name
         yield plan.span.source.text

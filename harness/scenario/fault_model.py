@@ -7,7 +7,6 @@ from random import Random
 from typing import Annotated, Any
 
 from pydantic import ConfigDict, Discriminator, Field, Tag
-from pydantic.json_schema import WithJsonSchema
 
 from fbgen.catalog import Located
 from fbgen.catalog.scalars import Count, Text
@@ -15,10 +14,10 @@ from fbgen.diagnostics import Diagnostic
 from harness.durations import DurationNs, PositiveDurationNs
 from harness.faults import FAULTS
 from harness.faults.schedule import FaultEvent
-from harness.scenario.fault_schema import FAULT_NAME, with_places_and_settings
+from harness.scenario.fault_schema import FaultNameSchema, with_places_and_settings
 from harness.scenario.scalars import ScalarValue
 
-FaultName = Annotated[Text, WithJsonSchema(FAULT_NAME)]
+FaultName = Annotated[Text, FaultNameSchema()]
 """Which ones there are is checked with everything else in a step; the schema helps editors."""
 
 

@@ -5,17 +5,23 @@ Only for JSON Schemas. What a scenario may really do is checked with the plant a
 
 from typing import Any
 
+from pydantic import GetJsonSchemaHandler
 from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema
 
 from harness.faults import FAULTS, FaultType, Target
 from harness.scenario.schema_places import FILLED
 
 _NAMES = sorted(FAULTS)
-FAULT_NAME: JsonSchemaValue = {
-    "enum": _NAMES,
-    "enumDescriptions": [FAULTS[name].title for name in _NAMES],
-}
-"""The name of a fault."""
+
+
+class FaultNameSchema:
+    """The name of a fault. Titles are looked up when somebody wants the schema."""
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> JsonSchemaValue:
+        return {"enum": _NAMES, "enumDescriptions": [FAULTS[name].title for name in _NAMES]}
 
 
 def with_places_and_settings(schema: JsonSchemaValue) -> None:

@@ -18,6 +18,9 @@ from harness.scenario.options import RunOptions
 from harness.scenario.seeds import seeds_of
 from harness.scenario.selection import parse_selection
 
+_AS_IT_IS = Variation.model_construct()
+"""No variation: the plant of the file. It needs no check."""
+
 SUFFIX = ".scenario.yaml"
 """Files with this ending in a folder are taken as scenarios."""
 
@@ -66,7 +69,7 @@ def scenario_cases(path: Path, options: RunOptions | None = None) -> tuple[Scena
                 repeats=len(seeds) > 1,
                 temporaries=temporaries,
             )
-            for variation in scenario.variations or (Variation(),)
+            for variation in scenario.variations or (_AS_IT_IS,)
             for seed in seeds
         ]
     return tuple(cases)

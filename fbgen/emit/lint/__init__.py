@@ -32,10 +32,9 @@ _RULES: dict[str, tuple[Rule, ...]] = {
 }
 
 
-def lint(name: str, text: str, dialect: str, plc: PlcFamily) -> list[Diagnostic]:
+def lint(source: Source, dialect: str, plc: PlcFamily) -> list[Diagnostic]:
     """Everything in a generated text that its tools or the CPU would refuse or take wrongly."""
-    source = Source(name, text)
-    is_xml = Path(name).suffix.lower() in XML_SUFFIXES
+    is_xml = Path(source.name).suffix.lower() in XML_SUFFIXES
     document = read_text(source, LANGUAGES[dialect], is_xml)
     emitted = EmittedText(source, document.file, by_kind(document.file), plc)
     return [*document.findings] + [found for rule in _RULES[dialect] for found in rule(emitted)]

@@ -38,6 +38,9 @@ LIVING = (VariableKind.INPUT, VariableKind.OUTPUT, VariableKind.KEPT, VariableKi
 """The variables that an instance of a block keeps from call to call."""
 
 
+_SIZES = {1: "X", 8: "B", 16: "W", 32: "D", 64: "L"}
+
+
 @node
 class Address:
     """An absolute address. `area` is "I", "Q", "M" or "DB"; `bits` is 1, 8, 16, 32 or 64."""
@@ -48,6 +51,15 @@ class Address:
     bit: int = 0
     db: int = 0
     peripheral: bool = False
+
+    @property
+    def spelled(self) -> str:
+        """As it is written."""
+        size = _SIZES[self.bits]
+        place = f"{self.byte}.{self.bit}" if self.bits == 1 else f"{self.byte}"
+        if self.area == "DB":
+            return f"%DB{self.db}.DB{size}{place}"
+        return f"%{self.area}{size}{place}"
 
 
 @node

@@ -6,6 +6,7 @@ document.rewritten(document.file)      # the bytes of the formatted file
 """
 
 from collections.abc import Callable
+from functools import lru_cache
 from pathlib import Path
 
 from fbgen.dataclass import dataclass
@@ -19,6 +20,9 @@ from fbgen.lang.encoding import Encoding, encoding_of, read_bytes
 from fbgen.lang.parser import parse_recovering
 from fbgen.lang.printer import print_file
 from fbgen.source import Source
+
+_TEXTS = 128
+"""How many texts are remembered as they were read: those of a plant of some gateways."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,8 +71,12 @@ def document_of(path: Path, data: bytes, dialect: str | None = None) -> Document
     return _document(path, source, chosen, encoding, path.suffix.lower() in XML_SUFFIXES)
 
 
+@lru_cache(maxsize=_TEXTS)
 def read_text(source: Source, dialect: str, is_xml: bool = False) -> Document:
-    """As `read_document`, for a text that is there already."""
+    """As `read_document`, for a text that is there already.
+
+    The rules for what was generated read it before the harness does: it is read once.
+    """
     return _document(Path(source.name), source, dialect, Encoding("utf-8", b""), is_xml)
 
 

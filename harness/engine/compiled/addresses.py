@@ -21,16 +21,6 @@ from harness.engine.compiled.write_notes import note_outputs
 
 _AREAS = {"I": "_environment.inputs", "Q": "_environment.outputs", "M": "_environment.markers"}
 _CODES = {"I": 0x81, "Q": 0x82, "M": 0x83, "DB": 0x84}
-_SIZES = {1: "X", 8: "B", 16: "W", 32: "D", 64: "L"}
-
-
-def spelled(address: Address) -> str:
-    """The address as it is written."""
-    size = _SIZES[address.bits]
-    place = f"{address.byte}.{address.bit}" if address.bits == 1 else f"{address.byte}"
-    if address.area == "DB":
-        return f"%DB{address.db}.DB{size}{place}"
-    return f"%{address.area}{size}{place}"
 
 
 def _bytes(address: Address) -> int:

@@ -4,7 +4,6 @@ from typing import Any
 
 from fbgen.lang.checked import Address
 from fbgen.lang.types import Scalar, Type
-from harness.engine.compiled.addresses import spelled
 from harness.engine.compiled.cells import Cell
 from harness.engine.compiled.library.placed import ByteArray, ByteStructure
 from harness.engine.compiled.memory import Location, Memory
@@ -92,5 +91,5 @@ def _image(environment: Environment, address: Address) -> bytearray:
         "M": environment.markers,
     }[address.area]
     if address.byte + max(1, address.bits // 8) > len(image):
-        raise address_out_of_range(None, spelled(address), len(image))
+        raise address_out_of_range(None, address.spelled, len(image))
     return image

@@ -1,65 +1,15 @@
 """Calculations that say whether they work instead of stopping the program."""
 
-from collections.abc import Callable
-from math import isfinite
-from typing import Any
-
 from fbgen.lang.checked import Attempt, Binary, Convert, StandardCall, Unary
-from fbgen.lang.types import Elementary, Family, Scalar, Type
-from harness.engine.compiled.cells import Cell
+from fbgen.lang.types import Elementary, Family, Type
 from harness.engine.compiled.code import Code
 from harness.engine.compiled.evaluation import Write, expression, value
-from harness.engine.compiled.exceptions import catching
 from harness.engine.compiled.function_code import all_of
-from harness.engine.compiled.library import stops
-from harness.engine.compiled.library.wholes import limit_or_operand
 from harness.engine.compiled.places import cell
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits
 
 _WHOLE = (Family.SIGNED, Family.UNSIGNED, Family.DURATION)
-_BAD = (
-    *(ZeroDivisionError, stops.ZeroDivisor, stops.NoFit, stops.NoNumber, stops.NoDecimal),
-    stops.NoInput,
-)
-
-
-def attempts(
-    cpu: Any, stopped_by: Callable[[Exception], Exception]
-) -> dict[str, Callable[..., Any]]:
-    """What generated code calls; `cpu` counts how deep blocks are nested."""
-
-    def attempt(flag: Cell, action: Callable[[], Scalar], nothing: Scalar) -> Scalar:
-        depth = cpu.depth
-        try:
-            result = action()
-        except _BAD:
-            cpu.depth = depth
-            flag.value = False
-            return nothing
-        if isinstance(result, float) and not isfinite(result):
-            flag.value = False
-        return result
-
-    def attempt_whole(flag: Cell, action: Callable[[], int], low: int, high: int) -> int:
-        result = attempt(flag, action, 0)
-        assert isinstance(result, int)
-        if low <= result <= high:
-            return result
-        flag.value = False
-        return (result - low) % (high - low + 1) + low
-
-    def attempt_limit(flag: Cell, low: Any, operand: Any, high: Any) -> Any:
-        if low > high:
-            flag.value = False
-        return limit_or_operand(low, operand, high)
-
-    return {
-        **catching(cpu, stopped_by),
-        "_attempt": attempt,
-        "_attempt_whole": attempt_whole,
-        "_attempt_limit": attempt_limit,
-    }
 
 
 def _attempt(procedure: Procedure, node: Attempt) -> Code:

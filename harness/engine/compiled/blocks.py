@@ -14,7 +14,7 @@ from harness.engine.compiled import (
     operators,
     places,
     references,
-    routines,
+    routine_calls,
     standard_functions,
 )
 from harness.engine.compiled.code import Listing
@@ -38,7 +38,7 @@ from harness.engine.leftovers import left_over, values_left
 
 for module in (
     *(places, references, operators, standard_functions, calls, attempts, local_errors),
-    routines,
+    routine_calls,
 ):
     enter(module.EXPRESSIONS)
 

@@ -14,11 +14,11 @@ from harness.engine.compiled.areas import read_located, write_located
 from harness.engine.compiled.cells import ValueCell
 from harness.engine.compiled.code import Listing
 from harness.engine.compiled.generation import clock_of
+from harness.engine.compiled.going_on import going_on
 from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.instance import CompiledInstance
 from harness.engine.compiled.library.counters import counter_classes
 from harness.engine.compiled.library.timers import timer_classes
-from harness.engine.compiled.local_errors import going_on
 from harness.engine.compiled.located import found_at, located_at
 from harness.engine.compiled.memory import Location, Memory
 from harness.engine.compiled.model import GLOBALS, Record, is_scalar, run_method

@@ -1,32 +1,14 @@
 """__TRY: a fault inside goes on behind __CATCH. Python's own `try` does it."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
-from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Statement, Try
 from harness.engine.compiled.code import Code
 from harness.engine.compiled.places import assign
 from harness.engine.compiled.procedure import Procedure
-from harness.engine.exception_codes import exception_code
 
 WriteBody: TypeAlias = Callable[[Procedure, Sequence[Statement]], None]
-
-
-def catching(
-    cpu: Any, stopped_by: Callable[[Exception], Exception]
-) -> dict[str, Callable[..., int]]:
-    """What generated code calls; `cpu` counts how deep blocks are nested."""
-
-    def caught(exception: Exception, depth: int) -> int:
-        stop = stopped_by(exception)
-        code = exception_code(stop) if isinstance(stop, DiagnosticError) else None
-        if code is None:
-            raise exception
-        cpu.depth = depth
-        return code
-
-    return {"_caught": caught}
 
 
 def write_try(procedure: Procedure, node: Try, write_body: WriteBody) -> None:

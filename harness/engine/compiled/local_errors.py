@@ -1,62 +1,17 @@
 """Blocks that handle their own errors: Python's `try` around a statement or a place."""
 
 from collections.abc import Callable
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
-from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Guarded, Statement, Substituted, TakenError
-from fbgen.lang.types import Scalar
-from harness.engine.compiled.attempts import attempts, nothing_text
-from harness.engine.compiled.cells import Cell
+from harness.engine.compiled.attempts import nothing_text
 from harness.engine.compiled.code import Code
 from harness.engine.compiled.evaluation import Write, value
 from harness.engine.compiled.places import cell
 from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits
-from harness.engine.local_errors import local_error
 
 WriteStatement: TypeAlias = Callable[[Procedure, Statement], None]
-
-
-def going_on(
-    cpu: Any, stopped_by: Callable[[Exception], Exception]
-) -> dict[str, Callable[..., Any]]:
-    """What generated code calls to go on behind a fault; `cpu` counts how deep blocks are nested.
-
-    Those of `attempts` are among them.
-    """
-
-    def note(fault: Exception, node: Substituted | Guarded, memory: Cell, depth: int) -> None:
-        stop = stopped_by(fault)
-        number = local_error(stop, node) if isinstance(stop, DiagnosticError) else None
-        if number is None:
-            raise fault
-        cpu.depth = depth
-        if not memory.value:
-            memory.value = number
-
-    def substituted(
-        memory: Cell, read: Callable[[], Scalar], nothing: Scalar, node: Substituted
-    ) -> Scalar:
-        depth = cpu.depth
-        try:
-            return read()
-        except Exception as fault:
-            note(fault, node, memory, depth)
-        return nothing
-
-    def taken(memory: Cell) -> int:
-        noted = memory.value
-        memory.value = 0
-        assert isinstance(noted, int)
-        return noted & 0xFFFF
-
-    return {
-        **attempts(cpu, stopped_by),
-        "_note": note,
-        "_substituted": substituted,
-        "_taken": taken,
-    }
 
 
 def write_guarded(procedure: Procedure, node: Guarded, write: WriteStatement) -> None:

@@ -1,8 +1,4 @@
-"""Calls of instructions with several outputs, and of what a stub of the user stands for.
-
-In Python each is a call of `_routine`, which gives the result and the outputs in their order; None
-for an output that is not written. Who carries the call out is found when it runs.
-"""
+"""Carries out the calls that `routine_calls` writes: who does it is found when the call runs."""
 
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -11,8 +7,6 @@ from fbgen.lang.checked import Expression, Program, RoutineCall, StandardBlock
 from fbgen.lang.checker.literals import default_value
 from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS
 from fbgen.lang.types import VOID, Elementary, Family, StringType, Type
-from harness.engine.compiled.code import Code
-from harness.engine.compiled.evaluation import Write, value
 from harness.engine.compiled.library.clocks import CLOCKS
 from harness.engine.compiled.library.reals import rounded
 from harness.engine.compiled.library.s5 import S5, S5Counters
@@ -20,57 +14,12 @@ from harness.engine.compiled.library.several import CALCULATIONS
 from harness.engine.compiled.library.timers import Timer, control
 from harness.engine.compiled.memory import Memory
 from harness.engine.compiled.model import is_scalar
-from harness.engine.compiled.places import assign, place
-from harness.engine.compiled.procedure import Procedure
 from harness.engine.compiled.ranges import limits
-from harness.engine.compiled.write_notes import note_write
 from harness.engine.environment import Environment
 from harness.engine.faults import stop_requested
 from harness.engine.interface import Value
 from harness.engine.stub_calls import call_stub, with_eno
 from harness.engine.stubs import StubState
-
-# --- writing ------------------------------------------------------------------------------------
-
-
-def routine_statement(procedure: Procedure, node: RoutineCall) -> Code:
-    """Write a call with everything that it writes; gives its result."""
-    texts = [procedure.context.table("routine", node)]
-    texts.append("None" if node.instance is None else place(procedure, node.instance).text)
-    texts += [value(procedure, argument).text for _, argument in node.inputs]
-    results = procedure.temporary()
-    call = f"_routine({', '.join(texts)})"
-    procedure.site(call, node)
-    procedure.line(f"{results} = {call}")
-    for number, (_, target) in enumerate(node.outputs, 1):
-        given = f"{results}[{number}]"
-        procedure.line(f"if {given} is not None:")
-        procedure.listing.indent += 4
-        if is_scalar(target.type):
-            low, high = limits(target.type)
-            assign(procedure, target, Code(given, low=low, high=high), target.type)
-        else:
-            table = procedure.context.table("place", target)
-            text = place(procedure, target).text
-            procedure.line(f"_fill({table}, {text}, {given})")
-            note_write(procedure, text, target.type)
-        procedure.listing.indent -= 4
-    low, high = limits(node.type)
-    return Code(f"{results}[0]", low=low, high=high)
-
-
-def _expression(procedure: Procedure, node: RoutineCall) -> Code:
-    """A call inside of an expression: in a function of its own, because it may write."""
-    part = procedure.start_part("call")
-    code = routine_statement(part, node)
-    part.line(f"return {code.text}")
-    return code._replace(text=procedure.finish_part(part), safe=False, pure=False)
-
-
-EXPRESSIONS: dict[type, Write] = {RoutineCall: _expression}
-"""Which function of this module writes which node."""
-
-# --- running ------------------------------------------------------------------------------------
 
 
 class Routines:

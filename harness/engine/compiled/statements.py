@@ -44,7 +44,7 @@ from harness.engine.compiled.model import has_memory
 from harness.engine.compiled.places import assign, place
 from harness.engine.compiled.probes import Moment, Probed
 from harness.engine.compiled.procedure import DEEPEST_INDENT, DEEPEST_LOOPS, Procedure
-from harness.engine.compiled.routines import routine_statement
+from harness.engine.compiled.routine_calls import routine_statement
 from harness.engine.compiled.selection import write_case, write_if
 from harness.engine.compiled.walk import WRITING, nodes_of, root_of, written_places
 

@@ -15,7 +15,6 @@ from fbgen.lang.checked import AddressRef, Dereference, Expression, IndexRef, Pl
 from fbgen.lang.types import BOOL, ArrayType, Subrange, Type
 from fbgen.source import Span
 from harness.engine import faults
-from harness.engine.compiled.addresses import spelled
 from harness.engine.compiled.code import Listing, Site
 from harness.engine.compiled.library import stops
 from harness.engine.fault_values import can_be_shown, is_inside, with_values
@@ -160,9 +159,9 @@ def _of_site(exception: Exception, site: Site, frame: FrameType) -> DiagnosticEr
 def _spelled(node: Expression) -> str:
     if isinstance(node, VariableRef):
         assert node.variable.address is not None
-        return spelled(node.variable.address)
+        return node.variable.address.spelled
     assert isinstance(node, AddressRef)
-    return spelled(node.address)
+    return node.address.spelled
 
 
 def _index(

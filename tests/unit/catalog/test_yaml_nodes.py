@@ -7,7 +7,8 @@ import yaml
 
 from fbgen.catalog import Located, load_yaml, validate
 from fbgen.catalog.scalars import Flag, HexWord, Real, Whole
-from fbgen.catalog.yaml_nodes import MAX_CHARACTERS, MAX_DEPTH, YamlInt
+from fbgen.catalog.yaml_events import MAX_CHARACTERS, MAX_DEPTH
+from fbgen.catalog.yaml_nodes import YamlInt
 from fbgen.diagnostics import DiagnosticError
 from fbgen.source import Source
 

@@ -52,7 +52,7 @@ TWINCAT = {
 
 def found(name: str, dialect: str, plc: PlcFamily) -> list[Diagnostic]:
     """What the lint says of a broken file."""
-    return lint(name, (BAD / name).read_text("utf-8"), dialect, plc)
+    return lint(Source(name, (BAD / name).read_text("utf-8")), dialect, plc)
 
 
 def places(diagnostics: list[Diagnostic]) -> list[tuple[str, int, int]]:
@@ -88,18 +88,18 @@ def test_names_of_iec_are_asked_of_its_relatives_too(name: str, dialect: str) ->
     text = (
         f"FUNCTION_BLOCK Pump\nVAR\n    {name} : INT;\nEND_VAR\n{name} := 1;\nEND_FUNCTION_BLOCK\n"
     )
-    assert "FB5051" in {item.code for item in lint("Pump.st", text, dialect, "twincat")}
+    assert "FB5051" in {item.code for item in lint(Source("Pump.st", text), dialect, "twincat")}
 
 
 def test_an_address_in_code_is_refused_by_twincat() -> None:
     text = "FUNCTION_BLOCK Pump\nVAR\n    a : BYTE;\nEND_VAR\na := %IB4;\nEND_FUNCTION_BLOCK\n"
-    codes = {item.code for item in lint("Pump.st", text, "twincat", "twincat")}
+    codes = {item.code for item in lint(Source("Pump.st", text), "twincat", "twincat")}
     assert codes == {"FB5052"}
 
 
 def test_a_main_of_the_user_is_left_alone_by_twincat() -> None:
     text = "PROGRAM MAIN\n;\nEND_PROGRAM\n"
-    assert {item.code for item in lint("MAIN.st", text, "twincat", "twincat")} == {"FB5044"}
+    assert {item.code for item in lint(Source("MAIN.st", text), "twincat", "twincat")} == {"FB5044"}
 
 
 @pytest.mark.parametrize("name", IEC)
@@ -134,7 +134,7 @@ END_FUNCTION_BLOCK
 
 def test_a_clean_text_is_not_complained_about() -> None:
     for plc in ("s7-1200", "s7-1500", "s7-300", "s7-400"):
-        assert lint("clean.scl", CLEAN, "tia", plc) == []
+        assert lint(Source("clean.scl", CLEAN), "tia", plc) == []
 
 
 CHANGES: dict[str, Callable[[str], str]] = {
@@ -158,7 +158,7 @@ CHANGES: dict[str, Callable[[str], str]] = {
 
 @pytest.mark.parametrize("change", CHANGES)
 def test_one_change_of_the_clean_text_breaks_one_rule(change: str) -> None:
-    diagnostics = lint("clean.scl", CHANGES[change](CLEAN), "tia", "s7-1200")
+    diagnostics = lint(Source("clean.scl", CHANGES[change](CLEAN)), "tia", "s7-1200")
     assert {item.code for item in diagnostics} == {change[:6]}
 
 
@@ -180,7 +180,7 @@ def test_one_change_of_the_clean_text_breaks_one_rule(change: str) -> None:
 )
 def test_types_of_the_families(type_name: str, plc: PlcFamily, allowed: bool) -> None:
     text = CLEAN.replace("value : Real", f"other : {type_name};\n      value : Real")
-    codes = [item.code for item in lint("clean.scl", text, "tia", plc)]
+    codes = [item.code for item in lint(Source("clean.scl", text), "tia", plc)]
     assert codes == ([] if allowed else ["FB5049"])
 
 
@@ -229,7 +229,7 @@ END_FUNCTION
 
 def test_a_clean_classic_text_is_not_complained_about() -> None:
     for plc in ("s7-300", "s7-400"):
-        assert lint("clean.scl", CLASSIC, "step7", plc) == []
+        assert lint(Source("clean.scl", CLASSIC), "step7", plc) == []
 
 
 CLASSIC_CHANGES: dict[str, Callable[[str], str]] = {
@@ -262,13 +262,13 @@ CLASSIC_CHANGES: dict[str, Callable[[str], str]] = {
 )
 def test_what_classic_scl_has_not_is_refused(old: str, new: str) -> None:
     assert old in CLASSIC
-    diagnostics = lint("clean.scl", CLASSIC.replace(old, new, 1), "step7", "s7-300")
+    diagnostics = lint(Source("clean.scl", CLASSIC.replace(old, new, 1)), "step7", "s7-300")
     assert "FB3009" in {item.code for item in diagnostics}
 
 
 @pytest.mark.parametrize("change", CLASSIC_CHANGES)
 def test_one_change_of_the_clean_classic_text_breaks_one_rule(change: str) -> None:
-    diagnostics = lint("clean.scl", CLASSIC_CHANGES[change](CLASSIC), "step7", "s7-300")
+    diagnostics = lint(Source("clean.scl", CLASSIC_CHANGES[change](CLASSIC)), "step7", "s7-300")
     assert {item.code for item in diagnostics} == {change[:6]}
 
 
@@ -279,4 +279,4 @@ def test_what_is_generated_for_each_family_is_clean(example: str, plc: str) -> N
     catalog = load_catalog()
     plant = read_plant(Source("plant.yaml", text.replace("s7-1500", plc)), catalog)
     for file in generate(plant, catalog).files:
-        assert lint(file.name, file.text, "tia", plant.plc) == []
+        assert lint(file.source, "tia", plant.plc) == []
