@@ -20,6 +20,7 @@ from fbgen.blocks.line_times import line_times
 from fbgen.blocks.literals import one_line
 from fbgen.blocks.plan import longest_pause
 from fbgen.blocks.poll_cycle import poll_cycle
+from fbgen.blocks.status_codes import status_rows
 from fbgen.catalog import TelegramGateway
 from fbgen.emit.environment import TemplateRenderer
 from fbgen.emit.generated import Artefact
@@ -164,12 +165,24 @@ def _context(
         "unpolled": [item.name for item in lists.on_lines if not item.status_poll],
         "polls": [_poll(item, lists) for item in lists.on_lines if item.status_poll],
         "worst": [_worst(item, lists) for item in lists.on_lines],
+        "status_codes": status_rows(lists.language, _having(lists)),
         "sheets": next((name for name in names if name.endswith("_parameters.md")), ""),
         "memory": _memory(memory, lists) if cpus_of(plant.plc) else None,
         "files": list(_files(lists, artefacts)),
         "numbered": bool(lists.numbers),
         "blocks": list(_blocks(lists, memory)),
     }
+
+
+def _having(lists: PlantLists) -> list[str]:
+    """What the plant has that brings status codes of its own."""
+    found = {
+        "lines": lists.on_lines,
+        "channels": lists.at_channels,
+        "sequences": lists.plant.sequences,
+        "parameters": _with_parameters(lists),
+    }
+    return [name for name, items in found.items() if items]
 
 
 def _gateway(gateway: PlantGateway, lists: PlantLists) -> dict[str, object]:

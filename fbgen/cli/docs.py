@@ -1,13 +1,19 @@
 """`fbgen docs`: the reference of the catalogue or of a plant, as pages."""
 
+import sys
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import CatalogOption
 from fbgen.cli.output import result, say
+from fbgen.cli.progress import Progress
+
+if TYPE_CHECKING:
+    from fbgen.docs.subject import Subject
 
 
 def register(program: typer.Typer) -> None:
@@ -16,6 +22,7 @@ def register(program: typer.Typer) -> None:
         epilog=examples(
             "fbgen docs -o site",
             "fbgen docs plant.yaml -o site",
+            "fbgen docs plant.yaml -o site --sources our_blocks",
             "fbgen docs -o site --catalog our_catalog",
         )
     )(docs)
@@ -29,33 +36,48 @@ def docs(
         Path | None,
         typer.Argument(metavar="[PLANT]", help="A plant file; without it, the whole catalogue."),
     ] = None,
+    sources: Annotated[
+        list[Path] | None,
+        typer.Option(
+            "--sources",
+            metavar="PATH",
+            help="PLC text of your own, files or folders: what it uses is shown, too.",
+        ),
+    ] = None,
     catalog: CatalogOption = None,
+    templates: Annotated[
+        list[Path] | None,
+        typer.Option("--templates", metavar="DIR", help="Templates of your own, see generate."),
+    ] = None,
     force: Annotated[
         bool, typer.Option("--force", help="Overwrite pages that a person has changed.")
     ] = False,
 ) -> None:
-    """Write how every bit, ComNo, telegram and trip is used, as a site that opens from disk.
+    """Write how every bit, ComNo, telegram, trip and block is used, as a site opened from disk.
 
     Every word has a decoder: type a value and see its bits, click bits and see the value and the
-    telegram. The site needs no server and no network; open index.html. A page that was changed by
-    hand is never overwritten without --force, and never removed.
+    telegram. The blocks are those of the plant, without one those of the example plants; which of
+    them uses which bit is taken from their text. The site needs no server and no network; open
+    index.html. A page that was changed by hand is never overwritten without --force, and never
+    removed.
     """
     from fbgen import __version__
-    from fbgen.catalog import load_catalog, with_own_sequences
     from fbgen.docs.folder import write_site
     from fbgen.docs.html import html_site
     from fbgen.docs.site import build_site
-    from fbgen.docs.subject import of_plant, whole_catalogue
-    from fbgen.plant import load_plant
 
-    known = load_catalog(catalog or ())
-    if plant is None:
-        subject = whole_catalogue(known)
-    else:
-        known = with_own_sequences(known, plant.parent)
-        subject = of_plant(load_plant(plant, known), known)
-    pages = html_site(build_site(subject, __version__))
-    found = write_site(pages, folder, "html", force=force)
+    if sources and plant is None:
+        raise typer.BadParameter("it needs a PLANT, whose blocks they call", param_hint="--sources")
+    progress = Progress(4, shown=sys.stderr.isatty())
+    progress.step("catalogue and blocks")
+    subject = _subject(plant, catalog or (), templates or (), sources or ())
+    progress.step("pages")
+    site = build_site(subject, __version__)
+    progress.step("files")
+    files = html_site(site)
+    progress.step(str(folder))
+    found = write_site(files, folder, "html", force=force)
+    progress.end()
     for name in found.kept:
         say(f"kept: {folder / name} is not a page any more, but was changed by hand")
     say(
@@ -63,3 +85,24 @@ def docs(
         f"{len(found.removed)} removed in {folder}"
     )
     result(str(folder / "index.html"))
+
+
+def _subject(
+    plant: Path | None, catalog: Sequence[Path], templates: Sequence[Path], sources: Sequence[Path]
+) -> "Subject":
+    """What the site is about, with the blocks that were generated for it."""
+    from fbgen.catalog import load_catalog, with_own_sequences
+    from fbgen.cli.plc_files import expand
+    from fbgen.docs.examples import example_programs
+    from fbgen.docs.program import read_program
+    from fbgen.docs.subject import of_plant, whole_catalogue
+    from fbgen.emit.generator import generate
+    from fbgen.plant import load_plant
+
+    known = load_catalog(catalog)
+    if plant is None:
+        return whole_catalogue(known, tuple(example_programs(known, templates)))
+    known = with_own_sequences(known, plant.parent)
+    wanted = load_plant(plant, known)
+    program = read_program(wanted, generate(wanted, known, templates), expand(sources))
+    return of_plant(wanted, known, program)

@@ -5,14 +5,17 @@ from itertools import chain
 
 from fbgen.dataclass import dataclass
 from fbgen.docs.document import Link, Page
+from fbgen.docs.pages.blocks import block_pages
 from fbgen.docs.pages.comnos import comno_pages
 from fbgen.docs.pages.gateways import gateway_pages
 from fbgen.docs.pages.overview import overview_page
 from fbgen.docs.pages.protocols import protocol_pages
 from fbgen.docs.pages.series import series_pages
 from fbgen.docs.pages.trips import trip_pages
+from fbgen.docs.pages.usage import usage_pages
 from fbgen.docs.pages.words import word_pages
 from fbgen.docs.subject import Subject
+from fbgen.docs.usage import usage_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,13 +38,16 @@ class Site:
 
 def build_site(subject: Subject, version: str) -> Site:
     """The pages of a subject."""
+    usage = usage_of(subject.programs, subject.catalog)
     parts: Iterable[Iterator[Page]] = (
         gateway_pages(subject),
         series_pages(subject),
-        word_pages(subject),
+        word_pages(subject, usage),
         comno_pages(subject),
         trip_pages(subject),
         protocol_pages(subject),
+        block_pages(subject, usage),
+        usage_pages(subject, usage),
     )
     pages = tuple(chain.from_iterable(parts))
     return Site(subject.title, (overview_page(subject, pages), *pages), version)

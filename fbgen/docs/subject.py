@@ -4,12 +4,16 @@ from collections.abc import Mapping
 
 from fbgen.catalog import Catalog, Drive, Gateway, Protocol, Sequence
 from fbgen.dataclass import dataclass
+from fbgen.docs.program import PlantProgram
 from fbgen.plant import Plant
 
 
 @dataclass(frozen=True, slots=True)
 class Subject:
-    """The entries that get pages, by their ids; `plant` is None for the whole catalogue."""
+    """The entries that get pages, by their ids; `plant` is None for the whole catalogue.
+
+    `programs` are those whose blocks get pages: the plant's, or those of examples.
+    """
 
     title: str
     catalog: Catalog
@@ -18,6 +22,7 @@ class Subject:
     protocols: Mapping[str, Protocol]
     sequences: Mapping[str, Sequence]
     plant: Plant | None = None
+    programs: tuple[PlantProgram, ...] = ()
 
     @property
     def devices(self) -> tuple[Gateway | Drive, ...]:
@@ -25,8 +30,8 @@ class Subject:
         return (*self.gateways.values(), *self.drives.values())
 
 
-def whole_catalogue(catalog: Catalog) -> Subject:
-    """Everything."""
+def whole_catalogue(catalog: Catalog, programs: tuple[PlantProgram, ...] = ()) -> Subject:
+    """Everything, with the blocks of some plants."""
     return Subject(
         "Catalogue",
         catalog,
@@ -34,10 +39,11 @@ def whole_catalogue(catalog: Catalog) -> Subject:
         catalog.drives,
         catalog.protocols,
         catalog.sequences,
+        programs=programs,
     )
 
 
-def of_plant(plant: Plant, catalog: Catalog) -> Subject:
+def of_plant(plant: Plant, catalog: Catalog, program: PlantProgram | None = None) -> Subject:
     """What the plant has: its types of gateways, its series, their protocols, its sequences."""
     gateways = {item.type for item in plant.gateways}
     series = {drive.series for item in plant.gateways for drive in item.drives}
@@ -51,4 +57,5 @@ def of_plant(plant: Plant, catalog: Catalog) -> Subject:
         {key: entry for key, entry in catalog.protocols.items() if key in spoken},
         {key: entry for key, entry in catalog.sequences.items() if key in set(plant.sequences)},
         plant,
+        (program,) if program is not None else (),
     )

@@ -12,6 +12,7 @@ _GROUPS = {
     "Words": "Command, status, control and alarm words bit by bit, each with a decoder.",
     "ComNos": "All communication numbers with unit, range, default; a converter to words.",
     "Trips and alarms": "Codes, what the panel shows, likely causes.",
+    "Blocks": "What each block does, its state diagram, its codes; which block uses which bit.",
     "Protocols": "Frames, commands, errors on the line of the inverters.",
 }
 

@@ -27,7 +27,8 @@ from fbgen.docs.page_names import comno_link, device_page, word_page
 from fbgen.docs.sources import UNVERIFIED, Sources
 from fbgen.docs.subject import Subject
 from fbgen.docs.texts import code, listed
-from fbgen.docs.usage import NO_USAGE, Usage
+from fbgen.docs.usage import NO_USAGE, BitItem, Usage
+from fbgen.docs.usage.phrases import by_block
 
 GROUP = "Words"
 _PARTIES = {"plc": "the PLC", "gateway": "the gateway", "drive": "the inverter"}
@@ -102,7 +103,7 @@ def _facts(
 
 def _bit_table(device: Gateway | Drive, item: Word, sources: Sources, usage: Usage) -> Table:
     columns = ["Bit", "Name", "Meaning", "0", "1 or value", "Source"]
-    used = usage.known
+    used = device.id in usage.devices
     if used:
         columns.insert(5, "Used by")
     rows = []
@@ -117,7 +118,7 @@ def _bit_table(device: Gateway | Drive, item: Word, sources: Sources, usage: Usa
             sources.of(item.source_of(field), item.status_of(field)),
         ]
         if used:
-            cells.insert(5, usage.of_bit(device.id, item.name, field.name))
+            cells.insert(5, by_block(usage.of(BitItem(device.id, item.name, field.name))))
         found = f"{device.id}.{item.name}.{field.name} bit {field.bit} {field.title}"
         rows.append(Row(tuple(cells), f"bit-{field.name}", found))
     for bit in _unnamed(item):

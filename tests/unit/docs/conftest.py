@@ -7,16 +7,24 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 from fbgen.catalog import load_catalog
+from fbgen.docs.examples import example_programs
 from fbgen.docs.html import html_site
 from fbgen.docs.site import Site, build_site
-from fbgen.docs.subject import whole_catalogue
+from fbgen.docs.subject import Subject, whole_catalogue
 from tests.browser import opened_pages
 
 
 @pytest.fixture(scope="session")
-def site() -> Site:
+def subject() -> Subject:
+    """The whole catalogue, with the blocks of the example plants."""
+    catalog = load_catalog()
+    return whole_catalogue(catalog, tuple(example_programs(catalog)))
+
+
+@pytest.fixture(scope="session")
+def site(subject: Subject) -> Site:
     """The pages of the whole catalogue."""
-    return build_site(whole_catalogue(load_catalog()), "1.2.3")
+    return build_site(subject, "1.2.3")
 
 
 @pytest.fixture(scope="session")

@@ -1,0 +1,168 @@
+"""What the blocks report in `status`, with the likely cause and what to do: the one list of it.
+
+README of a plant and the pages of blocks are made of it. What a block sets stands in its template;
+a test holds both against each other.
+"""
+
+from collections.abc import Collection
+from typing import Literal
+
+from fbgen.dataclass import dataclass
+
+Having = Literal["lines", "channels", "sequences", "parameters"]
+"""What a plant must have for a code: telegrams, process data, sequences, a parameter channel."""
+
+
+@dataclass(frozen=True, slots=True)
+class StatusCodes:
+    """Codes that belong together. Meanings in English and German, `remedy` in English.
+
+    `having` empty: every plant has them; else those that have one of these.
+    """
+
+    codes: tuple[int, ...]
+    english: str
+    german: str
+    remedy: str
+    having: tuple[Having, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """`8409, 840A`, as they are printed."""
+        return ", ".join(f"{code:04X}" for code in self.codes)
+
+    def meaning(self, language: str) -> str:
+        """What it says."""
+        return self.german if language == "de" else self.english
+
+    def can_come(self, found: Collection[str]) -> bool:
+        """Whether a plant with all of `found` can have it."""
+        return not self.having or not set(self.having).isdisjoint(found)
+
+
+STATUS_CODES = (
+    StatusCodes((0x0000,), "done", "fertig", ""),
+    StatusCodes(
+        (0x7000, 0x7001, 0x7002),
+        "no job, started, waiting",
+        "kein Auftrag, gestartet, wartet",
+        "",
+    ),
+    StatusCodes(
+        (0x8201,),
+        "inverter number or command not allowed",
+        "Umrichternummer oder Befehl nicht erlaubt",
+        "Inverter numbers are 00 to 3F, FF is a broadcast. See which value the caller gives.",
+        ("lines",),
+    ),
+    StatusCodes(
+        (0x8201,),
+        "mode not allowed",
+        "Modus nicht erlaubt",
+        "Modes are 1 read, 2 write to the RAM, 3 write to the EEPROM; 3 only with eeprom: true of "
+        "the gateway in the plant file.",
+        ("channels",),
+    ),
+    StatusCodes(
+        (0x8401,),
+        "no reply",
+        "keine Antwort",
+        "Is the drive supplied, its number and baud rate as in the plant file, the line wired and "
+        "terminated? Is the limit longer than the drive takes?",
+    ),
+    StatusCodes(
+        (0x8402,),
+        "no reply, and the gateway counted faulty telegrams: a broken line, or the drive refused",
+        "keine Antwort, und das Gateway zählte fehlerhafte Telegramme: Leitung gestört oder vom "
+        "Antrieb abgelehnt",
+        "Check the line, its ends and its shield. If other telegrams to the same drive pass, the "
+        "drive has refused this one: see whether it has the ComNo, allows the value, and whether "
+        "it must stand for it.",
+        ("lines",),
+    ),
+    StatusCodes(
+        (0x8403,),
+        "another reply came",
+        "eine andere Antwort kam",
+        "Two drives may have the same number, or a second program may write to the same outputs.",
+    ),
+    StatusCodes(
+        (0x8404,),
+        "no gateway",
+        "kein Gateway",
+        "Check its supply, the PROFIBUS plug, its address, and whether the PLC has it configured.",
+    ),
+    StatusCodes(
+        (0x8405,),
+        "ended by abort",
+        "durch abort beendet",
+        "The caller gave the job up; give it again when it is wanted.",
+    ),
+    StatusCodes(
+        (0x8406,),
+        "refused: an emergency stop is on",
+        "abgelehnt: Nothalt steht an",
+        "Take the emergency stop back, then give the job again.",
+        ("lines",),
+    ),
+    StatusCodes(
+        (0x8407,),
+        "a sequence has waited for its condition too long",
+        "ein Ablauf hat zu lange auf seine Bedingung gewartet",
+        "failedStep says which step waited. See why the drive does not get there, or allow more "
+        "time in the sequence.",
+        ("sequences",),
+    ),
+    StatusCodes(
+        (0x8408,),
+        "a sequence was aborted",
+        "ein Ablauf wurde abgebrochen",
+        "What was sent before stays in force: a drive that was started runs on. Stop it then.",
+        ("sequences",),
+    ),
+    StatusCodes(
+        (0x8409, 0x840A),
+        "a drive has not started, or stands although told to run",
+        "ein Antrieb ist nicht angelaufen, oder steht, obwohl er laufen soll",
+        "Look at its panel: a trip, a missing terminal, the set-point below its start frequency. "
+        "startTimeout may be shorter than it needs.",
+        ("channels",),
+    ),
+    StatusCodes(
+        (0x840B,),
+        "zeros have reached the gateway while a drive was told to run: the master was in CLEAR",
+        "Nullen haben das Gateway erreicht, während ein Antrieb laufen sollte: Der Master war in "
+        "CLEAR",
+        "Find out why the master was in CLEAR, then take run back and give it again.",
+        ("channels",),
+    ),
+    StatusCodes(
+        (0x8500, 0x8501, 0x8502),
+        "the gateway: cannot execute, value outside its range, no such parameter",
+        "das Gateway: nicht ausführbar, Wert außerhalb, kein solcher Parameter",
+        "Compare number and value with the series' list of communication numbers; some can be "
+        "written at standstill only.",
+        ("parameters",),
+    ),
+    StatusCodes(
+        (0x8564, 0x8565, 0x8566),
+        "the gateway: parameter is read-only, is write-only, other error",
+        "das Gateway: Parameter nur lesbar, nur schreibbar, anderer Fehler",
+        "See the access of the number in the series' list.",
+        ("parameters",),
+    ),
+)
+
+
+def status_rows(language: str, found: Collection[str]) -> list[dict[str, str]]:
+    """The rows of a table for a plant: what one code means in two ways is one row."""
+    rows: dict[str, list[str]] = {}
+    for item in STATUS_CODES:
+        if item.can_come(found):
+            rows.setdefault(item.text, []).append(item.meaning(language))
+    return [{"codes": codes, "meaning": "; ".join(texts)} for codes, texts in rows.items()]
+
+
+def status_codes(code: int) -> tuple[StatusCodes, ...]:
+    """What the list says about a code."""
+    return tuple(item for item in STATUS_CODES if code in item.codes)
