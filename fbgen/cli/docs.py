@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -92,6 +93,7 @@ def _subject(
 ) -> "Subject":
     """What the site is about, with the blocks that were generated for it."""
     from fbgen.catalog import load_catalog, with_own_sequences
+    from fbgen.cli.handshakes import handshakes
     from fbgen.cli.plc_files import expand
     from fbgen.docs.examples import example_programs
     from fbgen.docs.program import read_program
@@ -100,9 +102,12 @@ def _subject(
     from fbgen.plant import load_plant
 
     known = load_catalog(catalog)
+    examples_of_known = tuple(example_programs(known, templates))
     if plant is None:
-        return whole_catalogue(known, tuple(example_programs(known, templates)))
-    known = with_own_sequences(known, plant.parent)
-    wanted = load_plant(plant, known)
-    program = read_program(wanted, generate(wanted, known, templates), expand(sources))
-    return of_plant(wanted, known, program)
+        subject = whole_catalogue(known, examples_of_known)
+    else:
+        known = with_own_sequences(known, plant.parent)
+        wanted = load_plant(plant, known)
+        program = read_program(wanted, generate(wanted, known, templates), expand(sources))
+        subject = of_plant(wanted, known, program)
+    return replace(subject, handshakes=tuple(handshakes(examples_of_known, list(subject.gateways))))

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from fbgen.catalog import Catalog, Drive, Gateway, Protocol, Sequence
 from fbgen.dataclass import dataclass
+from fbgen.docs.handshake import Handshake
 from fbgen.docs.program import PlantProgram
 from fbgen.plant import Plant
 
@@ -12,7 +13,8 @@ from fbgen.plant import Plant
 class Subject:
     """The entries that get pages, by their ids; `plant` is None for the whole catalogue.
 
-    `programs` are those whose blocks get pages: the plant's, or those of examples.
+    `programs` are those whose blocks get pages: the plant's, or those of examples;
+    `handshakes` is what a run has shown of gateways.
     """
 
     title: str
@@ -23,6 +25,7 @@ class Subject:
     sequences: Mapping[str, Sequence]
     plant: Plant | None = None
     programs: tuple[PlantProgram, ...] = ()
+    handshakes: tuple[Handshake, ...] = ()
 
     @property
     def devices(self) -> tuple[Gateway | Drive, ...]:

@@ -24,6 +24,7 @@ from fbgen.docs.document import (
     Table,
 )
 from fbgen.docs.frame_picture import frame_picture
+from fbgen.docs.handshake import handshake_picture
 from fbgen.docs.page_names import device_page, protocol_page, word_page
 from fbgen.docs.pages.device_parts import (
     options_section,
@@ -60,6 +61,7 @@ def _gateway(gateway: Gateway, subject: Subject) -> Page:
         sections += [_layout(gateway, layout, sources) for layout in gateway.layouts]
     if isinstance(gateway, DeviceNetGateway):
         sections += devicenet_sections(gateway, sources)
+    sections += _handshake(gateway, subject)
     if isinstance(gateway, TelegramGateway):
         sections.append(_status_codes(gateway, sources))
     if isinstance(gateway, ProcessDataGateway):
@@ -145,6 +147,27 @@ def _layout(gateway: ProfibusGateway, layout: Layout, sources: Sources) -> Secti
     if layout.name == gateway.default_layout:
         title += " (usual)"
     return Section(title, tuple(blocks), f"layout-{layout.name}")
+
+
+def _handshake(gateway: Gateway, subject: Subject) -> Iterator[Section]:
+    """What a simulated run has shown."""
+    for seen in subject.handshakes:
+        if seen.gateway == gateway.id:
+            note = Paragraph(
+                (
+                    f"{seen.text} Recorded in a simulated run of the example plant {seen.plant}, "
+                    "with the generated blocks; the simulated gateway follows the manuals.",
+                )
+            )
+            title = f"The handshake of {gateway.id} in time"
+            rows = tuple(
+                Row(((str(number),), (f"{one.start_ms:.1f} ms",), code(one.text)))
+                for number, one in enumerate(seen.frames, start=1)
+            )
+            table = Table(("Frame", "Begins at", "Bytes"), rows)
+            figure = Figure(handshake_picture(seen), title)
+            blocks = (note, figure, table) if rows else (note, figure)
+            yield Section("Handshake in time", blocks, "handshake")
 
 
 def _fields(gateway: Gateway, layout: Layout, named: set[str]) -> Table:

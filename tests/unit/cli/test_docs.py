@@ -30,7 +30,7 @@ def test_a_site_of_a_plant_is_written_and_written_again(fbgen: Fbgen, tmp_path: 
     again = fbgen("docs", PLANT, "-o", str(folder), "--sources", str(own))
     assert again.status == 0
     assert "0 removed" in again.err
-    assert "Watch (watch.scl)" in (folder / "pbdp110.status.html").read_text("utf-8")
+    assert f"Watch ({own})" in (folder / "pbdp110.status.html").read_text("utf-8")
 
 
 def test_a_page_that_was_changed_by_hand_is_refused(fbgen: Fbgen, tmp_path: Path) -> None:
