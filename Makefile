@@ -10,7 +10,7 @@ BIN := .venv/bin
 # The tests and the phase sweep run in this many processes at once.
 JOBS ?= 2
 
-.PHONY: help demo test check spelling bench sweep phases golden schemas format environment
+.PHONY: help demo test check spelling bench sweep phases golden schemas pages format environment
 
 help:
 	@echo "make demo     run the manual's example on the example plant: from YAML to inverter and back"
@@ -22,6 +22,7 @@ help:
 	@echo "make bench    speed and size"
 	@echo "make golden   write the golden files anew (look at the difference before you commit)"
 	@echo "make schemas  write the JSON Schemas anew"
+	@echo "make pages    write the pages of docs/reference that are made from the program anew"
 	@echo "make format   let ruff format and mend"
 
 environment:
@@ -54,6 +55,10 @@ golden: environment
 
 schemas: environment
 	$(BIN)/fbgen schemas schemas
+
+pages: environment
+	$(BIN)/python tools/diagnostics_index.py
+	$(BIN)/python -m tools.pages
 
 format: environment
 	$(BIN)/ruff check --fix .

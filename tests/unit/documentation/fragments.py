@@ -45,15 +45,15 @@ _OTHER_FILES = ({"version", "equivalents"}, {"en", "de"})
 """Files without a model: reasons why mutants change nothing, and a text with its translation."""
 
 
-class _Loader(yaml.SafeLoader):
+class Loader(yaml.SafeLoader):
     """`on` is a word, as fbgen reads it."""
 
 
-_Loader.yaml_implicit_resolvers = {
+Loader.yaml_implicit_resolvers = {
     letter: [item for item in found if item[0] != "tag:yaml.org,2002:bool"]
     for letter, found in yaml.SafeLoader.yaml_implicit_resolvers.items()
 }
-_Loader.add_implicit_resolver("tag:yaml.org,2002:bool", re.compile("true|false"), list("tf"))
+Loader.add_implicit_resolver("tag:yaml.org,2002:bool", re.compile("true|false"), list("tf"))
 
 
 def plc_problems(text: str, dialect: str) -> list[str]:
@@ -87,7 +87,7 @@ def _parts() -> list[tuple[frozenset[str], dict[str, object]]]:
     """Keys and schema of each file and of each of its parts, without what has to be there."""
     found = []
     for text in schema_texts().values():
-        whole = json.loads(text, object_hook=_without_required)
+        whole = json.loads(text, object_hook=without_required)
         definitions = whole.pop("$defs", {})
         for part in (whole, *definitions.values()):
             if "properties" in part:
@@ -95,7 +95,7 @@ def _parts() -> list[tuple[frozenset[str], dict[str, object]]]:
     return found
 
 
-def _without_required(schema: dict[str, object]) -> dict[str, object]:
+def without_required(schema: dict[str, object]) -> dict[str, object]:
     if isinstance(schema.get("required"), list):
         del schema["required"]
     return schema
@@ -104,7 +104,7 @@ def _without_required(schema: dict[str, object]) -> dict[str, object]:
 def yaml_problems(text: str) -> list[str]:
     """What no model knows, of a file or of a part of one."""
     try:
-        data = yaml.load(text, _Loader)
+        data = yaml.load(text, Loader)
     except yaml.YAMLError as error:
         return [str(error)]
     return list(_unknown(data))
