@@ -74,9 +74,10 @@ class _Command:
 
     @property
     def examples(self) -> str:
-        """Those of its help."""
+        """Those of its help; what stands behind two spaces says what the line does."""
         lines = self.epilog.partition("Examples:\n")[2].splitlines()
-        return "\n".join(line[2:] for line in lines if line.startswith("  fbgen"))
+        shown = [line[2:] for line in lines if line.startswith("  fbgen")]
+        return "\n".join(re.sub(r"(\S)(  +)(?=\S)", r"\1\2# ", line) for line in shown)
 
 
 def command_line_page() -> str:
