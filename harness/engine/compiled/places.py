@@ -68,7 +68,8 @@ def _field(procedure: Procedure, node: FieldRef) -> Code:
     record = procedure.context.model.record_of(node.base.type)
     part = record.part(node.name)
     assert part is not None
-    now = "._now()" if node.name.casefold() in record.following else ""
+    was_called = isinstance(node.base, VariableRef) and node.base.variable is procedure.timer
+    now = "._now()" if node.name.casefold() in record.following and not was_called else ""
     text = f"{base.text}{now}.{part.slot}"
     low, high = limits(node.type)
     if part.variable is None or part.kind is not VariableKind.IN_OUT:

@@ -126,7 +126,8 @@ class Procedure:
     structure inside of another one, and `known` what is known of values: of loop variables, and
     behind conditions. `at_hand` has the locals with what was read
     from the hardware already, by the identity of the node. `assigned` is the expression whose value
-    is being assigned. `gathered` is there while values for
+    is being assigned. `timer` was called a moment ago, and no time can have passed since.
+    `gathered` is there while values for
     the hardware are collected instead of written. `split` marks a function that was split off; any
     other one returns by `return_line`. `unwritten` is there while attributes need not be written:
     it has those that a local has a newer value of, with the local.
@@ -147,7 +148,7 @@ class Procedure:
             "listing",
             "paths",
         ),
-        *("loops", "name", "nesting", "return_line", "split", "unwritten"),
+        *("loops", "name", "nesting", "return_line", "split", "timer", "unwritten"),
     )
 
     def __init__(self, context: BlockContext, name: str, nesting: int, split: bool) -> None:
@@ -165,6 +166,7 @@ class Procedure:
         self.known: Intervals = {}
         self.at_hand: dict[int, str] = {}
         self.assigned: checked.Expression | None = None
+        self.timer: Variable | None = None
         self.gathered: list[str] | None = None
         self._sites: list[Site] = []
         self._reads: list[tuple[checked.Place, str]] = []

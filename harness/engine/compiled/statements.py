@@ -41,6 +41,7 @@ from harness.engine.compiled.jumps import Dispatcher, has_jumps
 from harness.engine.compiled.local_errors import write_guarded
 from harness.engine.compiled.loops import write_for, write_repeat, write_while
 from harness.engine.compiled.model import has_memory
+from harness.engine.compiled.passing_time import timer_behind, timer_inside
 from harness.engine.compiled.places import assign, place
 from harness.engine.compiled.probes import Moment, Probed
 from harness.engine.compiled.procedure import DEEPEST_INDENT, DEEPEST_LOOPS, Procedure
@@ -112,6 +113,7 @@ def _is_nested(body: Sequence[Statement]) -> bool:
 
 def write_statements(procedure: Procedure, body: Sequence[Statement]) -> None:
     """Statements at the present level."""
+    procedure.timer = None
     at = 0
     while at < len(body):
         if (reads := several_reads(body, at, procedure.context.block)) is not None:
@@ -129,7 +131,12 @@ def _write_each(procedure: Procedure, body: Sequence[Statement]) -> None:
     for statement in body:
         if procedure.known:
             procedure.forget(written_inside(statement))
+        procedure.timer, behind = (
+            timer_inside(procedure.timer, statement),
+            timer_behind(procedure.timer, statement),
+        )
         write_statement(procedure, statement)
+        procedure.timer = behind
         if procedure.known and isinstance(statement, Assignment):
             procedure.forget({root_of(statement.target)})
 

@@ -2,6 +2,8 @@
 
 import re
 
+import pytest
+
 from fbgen.lang.checked import Assignment, Branch, CaseArm, Statement
 from fbgen.source import Source
 from harness.engine.compiled import CompiledEngine, Moment, Probe
@@ -131,6 +133,38 @@ def test_passes_are_counted_only_if_the_watchdog_could_bark() -> None:
 
 def test_conditions_are_short_circuits_where_nobody_can_tell() -> None:
     assert method("#outFlag := #flag AND #timer.Q;").endswith("self.flag and self.timer._now().Q")
+
+
+TIMER = "#timer(IN := #flag, PT := T#1s); "
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "#outFlag := #timer.Q;",
+        "#outFlag := #flag; #outFlag := #timer.ET > T#15ms;",
+        "IF #timer.Q THEN #outFlag := TRUE; END_IF;",
+    ],
+)
+def test_a_timer_is_not_asked_again_right_behind_its_call(code: str) -> None:
+    assert "_now()" not in method(TIMER + code)
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "#word := %IW0:P; #outFlag := #timer.Q;",
+        "%QW0:P := #word; #outFlag := #timer.Q;",
+        "#word := PEEK_WORD(area := 16#81, dbNumber := 0, byteOffset := 0); #outFlag := #timer.Q;",
+        "IF %I0.0:P THEN #outFlag := #timer.Q; END_IF;",
+        "IF %I0.0:P AND #timer.Q THEN ; END_IF;",
+        "IF #flag THEN ; END_IF; #outFlag := #timer.Q;",
+        "#timer.IN := FALSE; #outFlag := #timer.Q;",
+        "WHILE #timer.Q DO ; END_WHILE;",
+    ],
+)
+def test_a_timer_is_asked_again_where_time_may_have_passed_since(code: str) -> None:
+    assert "timer._now()" in method(TIMER + code)
 
 
 def test_both_sides_are_evaluated_where_one_can_stop_the_program() -> None:
