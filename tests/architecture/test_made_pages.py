@@ -4,7 +4,7 @@ from functools import cache
 
 from tools.pages.__main__ import REFERENCE, made_pages
 
-MEANING = {"command-line.md": 1}
+MEANING = {"command-line.md": 1, "python.md": 1, "status-codes.md": 1}
 """Column of the meaning, where it is not the last of five."""
 
 
