@@ -16,11 +16,15 @@ from fbgen.catalog.scalars import Count, EntryId, HexByte, HexWord, Number, Snak
 from fbgen.catalog.sourced import Duration, Sourced, unknown_fields
 from fbgen.diagnostics import Diagnostic
 
+_OF_F = 0xF000
+"""The first communication number that begins with F."""
+
 
 class DeviceNetPort(Sourced):
     """The adapter as a DeviceNet node. `baud_rates`: value of the attribute -> kbit/s.
 
-    `product_codes` are those of the inverter series that it can be inside of.
+    `product_codes` are those of the inverter series that it can be inside of. `explicit_bytes`: the
+    longest explicit message; `body_format`: bits of class and instance in explicit requests.
     """
 
     minimum_mac: Count
@@ -31,6 +35,8 @@ class DeviceNetPort(Sourced):
     product_codes: dict[EntryId, Count]
     product_name: Text
     max_connections: Count
+    explicit_bytes: Count
+    body_format: Literal["8_8", "8_16", "16_16", "16_8"]
     unverified: tuple[SnakeName, ...] = ()
 
     def problems(self) -> Iterable[Diagnostic]:
@@ -157,7 +163,7 @@ class ParameterObject(Sourced):
     """The class whose instances are the cells of the inverter.
 
     The instance is the communication number plus `offset`, of those that begin with F less
-    `offset_of_f`; the value is its attribute `attribute`.
+    `offset_of_f`, in 16 bits; the value is its attribute `attribute`.
     """
 
     code: HexByte
@@ -167,16 +173,13 @@ class ParameterObject(Sourced):
 
     def instance(self, number: int) -> int:
         """The instance of a communication number."""
-        if number >= 0xF000:
-            return number - self.offset_of_f
-        return number + self.offset
+        offset = -self.offset_of_f if number >= _OF_F else self.offset
+        return number + offset & 0xFFFF
 
     def number(self, instance: int) -> int:
-        """The communication number of an instance; below 0 for one that is none."""
+        """The communication number of an instance."""
         above = instance + self.offset_of_f
-        if 0xF000 <= above <= 0xFFFF:
-            return above
-        return instance - self.offset
+        return above if _OF_F <= above <= 0xFFFF else instance - self.offset & 0xFFFF
 
 
 class DeviceNetTimes(Located):
@@ -185,7 +188,8 @@ class DeviceNetTimes(Located):
     `self_test`: from power-on to its first message. `duplicate_check`: how long it waits for an
     answer to each of its duplicate MAC checks. `response`: from a request to its answer.
     `fragment_timeout`: how long it waits for an acknowledgement or the next fragment.
-    `unused`: how long an I/O connection may wait for its first message at least.
+    `unused`: how long an I/O connection may wait for its first message at least. `sample`: how
+    often it looks whether data changed that it sends by itself.
     """
 
     self_test: Duration
@@ -193,6 +197,7 @@ class DeviceNetTimes(Located):
     response: Duration
     fragment_timeout: Duration
     unused: Duration
+    sample: Duration
 
 
 class DeviceNetGateway(Gateway):

@@ -1,4 +1,4 @@
-"""The command words of an inverter, one a port, and which of them has priority.
+"""The command words of an inverter, one a port and one of an option; which of them has priority.
 
 Facts: VF-AS1 RS485 manual E6581315, 8.1: a word commands while its bit 15 is set, and its set-point
 counts while its bit 14 is, whatever CMOd and FMOd say; both stay until they are written off, until
@@ -6,7 +6,8 @@ power off or a reset. Terminal functions 48, 56 and 58 win over all of it. Bits 
 so without bit 15. The second word counts with the first of its port (page 46).
 
 Inferred: if several words have priority, the port that stands first in the catalogue has it; where
-CMOd or FMOd say serial communication, that is the first port.
+CMOd or FMOd say serial communication, that is the first port. An option card inside has FA06 and
+FA07 (DEV003Z-1 manual E6581737, pages 19, 26 and 28) and goes before the ports.
 """
 
 from fbgen.catalog import Drive, SerialPort
@@ -15,12 +16,15 @@ from harness.drives.registers import Registers
 from harness.drives.terminals import Terminals
 from harness.drives.word_bits import NO_SECOND_WORD, CommandBits, SecondBits
 
-SERIAL = "serial communication"
+SERIAL, OPTION = "serial communication", "communication option"
+OPTION_COMMAND, OPTION_SETPOINT = "command_word_option", "frequency_setpoint_option"
+_OPTION_CELLS = (OPTION_COMMAND, OPTION_SETPOINT)
+_MODES = ("command_mode", "frequency_mode")
 
 
 @dataclass(frozen=True, slots=True)
 class Channel:
-    """The cells of one port: command word, second command word if there is one, set-point."""
+    """The cells of one port or option: command word, second one if there is one, set-point."""
 
     command: int
     second: int | None
@@ -33,8 +37,11 @@ class CommandWords:
     __slots__ = (
         "_always",
         "_modes",
+        "_option",
+        "_option_modes",
         "_overriding",
         "_registers",
+        "_serial",
         "bits",
         "channels",
         "local",
@@ -52,15 +59,13 @@ class CommandWords:
         self._overriding = word.overridden_by
         known = series.communication
         ports = () if known is None else known.ports
-        self.channels = tuple(_channel(registers, port) for port in ports)
+        self._serial: tuple[Channel, ...] = tuple(_channel(registers, port) for port in ports)
+        self._option: Channel | None = _option(series, registers)
+        options = () if self._option is None else (self._option,)
+        self.channels: tuple[Channel, ...] = (*options, *self._serial)
         self.second_bits = _second_bits(series, self.channels)
-        self._modes = {
-            name: next(
-                (value for value, text in registers.cell(name).values.items() if text == SERIAL),
-                None,
-            )
-            for name in ("command_mode", "frequency_mode")
-        }
+        self._modes = {name: _value(registers, name, SERIAL) for name in _MODES}
+        self._option_modes = {name: _value(registers, name, OPTION) for name in _MODES}
         self.local = False
 
     @property
@@ -98,6 +103,10 @@ class CommandWords:
         A terminal that forces local control is the terminal board, 0.
         """
         serial = self._modes[name]
+        if network and self._option is not None:
+            acting = self.commanding if name == "command_mode" else self.setting_frequency
+            if acting is self._option:
+                return int(self._option_modes[name] or 0)
         if network:
             return 0 if serial is None else int(serial)
         forced = self.local or self.overriding is not None
@@ -110,10 +119,29 @@ class CommandWords:
         for channel in self.channels:
             if ram[channel.command] & mask:
                 return channel
-        serial = self._modes[mode]
-        if serial is not None and self._registers.word(mode) == serial and self.channels:
-            return self.channels[0]
-        return None
+        if self._serial and self._is_set_to(mode, self._modes[mode]):
+            return self._serial[0]
+        return self._option if self._is_set_to(mode, self._option_modes[mode]) else None
+
+    @property
+    def given_to_option(self) -> bool:
+        """Whether CMOd and FMOd both leave it to an option."""
+        return all(self._is_set_to(mode, self._option_modes[mode]) for mode in _MODES)
+
+    def _is_set_to(self, mode: str, value: int | None) -> bool:
+        return value is not None and self._registers.word(mode) == value
+
+
+def _value(registers: Registers, mode: str, text: str) -> int | None:
+    """The value of CMOd or FMOd that means this, None where the series does not know it."""
+    values = registers.cell(mode).values
+    return next((value for value, meaning in values.items() if meaning == text), None)
+
+
+def _option(series: Drive, registers: Registers) -> Channel | None:
+    if all(any(comno.name == name for comno in series.comnos) for name in _OPTION_CELLS):
+        return Channel(registers.number(OPTION_COMMAND), None, OPTION_SETPOINT)
+    return None
 
 
 def _channel(registers: Registers, port: SerialPort) -> Channel:

@@ -84,11 +84,11 @@ class Inverter:
         self._emergency_terminal = False
         self.registers = Registers(series, _delivered(series, settings))
         check_protocols(series, self.registers)
-        self._acts = self._what_acts()
         self.trips = TripLog(series)
         self.terminals = Terminals(series, self.registers)
         words = CommandWords(series, self.registers, self.terminals)
         self.operation = Operation(kernel, self.registers, words, settings.motor, settings.load)
+        self._acts = self._what_acts()
         self.monitors = Monitors(
             series, self.registers, self.operation, self.trips, settings.rating
         )
@@ -151,6 +151,21 @@ class Inverter:
     def moving_until_ns(self) -> int:
         """Instant at which the frequency is where it goes to; the past while it stands."""
         return self.operation.moving_until_ns
+
+    @property
+    def told_to_run(self) -> bool:
+        """True while it is told to run, by whoever has the command."""
+        return self.operation.wish.run
+
+    @property
+    def given_to_option(self) -> bool:
+        """Whether CMOd and FMOd both leave it to a communication option."""
+        return self.operation.words.given_to_option
+
+    @property
+    def reverse(self) -> bool:
+        """Direction of rotation; at rest the one that is commanded."""
+        return self.operation.reverse
 
     @property
     def network_command(self) -> bool:
@@ -352,15 +367,17 @@ class Inverter:
         known, number = self.series.communication, self.registers.number
         ports = () if known is None else known.ports
         names = {comno.name for comno in self.series.comnos}
-        followed = {*operation.PARAMETERS, *(port.setpoint for port in ports)}
+        channels = self.operation.words.channels
+        followed = {*operation.PARAMETERS, *(channel.setpoint for channel in channels)}
         followed |= {port.command_2 for port in ports if port.command_2 is not None}
         followed |= {name for name in operation.MORE_RAMPS if name in names}
         followed |= {name for name in names if name.startswith(FUNCTION_OF)}
         acts: dict[int, Callable[[int], None]] = dict.fromkeys(
             map(number, followed), self._parameter
         )
+        for channel in channels:
+            acts[channel.command] = self._command
         for port in ports:
-            acts[number(port.command)] = self._command
             acts[number(port.inv_no)] = self._number_changed
             acts[number(port.timeout)] = self._timeout_changed
             if port.inter_drive is not None:

@@ -1,0 +1,209 @@
+"""The scanner and the option on one bus: they find each other, exchange data, and come back."""
+
+from collections.abc import Mapping
+
+import pytest
+
+from fbgen.dataclass import dataclass
+from fbgen.wire.devicenet import BodyFormat, Choice, Frame, Service
+from fbgen.wire.devicenet_ids import parse_identifier
+from fbgen.wire.devicenet_messages import ErrorResponse, Request, Response
+from harness.drives import Inverter, InverterSettings
+from harness.fieldbus.devicenet import (
+    CanBus,
+    CanPort,
+    ScanEntry,
+    Scanner,
+    SlaveState,
+)
+from harness.gateways.dev003z import Dev003z, Dev003zSettings
+from harness.kernel import NS_PER_MS, Kernel
+from harness.line import Line
+from tests.unit.devicenet.bench import C203, CATALOG, FAST, GATEWAY, words
+
+
+@dataclass(slots=True)
+class Network:
+    kernel: Kernel
+    bus: CanBus
+    scanner: Scanner
+    options: dict[int, Dev003z]
+    drives: dict[int, Inverter]
+    ports: dict[int, CanPort]
+    log: list[tuple[int, Frame]]
+
+    def run(self, ms: float) -> None:
+        self.kernel.run_for(round(ms * NS_PER_MS))
+
+
+def network(
+    slaves: Mapping[int, int], choice: Choice = Choice.POLLED, rate_ms: int = 100
+) -> Network:
+    """Options with MAC IDs and output instances, scanned from the beginning."""
+    kernel = Kernel()
+    bus = CanBus(kernel)
+    log: list[tuple[int, Frame]] = []
+    bus.taps.append(lambda at, frame: log.append((at, frame)))
+    pairs = {pair.output.instance: pair for pair in GATEWAY.assemblies}
+    entries = [
+        ScanEntry(mac, pairs[instance].output.length, pairs[instance].input.length, choice, rate_ms)
+        for mac, instance in slaves.items()
+    ]
+
+    def send(frame: Frame) -> None:
+        master.send(frame)
+
+    scanner = Scanner(kernel, send, entries)
+    master = bus.attach(scanner.receive)
+    made = Network(kernel, bus, scanner, {}, {}, {}, log)
+    for mac, instance in slaves.items():
+        drive = Inverter(
+            kernel, Line(kernel), CATALOG.drive("vf-s15"), InverterSettings(parameters=FAST)
+        )
+        _add(made, mac, instance, drive)
+    scanner.start()
+    return made
+
+
+def _add(made: Network, mac: int, instance: int, drive: Inverter) -> None:
+    own = {"assembly_instances": C203[instance], "timeout_action": 2}
+    settings = Dev003zSettings(mac=mac, parameters=own)
+    ports = made.ports
+
+    def send(frame: Frame) -> None:
+        ports[mac].send(frame)
+
+    option = Dev003z(made.kernel, GATEWAY, drive, send, settings)
+    ports[mac] = made.bus.attach(option.receive)
+    made.options[mac], made.drives[mac] = option, drive
+
+
+ALL_WAYS = [
+    Choice.POLLED,
+    Choice.POLLED | Choice.CHANGE_OF_STATE,
+    Choice.POLLED | Choice.CYCLIC,
+    Choice.POLLED | Choice.CYCLIC | Choice.ACK_SUPPRESSION,
+]
+
+
+@pytest.mark.fact("dev.scanner")
+@pytest.mark.parametrize("choice", ALL_WAYS)
+def test_every_assembly_runs_over_every_kind_of_connection(choice: Choice) -> None:
+    instances = (21, 100, 101)
+    made = network(dict(enumerate(instances, start=1)), choice)
+    made.run(4000)
+    assert [item.state for item in made.scanner.slaves.values()] == [SlaveState.RUNNING] * 3
+    slaves = made.scanner.slaves
+    slaves[1].outputs = words(0x0061, 1800)
+    slaves[2].outputs = words(0xC600, 3000)
+    slaves[3].outputs = words(0x0062, 900, 0x0011, 0)
+    made.run(1000)
+    assert slaves[1].inputs == words(0x04F4, 1800)
+    assert slaves[2].inputs == words(0x6600, 3000)
+    assert slaves[3].inputs == words(0x04F8, 900, 0x0011, made.drives[3].read_word("0011"))
+
+
+@pytest.mark.fact("dev.scanner")
+@pytest.mark.parametrize("choice", [Choice.CHANGE_OF_STATE, Choice.CYCLIC])
+def test_change_of_state_alone_brings_inputs(choice: Choice) -> None:
+    made = network({7: 105}, choice)
+    made.options[7].own.write(0xC021, 1)
+    made.run(4000)
+    assert made.scanner.slaves[7].inputs[6:8] == words(made.drives[7].read_word("FD01"))
+    made.drives[7].trip("OC1")
+    made.run(150)
+    assert made.scanner.slaves[7].inputs[6:8] == words(made.drives[7].read_word("FD01"))
+
+
+@pytest.mark.fact("dev.scanner")
+def test_a_cable_that_is_pulled_stops_the_drive_and_plugged_again_it_is_found() -> None:
+    made = network({3: 21})
+    made.scanner.slaves[3].outputs = words(0x0061, 1800)
+    made.run(4500)
+    assert made.drives[3].running
+    made.ports[3].plugged = False
+    made.run(1000)
+    assert not made.drives[3].running, "c101 is 2: it ramps down"
+    assert made.scanner.slaves[3].state is not SlaveState.RUNNING
+    made.ports[3].plugged = True
+    made.scanner.slaves[3].outputs = words(0x0060, 1800)
+    made.run(8000)
+    assert made.scanner.slaves[3].state is SlaveState.RUNNING
+    assert made.scanner.slaves[3].inputs == words(0x0370, 0)
+
+
+@pytest.mark.fact("dev.scanner")
+@pytest.mark.parametrize("choice", ALL_WAYS)
+def test_a_drive_that_was_off_is_allocated_anew(choice: Choice) -> None:
+    made = network({3: 101}, choice)
+    made.run(4000)
+    made.drives[3].power_off()
+    made.run(3000)
+    made.drives[3].power_on()
+    made.run(8000)
+    assert made.scanner.slaves[3].state is SlaveState.RUNNING
+
+
+def test_an_idle_master_sends_no_data_and_the_drive_goes_on() -> None:
+    made = network({3: 21})
+    made.scanner.slaves[3].outputs = words(0x0061, 1800)
+    made.run(4500)
+    made.scanner.idle = True
+    made.scanner.slaves[3].outputs = words(0x0060, 0)
+    made.run(1000)
+    assert made.drives[3].frequency_hz == 60.0
+    assert made.scanner.slaves[3].inputs == words(0x04F4, 1800)
+
+
+def test_explicit_requests_go_beside_the_scan_long_ones_in_fragments() -> None:
+    made = network({3: 105})
+    made.run(4000)
+    answers: list[object] = []
+    made.scanner.request(3, Request(Service.GET_ATTRIBUTE_SINGLE, 1, 1, b"\x07"), answers.append)
+    made.scanner.request(3, Request(Service.GET_ATTRIBUTE_SINGLE, 2, 1, b"\x01"), answers.append)
+    made.scanner.request(3, Request(Service.GET_ATTRIBUTE_SINGLE, 9, 1, b"\x01"), answers.append)
+    made.run(200)
+    assert answers[0] == Response(Service.GET_ATTRIBUTE_SINGLE, b"\x07DEV003Z")
+    assert isinstance(answers[1], Response)
+    assert len(answers[1].data) == 2 + 2 * len(GATEWAY.objects)
+    assert answers[2] == ErrorResponse(0x16, 0xFF)
+    with pytest.raises(ValueError, match="does not fit"):
+        made.scanner.request(3, Request(Service.GET_ATTRIBUTE_SINGLE, 0x164, 1), answers.append)
+    made.drives[3].power_off()
+    made.scanner.request(3, Request(Service.GET_ATTRIBUTE_SINGLE, 1, 1, b"\x01"), answers.append)
+    assert made.scanner.slaves[3].requester.form is BodyFormat.C8_I16
+
+
+def test_two_options_with_one_mac_id_keep_each_other_off() -> None:
+    made = network({3: 21})
+    drive = Inverter(made.kernel, Line(made.kernel), CATALOG.drive("vf-mb1"), InverterSettings())
+    first = made.options[3], made.ports[3]
+    made.run(2500)
+    second = CanPort(made.bus, lambda _: None)
+    option = Dev003z(made.kernel, GATEWAY, drive, second.send, Dev003zSettings("vf-mb1", mac=3))
+    second = made.bus.attach(option.receive)
+    made.run(3000)
+    assert option.lights[1].state == "link_failure"
+    assert first[0].lights[1].state == "connected"
+
+
+def test_the_same_seed_gives_the_same_frames_and_all_are_devicenet() -> None:
+    logs = []
+    for _ in range(2):
+        made = network({1: 21, 2: 105}, Choice.POLLED | Choice.CHANGE_OF_STATE)
+        made.run(3000)
+        logs.append([(at, str(frame)) for at, frame in made.log])
+    assert logs[0] == logs[1]
+    assert all(parse_identifier(frame.identifier) is not None for _, frame in made.log)
+
+
+def test_frames_take_their_time_and_the_lowest_identifier_goes_first() -> None:
+    kernel = Kernel()
+    bus = CanBus(kernel, bit_rate=125_000)
+    heard: list[tuple[int, int]] = []
+    bus.attach(lambda frame: heard.append((kernel.now_ns, frame.identifier)))
+    one, other = bus.attach(lambda _: None), bus.attach(lambda _: None)
+    one.send(Frame(0x42F, bytes(8)))
+    other.send(Frame(0x3C5, bytes(8)))
+    kernel.run_for(10 * NS_PER_MS)
+    assert heard == [(888_000, 0x3C5), (1_776_000, 0x42F)]
