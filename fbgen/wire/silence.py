@@ -38,7 +38,7 @@ class SilenceStream(Generic[Message]):
 
     A frame is known to be over only when the silence behind it is. So its message comes from `end`,
     which wants to be called at `ends_ns`, or else from the next `feed`. Who sees in `pending` that
-    a frame is for somebody else need not call `end`.
+    a frame is for somebody else calls `skip` and need not wait for its end.
 
     `heard_ns` is the end of the last byte. A byte with an error, a silence inside that is too long,
     and more bytes than `longest` spoil a frame: everything up to the next silence is dropped.
@@ -98,6 +98,10 @@ class SilenceStream(Generic[Message]):
         """
         self._spoil()
         self.heard_ns = now_ns
+
+    def skip(self) -> None:
+        """The frame in progress is for somebody else: nobody wants to know what it says."""
+        self._spoil()
 
     def _spoil(self) -> None:
         self.pending, self._spoiled = b"", True

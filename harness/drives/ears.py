@@ -102,7 +102,10 @@ class SilenceEar(Generic[Message]):
             self._feed_with_gaps(reception)
         if reception.end_ns < port.deaf_until_ns:
             stream.reset(reception.end_ns)
-        elif stream.pending and self._concerns(stream.pending):
+        elif stream.pending:
+            if not self._concerns(stream.pending):
+                stream.skip()
+                return
             ends_ns = stream.ends_ns
             assert ends_ns is not None, "there are bytes pending"
             self._timer = self._kernel.at(ends_ns, self._end, _BEHIND_RECEPTIONS)

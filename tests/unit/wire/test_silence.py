@@ -167,3 +167,15 @@ def test_toshiba_blocks_are_heard_between_silences() -> None:
     master = toshiba_stream.silence_reply_stream(intervals)
     master.feed(bytes.fromhex("2F 59 01 00 17 70 10"), 0, BYTE_NS)
     assert master.end(100 * BYTE_NS) == (BlockReply(None, (0x1770,)),)
+
+
+def test_a_frame_for_somebody_else_is_skipped_up_to_the_next_silence() -> None:
+    frame = bytes.fromhex("2F 0B 50 FA 00 C4 00 48")
+    intervals = toshiba_stream.silent_intervals(BAUD)
+    listening = toshiba_stream.silence_request_stream(intervals)
+    listening.feed(frame[:4], 0, BYTE_NS)
+    listening.skip()
+    listening.feed(frame[4:], 4 * BYTE_NS, BYTE_NS)
+    assert (listening.pending, listening.ends_ns) == (b"", None)
+    assert listening.feed(frame, 100 * BYTE_NS, BYTE_NS) == ()
+    assert len(listening.end(200 * BYTE_NS)) == 1
