@@ -1,10 +1,5 @@
-"""The names by which people call a ComNo: those of the catalogue, of the panel, and short ones.
+"""The names by which people call a ComNo: those of the catalogue, of the panel, and short ones."""
 
-The parameter that the panel calls F803 has the communication number 0803. That all of that form
-have theirs so is inferred from those of which the catalogue has both.
-"""
-
-import re
 from collections.abc import Iterator
 
 from fbgen.catalog.drives import ComNo, Drive
@@ -17,7 +12,6 @@ _SHORT = {
     "current": "output_current",
 }
 """Names that the catalogue gives to a part of the link between a master and an inverter."""
-_PANEL = re.compile(r"[Ff](\d{3})")
 
 
 def named_comno(series: Drive, key: str) -> ComNo:
@@ -36,8 +30,6 @@ def named_comno(series: Drive, key: str) -> ComNo:
 
 def _others(series: Drive, key: str) -> Iterator[str]:
     """What else the key may mean, by names and numbers of the catalogue."""
-    if (panel := _PANEL.fullmatch(key)) is not None:
-        yield f"0{panel[1]}"
     for comno in series.comnos:
         if comno.display is not None and comno.display.casefold() == key.casefold():
             yield comno.name

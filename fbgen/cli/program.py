@@ -20,6 +20,7 @@ COMMANDS = (
         "docs",
         "explain",
         "schemas",
+        "talk",
         "catalog",
         "sim",
     ),

@@ -1,7 +1,6 @@
 """`fbgen sim drive`: simulated inverters on a serial port, for a master that is none of ours."""
 
 from contextlib import ExitStack, suppress
-from enum import Enum
 from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
@@ -10,6 +9,7 @@ import typer
 from fbgen.cli.examples import examples
 from fbgen.cli.keyboard import keyboard
 from fbgen.cli.layers import CatalogOption
+from fbgen.cli.line_options import BaudOption, ParityOption, ProtocolOption, asked_setting
 from fbgen.cli.output import on_error_terminal, result, say
 
 if TYPE_CHECKING:
@@ -18,34 +18,6 @@ if TYPE_CHECKING:
     from fbgen.cli.frame_lines import FrameLines
     from harness.drives import ReplyTime
     from harness.serial import FaultSwitches, Port, ServedDrives
-
-
-class ProtocolName(Enum):
-    """The protocols of a line."""
-
-    TOSHIBA = "toshiba"
-    MODBUS = "modbus"
-
-
-class ParityName(Enum):
-    """The parities of a line."""
-
-    NONE = "none"
-    EVEN = "even"
-    ODD = "odd"
-
-
-ProtocolOption = Annotated[
-    ProtocolName | None,
-    typer.Option("--protocol", help="Language of the line; else that of the series."),
-]
-BaudOption = Annotated[
-    int | None,
-    typer.Option("--baud", metavar="N", help="Speed in bit/s; else that of a new inverter."),
-]
-ParityOption = Annotated[
-    ParityName | None, typer.Option("--parity", help="Parity; else that of a new inverter.")
-]
 
 
 def add_to(commands: typer.Typer) -> None:
@@ -132,18 +104,12 @@ def drive(
     from fbgen.catalog import load_catalog
     from fbgen.cli.drive_options import drives_to_serve, named_drives
     from fbgen.cli.sim import check_port
-    from harness.line import Parity
-    from harness.serial import PseudoTerminal, line_setting, serial_port, serve_drives
+    from harness.serial import PseudoTerminal, serial_port, serve_drives
 
     check_port(port, pty, "the drives")
     chosen = named_drives(drives or (), series, inv_no, load_catalog(catalog or ()))
     wanted = drives_to_serve(chosen, settings or (), _reply_time(reply_time))
-    setting = line_setting(
-        wanted,
-        None if protocol is None else protocol.value,
-        baud,
-        None if parity is None else Parity[parity.name],
-    )
+    setting = asked_setting([item.series for item in wanted], protocol, baud, parity)
     opened = PseudoTerminal() if port is None else serial_port(port, setting.from_drives)
     try:
         served = serve_drives(

@@ -1,5 +1,6 @@
 """The simulated devices on a real port, in real time: the one place that reads the wall clock."""
 
+from harness.serial.asking import Asking, Heard
 from harness.serial.bridge import LineBridge
 from harness.serial.commands import Commands
 from harness.serial.control import ControlSocket
@@ -10,6 +11,7 @@ from harness.serial.drives import (
     LineSetting,
     ServedDrives,
     line_setting,
+    protocol_of,
     serial_port_of,
     serve_drives,
 )
@@ -17,11 +19,15 @@ from harness.serial.fault_switches import FaultSwitches
 from harness.serial.gateways import ServedGateways, gateways_to_serve
 from harness.serial.line_log import HeardFrame, LineLog
 from harness.serial.pace import Pace
-from harness.serial.ports import Port, SerialPort, profibus_port, serial_port
+from harness.serial.ports import Port, SerialPort, has_speed, profibus_port, serial_port
 from harness.serial.pseudo_terminal import PseudoTerminal
 from harness.serial.serving import Server
 
 __all__ = [
+    "has_speed",
+    "Asking",
+    "Heard",
+    "protocol_of",
     "Commands",
     "ControlSocket",
     "DriveServer",

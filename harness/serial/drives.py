@@ -78,20 +78,22 @@ class ServedDrives:
 
 
 def line_setting(
-    drives: Sequence[DriveToServe], protocol: str | None, baud: int | None, parity: Parity | None
+    drives: Sequence[Drive], protocol: str | None, baud: int | None, parity: Parity | None
 ) -> LineSetting:
-    """The setting of a line: what is asked for, else what a new inverter of the first series has.
+    """The setting of a line with inverters of these series.
+
+    It is what is asked for, else what a new inverter of the first series has.
 
     Raises DiagnosticError FB9035 for what one of the series does not have.
     """
-    series = drives[0].series
+    series = drives[0]
     port = serial_port_of(series)
     rate = series.baud_rates(port).get(series.comno(port.baud_rate).default_word, 9_600)
     kind = series.parities(port).get(series.comno(port.parity).default_word, "even")
     setting = LineSetting(protocol or series.protocol, baud or rate, parity or Parity[kind.upper()])
     found = [
         problem
-        for one in {item.series.id: item.series for item in drives}.values()
+        for one in {item.id: item for item in drives}.values()
         for problem in _problems(one, setting)
     ]
     if found:

@@ -141,6 +141,11 @@ def serial_port(name: str, characters: SerialFormat) -> SerialPort:
     return SerialPort(name, device)
 
 
+def has_speed(name: str) -> bool:
+    """Whether speed and parity mean something at a port: not at a pseudo terminal or a socket."""
+    return not (_is_pseudo_terminal(name) or name.startswith(("socket://", "loop://")))
+
+
 def _is_pseudo_terminal(name: str) -> bool:
     return name.startswith("/") and Path(name).resolve().is_relative_to("/dev/pts")
 

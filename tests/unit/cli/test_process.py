@@ -32,6 +32,7 @@ COMMANDS = [
         ("sim",),
         ("sim", "gateway"),
         ("sim", "drive"),
+        ("talk",),
     ],
 ]
 

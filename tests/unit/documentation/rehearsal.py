@@ -55,6 +55,7 @@ ELSEWHERE = {
 """Commands that are not run from a page, and why."""
 LONG = {
     "sim": "serves until Ctrl-C; tests/unit/serial starts it",
+    "talk": "takes an inverter at a port; tests/unit/cli/test_talk asks simulated ones",
     "campaign": "tests/unit/verify runs small ones",
     "mutate": "tests/unit/mutation and tests/unit/cli/test_mutate run small ones",
 }

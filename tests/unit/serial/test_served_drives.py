@@ -83,15 +83,15 @@ def test_ascii_frames_are_answered_in_ascii() -> None:
 
 
 def test_a_line_is_set_as_a_new_inverter_unless_something_else_is_said() -> None:
-    known = line_setting(drives(1), None, None, None)
+    known = line_setting([load_catalog().drive("vf-s11")], None, None, None)
     assert (known.protocol, known.baud, known.parity) == ("toshiba", 9_600, Parity.EVEN)
-    asked = line_setting(drives(1), "toshiba", 19_200, Parity.NONE)
+    asked = line_setting([load_catalog().drive("vf-s11")], "toshiba", 19_200, Parity.NONE)
     assert str(asked.from_drives) == "19200 8N2"
 
 
 def test_a_setting_that_a_series_does_not_have_is_refused_with_those_that_it_has() -> None:
     with pytest.raises(DiagnosticError) as caught:
-        line_setting(drives(1), "profinet", 57_600, Parity.EVEN)
+        line_setting([load_catalog().drive("vf-s11")], "profinet", 57_600, Parity.EVEN)
     assert [item.code for item in caught.value.diagnostics] == ["FB9035", "FB9035"]
     assert "toshiba, modbus" in caught.value.diagnostics[0].help
     assert "9600, 19200" in caught.value.diagnostics[1].help
@@ -100,7 +100,7 @@ def test_a_setting_that_a_series_does_not_have_is_refused_with_those_that_it_has
 def test_a_series_of_which_no_port_is_known_is_refused() -> None:
     known = load_catalog().drive("vf-s11").model_copy(update={"communication": None})
     with pytest.raises(DiagnosticError, match="FB9035"):
-        line_setting([DriveToServe("vf1", known, 1)], None, None, None)
+        line_setting([known], None, None, None)
 
 
 def test_two_wires_are_one_pair_if_the_port_of_a_series_has_two() -> None:
