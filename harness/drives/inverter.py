@@ -28,6 +28,7 @@ from harness.kernel import Kernel
 from harness.line import Line
 
 EMERGENCY_STOP = "E"
+_DEFAULTS, _AS_NEW = "factory_setting", 3
 COMMUNICATION_ERROR = "Err5"
 _REFUSALS = {
     ErrorCode.CANNOT_EXECUTE: "it cannot be written, or not while the inverter runs",
@@ -382,6 +383,8 @@ class Inverter:
             acts[number(port.timeout)] = self._timeout_changed
             if port.inter_drive is not None:
                 acts[number(port.inter_drive)] = self._inter_drive_changed
+        if _DEFAULTS in names:
+            acts[number(_DEFAULTS)] = self._set_defaults
         return acts
 
     def _written(self, number: int) -> None:
@@ -404,6 +407,12 @@ class Inverter:
     def _inter_drive_changed(self, number: int) -> None:
         for port in self.ports.values():
             port.inter_drive_changed()
+
+    def _set_defaults(self, number: int) -> None:
+        """TYP: as new, and started anew; nobody gets a reply."""
+        if self.registers.ram[number] == _AS_NEW:
+            self.registers.factory_setting()
+            self._restart(self.series.times.reset_silence.ns)
 
     def _command(self, number: int) -> None:
         command = self.registers.ram[number]

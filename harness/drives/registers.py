@@ -58,6 +58,11 @@ class Registers:
             if comno.effect == "after_restart"
         }
 
+    def factory_setting(self) -> None:
+        """Give every EEPROM cell the value of a new inverter; it acts with the next restart."""
+        for number in self.eeprom:
+            self.eeprom[number] = self.cells[number].default_word
+
     def number(self, name: str) -> int:
         """The communication number of a name of the catalogue."""
         return self._numbers[name]

@@ -48,6 +48,7 @@ def test_it_runs_and_stops_by_the_command_word_of_its_port(series: Drive) -> Non
 
 
 @every_series
+@pytest.mark.fact("tip.trip")
 def test_a_trip_freezes_its_monitors_and_is_remembered(series: Drive) -> None:
     bench, drive = _bench(series, acceleration_time=0.0)
     drive.write_ram(series.comno(drive.communication.facts.setpoint).number, 4000)
@@ -71,6 +72,7 @@ def test_a_trip_freezes_its_monitors_and_is_remembered(series: Drive) -> None:
 
 
 @every_series
+@pytest.mark.fact("tip.boot")
 def test_it_is_silent_for_its_own_time_after_power_on(series: Drive) -> None:
     bench, drive = _bench(series)
     drive.power_off()
@@ -82,6 +84,10 @@ def test_it_is_silent_for_its_own_time_after_power_on(series: Drive) -> None:
 
 
 @every_series
+@pytest.mark.fact("tip.baud")
+@pytest.mark.fact("tip.baud.code")
+@pytest.mark.fact("tip.parity.code")
+@pytest.mark.fact("tip.change")
 def test_each_rate_and_parity_of_its_port_acts_after_power_off(series: Drive) -> None:
     port = CATALOG.drive(series.id).communication.ports[0]  # type: ignore[union-attr]
     bench, drive = _bench(series)

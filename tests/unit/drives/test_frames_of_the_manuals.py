@@ -99,6 +99,7 @@ def _replies(name: str, series: str, prepared: Prepared) -> list[bytes]:
 
 
 @pytest.mark.parametrize(("request_name", "reply_name"), PAIRS)
+@pytest.mark.fact("tip.cmd")
 def test_inverter_answers_with_the_bytes_that_are_printed(
     request_name: str, reply_name: str
 ) -> None:
@@ -121,6 +122,8 @@ def test_every_printed_reply_has_been_played() -> None:
         ("tip.error.frame.0000", "57 00 09 00 32", "", True),
     ],
 )
+@pytest.mark.fact("tip.err.0000")
+@pytest.mark.fact("tip.err.ex")
 def test_refusals_that_are_printed_without_their_request(
     name: str, request_: str, trip: str, lock: bool
 ) -> None:

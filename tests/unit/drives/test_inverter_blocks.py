@@ -103,6 +103,7 @@ def test_blocks_restart_the_time_out() -> None:
         ("0B 58 00 01", 1020, False),
     ],
 )
+@pytest.mark.fact("tip.bin.len")
 def test_an_unfinished_telegram_is_given_up_after_half_a_second_a_block_after_one(
     payload: str, pause_ms: int, heard: bool
 ) -> None:
@@ -114,6 +115,7 @@ def test_an_unfinished_telegram_is_given_up_after_half_a_second_a_block_after_on
     assert len(bench.send(frame)) == 1, "in step again"
 
 
+@pytest.mark.fact("tip.bin.start")
 def test_a_start_code_behind_rubbish_is_found() -> None:
     bench, _ = _bench()
     frame = seal(bytes.fromhex("0B 47 FC 90 00 00"))

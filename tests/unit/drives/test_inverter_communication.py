@@ -34,6 +34,7 @@ def test_reply_time_can_be_fixed_and_waits_for_f805() -> None:
     assert bench.heard[0].start_ns == 4_583_333 + 23 * NS_PER_MS
 
 
+@pytest.mark.fact("tip.char")
 def test_reply_takes_two_stop_bits() -> None:
     bench = Bench()
     bench.add()
@@ -51,6 +52,7 @@ def test_only_the_addressed_inverter_answers() -> None:
 
 
 @pytest.mark.fact("tos.inv")
+@pytest.mark.fact("bc.all.bin")
 def test_broadcast_is_carried_out_by_all_and_answered_by_number_0() -> None:
     bench = Bench()
     drives = [bench.add(number) for number in (0, 1, 2)]
@@ -58,6 +60,8 @@ def test_broadcast_is_carried_out_by_all_and_answered_by_number_0() -> None:
     assert [drive.read_word("0009") for drive in drives] == [50, 50, 50]
 
 
+@pytest.mark.fact("bc.noreply")
+@pytest.mark.fact("bc.err")
 def test_broadcast_without_a_number_0_is_not_answered_refusals_included() -> None:
     bench = Bench()
     drives = [bench.add(number) for number in (1, 2)]
@@ -68,6 +72,7 @@ def test_broadcast_without_a_number_0_is_not_answered_refusals_included() -> Non
     assert bench.ask("FF 50 12 34 00 00") == "FF 4E 00 02"
 
 
+@pytest.mark.fact("bc.rule")
 def test_broadcast_read_is_dropped_unless_the_option_allows_it() -> None:
     bench = Bench()
     parameters = GATEWAY_SETTINGS | {"inverter_number": 0}
@@ -80,6 +85,7 @@ def test_broadcast_read_is_dropped_unless_the_option_allows_it() -> None:
     assert bench.ask(f"FF 47 {READY}") == f"FF 47 {READY}"
 
 
+@pytest.mark.fact("bc.group")
 def test_ascii_broadcast_and_groups_reach_those_who_are_meant() -> None:
     bench = Bench()
     drives = {number: bench.add(number) for number in (2, 10, 12, 13)}
@@ -91,6 +97,7 @@ def test_ascii_broadcast_and_groups_reach_those_who_are_meant() -> None:
 
 
 @pytest.mark.fact("tos.hb")
+@pytest.mark.fact("bc.all.ascii")
 def test_ascii_heartbeat_to_the_free_notes_is_answered_by_number_0_only() -> None:
     bench = Bench()
     drives = [bench.add(number) for number in (0, 5)]
@@ -98,6 +105,7 @@ def test_ascii_heartbeat_to_the_free_notes_is_answered_by_number_0_only() -> Non
     assert [drive.read_word("free_notes") for drive in drives] == [1, 1]
 
 
+@pytest.mark.fact("tip.bin.inv")
 def test_inv_no_may_be_left_out_with_one_inverter() -> None:
     bench = Bench()
     bench.add(11)
@@ -133,6 +141,10 @@ def test_r_reads_with_a_frame_two_bytes_shorter() -> None:
         (b"(11R1234)\r", b"(11N0002)\r"),
     ],
 )
+@pytest.mark.fact("tip.err.0001")
+@pytest.mark.fact("tip.err.0002")
+@pytest.mark.fact("tip.err.0003")
+@pytest.mark.fact("tip.err.0004")
 def test_ascii_requests_are_answered_in_ascii(frame: bytes, reply: bytes) -> None:
     bench = Bench()
     bench.add()
@@ -155,6 +167,7 @@ def test_wrong_checksum_is_refused_by_the_addressed_inverter() -> None:
     ]
 
 
+@pytest.mark.fact("tip.mute")
 def test_damaged_character_means_silence_and_the_next_telegram_is_heard() -> None:
     bench = Bench()
     bench.add()

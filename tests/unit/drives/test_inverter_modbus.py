@@ -46,6 +46,8 @@ def test_names_of_functions_and_exceptions_are_those_of_the_protocol() -> None:
         ("modbus.identify", "modbus.identify.reply", {}),
     ],
 )
+@pytest.mark.fact("mb.s15.fn")
+@pytest.mark.fact("mb.frame")
 def test_vf_s15_answers_the_frames_of_its_manual(
     request_name: str, reply_name: str, chosen: dict[str, float]
 ) -> None:
@@ -61,6 +63,7 @@ def test_vf_s15_tells_60_hz_in_the_bytes_of_its_manual() -> None:
     assert bench.send(_frame("modbus.read")) == [_frame("modbus.read.reply")]
 
 
+@pytest.mark.fact("mb.s11.fn")
 def test_vf_s11_reads_and_writes_one_word() -> None:
     bench, drive = _bench("vf-s11")
     assert bench.ask_modbus("01 06 00 09 00 32") == "01 06 00 09 00 32"
@@ -90,6 +93,7 @@ def test_vf_s11_has_no_other_function(request_: str) -> None:
         ("01 17 18 75 00 02 FA 01 00 02 04 00 00 00 00", "01 97 03"),
     ],
 )
+@pytest.mark.fact("mb.exc")
 def test_what_cannot_be_served_is_refused_with_its_exception(request_: str, reply: str) -> None:
     bench, _ = _bench()
     assert bench.ask_modbus(request_) == reply
@@ -102,6 +106,7 @@ def test_a_running_inverter_refuses_what_wants_it_at_rest() -> None:
 
 
 @pytest.mark.parametrize(("series", "kept"), [("vf-s11", False), ("vf-s15", True)])
+@pytest.mark.fact("mb.ram")
 def test_where_a_write_stays_is_as_the_series_has_it(series: str, kept: bool) -> None:
     bench, drive = _bench(series)
     bench.ask_modbus("01 06 00 09 00 32")
@@ -126,6 +131,7 @@ def test_the_place_of_the_block_is_no_comno_of_its_own() -> None:
     assert bench.ask_modbus("01 03 08 75 00 01") == "01 03 02 00 03"
 
 
+@pytest.mark.fact("mb.s15.gap")
 def test_direct_block_of_the_vf_s15_is_there_by_its_option_and_shows_gaps() -> None:
     bench = Bench(series="vf-s15")
     parameters = MODBUS | {"inverter_number": 1}
@@ -160,6 +166,7 @@ def test_reset_restarts_the_inverter_and_is_not_answered() -> None:
     assert not drive.tripped
 
 
+@pytest.mark.fact("mb.mute")
 def test_another_number_a_wrong_crc_and_a_damaged_character_are_met_with_silence() -> None:
     bench, _ = _bench()
     read = "01 03 FC 90 00 01"

@@ -36,6 +36,7 @@ def test_w_writes_to_the_eeprom_and_each_write_counts() -> None:
     assert drive.read_parameter("0009") == 5.0
 
 
+@pytest.mark.fact("tip.W.ram")
 def test_w_of_a_cell_without_eeprom_goes_to_ram() -> None:
     bench = Bench()
     drive = bench.add()
@@ -65,6 +66,7 @@ def test_words_are_values_in_units_of_the_resolution() -> None:
         ("0B 57 FC 90 00 00", "0B 4E 00 00"),
     ],
 )
+@pytest.mark.fact("tip.range")
 def test_what_the_inverter_does_not_take_is_refused_with_its_code(
     request_: str, reply: str
 ) -> None:

@@ -24,6 +24,7 @@ def _parts(bench: Bench, first: bytes, gap_characters: float, second: bytes) -> 
     return [reception.data for reception in bench.heard]
 
 
+@pytest.mark.fact("tip.mode")
 def test_vf_s15_answers_toshiba_telegrams_in_both_forms() -> None:
     bench = Bench(series="vf-s15")
     bench.add(1)
@@ -64,6 +65,7 @@ def test_two_telegrams_without_silence_between_are_none(
         (MODBUS, READ_MODBUS, 3.6, False),
     ],
 )
+@pytest.mark.fact("tip.gap")
 def test_silence_inside_of_a_telegram(
     parameters: dict[str, float], frame: bytes, characters: float, answered: bool
 ) -> None:

@@ -101,6 +101,7 @@ def _reaches(hz: float, seconds: float = 12) -> Callable[[Plant], bool]:
     ],
     ids=lambda item: "+".join(item) if isinstance(item, tuple) else "",
 )
+@pytest.mark.fact("as1.cw.nos")
 def test_each_bit_of_the_table_does_what_it_says(
     port: str, bits: tuple[str, ...], holds: Callable[[Plant], bool]
 ) -> None:
@@ -134,6 +135,7 @@ def test_examples_of_the_manual_run_as_they_say(example: str) -> None:
 
 @at_each_port
 @pytest.mark.fact("as1.cw.estop")
+@pytest.mark.fact("tip.reset")
 def test_emergency_stop_needs_no_priority_and_a_reset_has_no_answer(port: str) -> None:
     plant = Plant()
     plant.command(port, "emergency_stop")
@@ -164,6 +166,22 @@ def test_priorities_stay_until_off_reset_or_power_off(port: str) -> None:
     plant.drive.power_off()
     plant.drive.power_on()
     assert plant.network() == (False, False)
+
+
+@pytest.mark.fact("as1.cw.latch")
+def test_the_factory_setting_ends_priorities_and_gives_every_parameter_its_default() -> None:
+    plant = Plant(acceleration_time_2=1.0)
+    plant.command("two_wire", *NETWORK)
+    assert plant.two_wire.ask("01 50 00 07 00 02") == "01 50 00 07 00 02"
+    assert plant.network() == (True, True)
+    assert plant.two_wire.ask("01 50 00 07 00 03") == ""
+    assert plant.network() == (False, False)
+    assert plant.drive.inv_no == 0
+    for comno in AS1.comnos:
+        if comno.storage == "eeprom":
+            assert plant.drive.read_word(comno.number) == comno.default_word, comno.name
+    plant.two_wire.wait(3)
+    assert plant.two_wire.ask("00 47 00 07 00 00") == "00 47 00 07 00 00"
 
 
 def test_the_port_that_stands_first_has_priority_and_the_other_gets_it_after_it() -> None:
