@@ -40,7 +40,7 @@ def figures() -> Iterator[Figure]:
         ):
             best = min(_seconds(("test", _SCENARIO), cache) for cache in caches)
             yield Figure(f"fbgen test, one small scenario, {what}", best, best / turn, limit)
-        for gateways, limit in ((25, ""), (50, ""), (100, "at most 3 s")):
+        for gateways, limit in ((10, ""), (50, ""), (100, "at most 3 s")):
             plant = Path(folder) / f"plant_{gateways}.yaml"
             plant.write_text(plant_text(gateways), encoding="utf-8")
             best = min(

@@ -1,4 +1,4 @@
-"""Generating the text of large plants: 25, 50 and 100 gateways with five drives each.
+"""Generating the text of large plants: 10, 50 and 100 gateways with five drives each.
 
 What a user waits for: reading the plant file, the text of all blocks, checked and held to the
 import rules. Processor time of this process, the smallest of some runs; the catalogue is read once.
@@ -13,7 +13,7 @@ from fbgen.emit.generator import generate
 from fbgen.plant import read_plant
 from fbgen.source import Source
 
-_SIZES = (25, 50, 100)
+_SIZES = (10, 50, 100)
 _DRIVES = 5
 _RUNS = 3
 _ADDRESSES = 99

@@ -69,6 +69,12 @@ IO_ERROR = Alarm(
     "Hardwarekonfiguration mit der Anlagendatei vergleichen.",
     needs="dpxx_dat",
 )
+_IS_TO_RUN = (
+    "(#drive.control.jog OR #drive.control.manual AND #drive.control.manualRun "
+    "OR NOT #drive.control.manual AND #drive.control.run)"
+)
+"""What TOS_Drive and PBDP_Drive take for a command to run."""
+
 DRIVE_EMERGENCY_STOP = Alarm(
     3,
     "emergency_stop",
@@ -82,8 +88,7 @@ DRIVE_EMERGENCY_STOP = Alarm(
 INHIBITED = Alarm(
     4,
     "inhibited",
-    "#drive.control.enable AND #drive.state.inhibited AND (#drive.control.manual AND "
-    "#drive.control.manualRun OR NOT #drive.control.manual AND #drive.control.run)",
+    f"#drive.control.enable AND #drive.state.inhibited AND {_IS_TO_RUN}",
     "Warnings",
     "Drive waits until the run command was taken back once",
     "Antrieb wartet, bis der Laufbefehl einmal weggenommen war",
@@ -95,8 +100,7 @@ INHIBITED = Alarm(
 INTERLOCK = Alarm(
     5,
     "interlock",
-    "#drive.control.enable AND NOT #drive.control.interlock AND (#drive.control.manual AND "
-    "#drive.control.manualRun OR NOT #drive.control.manual AND #drive.control.run)",
+    f"#drive.control.enable AND NOT #drive.control.interlock AND {_IS_TO_RUN}",
     "Warnings",
     "Drive is to run and its interlock is missing",
     "Antrieb soll laufen, die Verriegelung fehlt",

@@ -10,7 +10,7 @@ import typer
 from fbgen.cli import FINDINGS, INTERRUPTED
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import JsonOption
-from fbgen.cli.output import on_error_terminal, result, result_json, say
+from fbgen.cli.output import counted, on_error_terminal, result, result_json, say
 
 if TYPE_CHECKING:
     from harness.verify.campaign import CampaignReport, Failure, Progressed
@@ -101,7 +101,7 @@ def run_campaign(
 
 def _told(kind: str, failures: "list[Failure]", file: Path | None) -> str:
     first = failures[0]
-    seeds = "1 seed" if len(failures) == 1 else f"{len(failures)} seeds"
+    seeds = counted(len(failures), "seed")
     text = f"{kind}: {seeds}, first {first.seed}: {first.message}\n  {first.configuration}"
     return text if file is None else f"{text}\n  run it again: fbgen test {file.as_posix()}"
 

@@ -8,7 +8,7 @@ import typer
 
 from fbgen.cli.dialects import DialectOption
 from fbgen.cli.examples import examples
-from fbgen.cli.output import on_error_terminal, result, result_bytes, say
+from fbgen.cli.output import counted, on_error_terminal, result, result_bytes, say
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -97,7 +97,10 @@ def convert(
     write_files(contents, overwrite=force)
     for path in contents:
         result(str(path))
-    say(f"{len(paths)} files of dialect {source} are now {len(contents)} of {to.value}")
+    are = "is" if len(paths) == 1 else "are"
+    say(
+        f"{counted(len(paths), 'file')} of dialect {source} {are} now {len(contents)} of {to.value}"
+    )
 
 
 def _converted(

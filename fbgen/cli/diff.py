@@ -9,7 +9,7 @@ from fbgen.cli import FINDINGS
 from fbgen.cli.dialects import PlantDialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import CatalogOption, JsonOption
-from fbgen.cli.output import result, result_json, say
+from fbgen.cli.output import counted, result, result_json, say
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -91,7 +91,8 @@ def diff(
         _print(comparison, blocks, sets)
     lines = [line for item in comparison.affected for line in item.lines] + [*comparison.other]
     files = len({line.file for line in lines})
-    say(f"{len(found)} entries differ, {len(set(lines))} lines in {files} files")
+    differ = "1 entry differs" if len(found) == 1 else f"{len(found)} entries differ"
+    say(f"{differ}, {counted(len(set(lines)), 'line')} in {counted(files, 'file')}")
     if found or lines:
         raise typer.Exit(FINDINGS)
 

@@ -20,6 +20,11 @@ from fbgen.diagnostics import Diagnostic, Severity, render
 _COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.INFO: "blue"}
 
 
+def counted(number: int, what: str) -> str:
+    """So many of something: `1 line`, `2 lines`."""
+    return f"{number} {what}{'' if number == 1 else 's'}"
+
+
 def result(text: str) -> None:
     """The result of a command, for a person or for another program."""
     _echo(text, err=False)

@@ -16,15 +16,18 @@ from fbgen.lang.containers import XML_SUFFIXES, read_text
 from fbgen.plant import LANGUAGES
 from fbgen.source import Source, Span
 
+_HIGHEST = ".maxfrequency"
 _SHOWN = 4
 """So many missing values are named; the rest is counted."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Values:
-    """What a file gives values: paths such as `gw1.pump.maxFrequency`, each with its place."""
+    """What a file gives values: paths such as `gw1.pump.maxFrequency`, each with its place, and the
+    values where they are numbers."""
 
     places: dict[str, Span]
+    numbers: dict[str, float]
     wrong: tuple[Diagnostic, ...] = ()
 
 
@@ -47,6 +50,7 @@ def _misfits(file: GeneratedFile, data: bytes, path: Path, dialect: str) -> Iter
         return
     wanted = _values(Source(file.name, file.text), dialect)
     yield from _too_much(theirs, wanted)
+    yield from _of_another_scale(theirs, wanted)
     given = {name.casefold() for name in theirs.places}
     missing = [name for name in wanted.places if name.casefold() not in given]
     if missing:
@@ -78,6 +82,22 @@ def _too_much(theirs: _Values, wanted: _Values) -> Iterator[Diagnostic]:
             yield _misfit(message, place, f"take {lines} of {what} out; the file is yours")
 
 
+def _of_another_scale(theirs: _Values, wanted: _Values) -> Iterator[Diagnostic]:
+    """Highest frequencies that are not those of the plant file. Of all values they alone must be
+    what is set at the inverter, and the parameter sheet takes them from the plant file."""
+    of_plant = {name.casefold(): number for name, number in wanted.numbers.items()}
+    for name, number in theirs.numbers.items():
+        other = of_plant.get(name.casefold(), number)
+        if name.casefold().endswith(_HIGHEST) and number != other:
+            yield _misfit(
+                f"{name} is {number:g} Hz here, and max_frequency_hz of the plant file is "
+                f"{other:g} Hz",
+                theirs.places[name],
+                "set-points are scaled by the value here, and the parameter sheet has that of the "
+                "plant file: both must be the highest frequency (FH) that is set at the inverter",
+            )
+
+
 def _owner(name: str) -> str:
     """The drive or line whose parameter it is."""
     return name.rpartition(".")[0]
@@ -90,15 +110,24 @@ def _misfit(message: str, place: Span | None, help_text: str) -> Diagnostic:
 def _values(source: Source, dialect: str) -> _Values:
     is_xml = Path(source.name).suffix.lower() in XML_SUFFIXES
     document = read_text(source, LANGUAGES[dialect], is_xml)
-    places: dict[str, Span] = {}
+    values: dict[str, tuple[Span, ast.Expression | None]] = {}
     for unit in document.file.units:
         if isinstance(unit, ast.DataBlock):
             for assignment in unit.assignments:
-                places[".".join(_path(assignment.target))] = assignment.span
+                name = ".".join(_path(assignment.target))
+                values[name] = assignment.span, assignment.value
         elif isinstance(unit, ast.Globals):
             for declaration in unit.section.declarations:
-                places |= dict(_in_literal((), declaration.initial))
-    return _Values(places, tuple(document.findings))
+                values |= dict(_in_literal((), declaration.initial))
+    return _Values(
+        {name: span for name, (span, _) in values.items()},
+        {
+            name: value.value
+            for name, (_, value) in values.items()
+            if isinstance(value, ast.Literal) and isinstance(value.value, int | float)
+        },
+        tuple(document.findings),
+    )
 
 
 def _path(target: ast.Expression) -> list[str]:
@@ -111,7 +140,9 @@ def _path(target: ast.Expression) -> list[str]:
     return names[::-1]
 
 
-def _in_literal(path: Sequence[str], value: ast.Expression | None) -> Iterator[tuple[str, Span]]:
+def _in_literal(
+    path: Sequence[str], value: ast.Expression | None
+) -> Iterator[tuple[str, tuple[Span, ast.Expression | None]]]:
     if not isinstance(value, ast.StructLiteral):
         return
     for field in value.fields:
@@ -119,4 +150,4 @@ def _in_literal(path: Sequence[str], value: ast.Expression | None) -> Iterator[t
         if isinstance(field.value, ast.StructLiteral):
             yield from _in_literal(inner, field.value)
         else:
-            yield ".".join(inner), field.span
+            yield ".".join(inner), (field.span, field.value)

@@ -66,8 +66,27 @@ def test_it_is_in_no_list_of_files_that_may_go(tmp_path: Path) -> None:
 @pytest.mark.parametrize("dialect", DIALECTS)
 def test_other_values_fit(dialect: str, tmp_path: Path) -> None:
     path = written(tmp_path, dialect)
-    path.write_bytes(path.read_bytes().replace(b"60.0", b"45.0"))
+    mine = path.read_bytes().replace(b"atSetpoint := 0.5", b"atSetpoint := 0.2")
+    assert mine != path.read_bytes()
+    path.write_bytes(mine)
     assert found(tmp_path, dialect) == []
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_a_highest_frequency_that_the_plant_file_has_changed_is_told_at_its_line(
+    dialect: str, tmp_path: Path
+) -> None:
+    path = written(tmp_path, dialect)
+    text = TWO_GATEWAYS.replace("max_frequency_hz: 60.0", "max_frequency_hz: 70.5")
+    misfits_found = found(tmp_path, dialect, text)
+    assert len(misfits_found) == TWO_GATEWAYS.count("max_frequency_hz: 60.0")
+    for misfit in misfits_found:
+        assert (misfit.code, misfit.severity) == ("FB5023", Severity.WARNING)
+        assert ".maxFrequency is 60 Hz here, and max_frequency_hz of the plant" in misfit.message
+        assert misfit.message.endswith(" 70.5 Hz")
+        assert misfit.span is not None
+        line, _ = misfit.span.source.line_column(misfit.span.start)
+        assert "60.0" in path.read_text("utf-8").splitlines()[line - 1]
 
 
 @pytest.mark.parametrize("dialect", DIALECTS)

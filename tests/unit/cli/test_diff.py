@@ -54,6 +54,7 @@ def test_two_plants_with_blocks_that_are_new_and_gone(fbgen: Fbgen, tmp_path: Pa
     run = fbgen("diff", str(EXAMPLE), str(other))
     assert run.status == 1
     assert "sequences: [manual_example] -> [stop]\n" in run.out
+    assert "1 entry differs, " in run.err
     assert "new block: TOS_Seq_stop\n" in run.out
     assert "removed block: TOS_Seq_manual_example\n" in run.out
 
