@@ -7,6 +7,7 @@ the same as one table in CSV. What the sequence `check_parameters` compares is m
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from fbgen.artefacts.serial_settings import serial_settings
 from fbgen.artefacts.text_table import csv_table
 from fbgen.artefacts.view import PlantLists
 from fbgen.catalog import (
@@ -19,7 +20,7 @@ from fbgen.catalog import (
     TelegramGateway,
 )
 from fbgen.emit.generated import Artefact
-from fbgen.plant import PlantDrive, PlantGateway
+from fbgen.plant import PlantDrive, PlantGateway, SerialLine, module_of
 
 CHECK = "check_parameters"
 _HEADINGS = {
@@ -74,27 +75,33 @@ class _Lines:
 
     def __init__(self, lists: PlantLists) -> None:
         self._lists = lists
-        self._settings: dict[tuple[str, bool], tuple[Setting, ...]] = {}
-        self._known: dict[tuple[str, str, float | None], _Line] = {}
+        self._settings: dict[tuple[str, str], tuple[Setting, ...]] = {}
+        self._known: dict[tuple[str, str, float | None, str], _Line] = {}
 
-    def settings(self, gateway: PlantGateway, series: Drive) -> tuple[Setting, ...]:
+    def settings(self, gateway: PlantGateway | SerialLine, series: Drive) -> tuple[Setting, ...]:
         """What the drive needs behind this gateway: one for process data has no line to be set
-        for."""
-        key = series.id, self._lists.is_process_data(gateway)
+        for, a serial line is what the plant file says."""
+        if isinstance(gateway, SerialLine):
+            key = series.id, gateway.name
+            if key not in self._settings:
+                self._settings[key] = tuple(serial_settings(self._lists, gateway, series))
+            return self._settings[key]
+        is_process_data = self._lists.is_process_data(gateway)
+        key = series.id, "channels" if is_process_data else "lines"
         if key not in self._settings:
             of_line = {"baud_rate", "parity", series.link.inv_no, series.link.timeout}
-            left_out = of_line if key[1] else set()
+            left_out = of_line if is_process_data else set()
             self._settings[key] = tuple(
                 setting for setting in series.settings if setting.comno not in left_out
             )
         return self._settings[key]
 
-    def lines(self, gateway: PlantGateway, drive: PlantDrive) -> Iterator[_Line]:
+    def lines(self, gateway: PlantGateway | SerialLine, drive: PlantDrive) -> Iterator[_Line]:
         """Those of a drive."""
         series = self._lists.catalog.drive(drive.series)
         for setting in self.settings(gateway, series):
             value = value_of(setting, drive)
-            key = series.id, setting.comno, value
+            key = series.id, setting.comno, value, setting.why
             if key not in self._known:
                 self._known[key] = self._line(series, setting, value)
             yield self._known[key]
@@ -124,7 +131,7 @@ class _Lines:
 
 
 def _rows(lists: PlantLists, lines: _Lines) -> Iterator[tuple[str, ...]]:
-    for gateway in lists.plant.gateways:
+    for gateway in lists.plant.units:
         for drive in gateway.drives:
             place = gateway.name, drive.name, drive.channel or str(drive.inv_no)
             for line in lines.lines(gateway, drive):
@@ -136,7 +143,7 @@ def _document(lists: PlantLists, lines: _Lines) -> Iterator[str]:
     title = lists.in_words("Parameter sheets", "Parameterblätter")
     yield f"# {title}: {plant.title or plant.name}"
     yield ""
-    if lists.on_lines:
+    if lists.on_lines or plant.serial:
         yield lists.in_words(
             "Set this by hand at each inverter, its option board and each gateway. F800, F801 and "
             "F820 take effect when the supply was off until the display was dark.",
@@ -155,7 +162,7 @@ def _document(lists: PlantLists, lines: _Lines) -> Iterator[str]:
             f"`TOS_Seq_{CHECK}` reads the rows marked with * back and reports what deviates.",
             f"`TOS_Seq_{CHECK}` liest die Zeilen mit * zurück und meldet Abweichungen.",
         )
-    elif lists.on_lines:
+    elif lists.on_lines or plant.serial:
         yield lists.in_words(
             f"With `{CHECK}` among the sequences of the plant file the PLC reads them back.",
             f"Mit `{CHECK}` bei den Sequenzen der Anlagendatei liest die SPS sie zurück.",
@@ -164,6 +171,10 @@ def _document(lists: PlantLists, lines: _Lines) -> Iterator[str]:
         yield from _gateway(lists, gateway)
         for drive in gateway.drives:
             yield from _sheet(lists, lines, gateway, drive)
+    for serial in plant.serial:
+        yield from _serial(lists, serial)
+        for drive in serial.drives:
+            yield from _sheet(lists, lines, serial, drive)
 
 
 def _gateway(lists: PlantLists, gateway: PlantGateway) -> Iterator[str]:
@@ -175,6 +186,15 @@ def _gateway(lists: PlantLists, gateway: PlantGateway) -> Iterator[str]:
     yield f"{gateway.type}, {address} {gateway.profibus_address}; {_line(lists, entry)}"
     yield ""
     yield from _switches(lists, entry.switches, gateway.profibus_address)
+
+
+def _serial(lists: PlantLists, line: SerialLine) -> Iterator[str]:
+    stop = lists.in_words("stop", "Stopp")
+    yield ""
+    yield f"## {lists.in_words('Serial line', 'Serielle Linie')} {line.title or line.name}"
+    yield ""
+    module = module_of(line, lists.plant.plc)
+    yield f"{module}; {line.baud} bit/s, 8 bit, {lists.texts(line.parity)}, 1 {stop}"
 
 
 def _line(lists: PlantLists, entry: Gateway) -> str:
@@ -192,13 +212,15 @@ def _line(lists: PlantLists, entry: Gateway) -> str:
 
 
 def _sheet(
-    lists: PlantLists, lines: _Lines, gateway: PlantGateway, drive: PlantDrive
+    lists: PlantLists, lines: _Lines, gateway: PlantGateway | SerialLine, drive: PlantDrive
 ) -> Iterator[str]:
     series = lists.catalog.drive(drive.series)
     yield ""
     yield f"## {lists.in_words('Drive', 'Antrieb')} {drive.title or drive.name}"
     yield ""
-    behind = lists.in_words("gateway", "Gateway")
+    on_line = isinstance(gateway, SerialLine)
+    behind = lists.in_words("line", "Linie") if on_line else "gateway"
+    behind = lists.in_words(behind, behind.capitalize())
     channel = lists.in_words("channel", "Kanal")
     place = f"{channel} {drive.channel}" if drive.channel else f"INV-NO {drive.inv_no}"
     yield f"{series.title}, {place}, {behind} {gateway.name}"
@@ -218,7 +240,10 @@ def _sheet(
     )
     yield from (head, "|---|---|---|---|---|---|---|")
     yield from (line.markdown for line in lines.lines(gateway, drive))
-    if not lists.is_process_data(gateway):  # the option board is that of the line
+    if isinstance(gateway, SerialLine):
+        yield ""
+        yield from _switches(lists, series.switches, 0)
+    elif not lists.is_process_data(gateway):  # the option board is that of the line
         yield ""
         yield from _switches(lists, series.switches, gateway.profibus_address)
 

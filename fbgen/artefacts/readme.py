@@ -15,6 +15,7 @@ from fbgen.artefacts.memory import (
     BYTES_AN_OPERAND,
     WorkMemory,
 )
+from fbgen.artefacts.readme_serial import serial_notes, serial_poll, serial_row, serial_worst
 from fbgen.artefacts.view import PlantLists
 from fbgen.blocks.line_times import line_times
 from fbgen.blocks.literals import one_line
@@ -26,7 +27,7 @@ from fbgen.emit.environment import TemplateRenderer
 from fbgen.emit.generated import Artefact
 from fbgen.emit.layout import GLOBALS
 from fbgen.lang import ast
-from fbgen.plant import PlantGateway, cpus_of, plugged
+from fbgen.plant import PlantGateway, SerialLine, cpus_of, plugged
 
 _KINDS = {
     ast.BlockKind.FUNCTION: "FC",
@@ -160,11 +161,23 @@ def _context(
         "eeprom": [item.name for item in lists.at_channels if item.eeprom],
         "assumed": [item.name for item in lists.at_channels if lists.layout(item).unverified],
         "gateways": [_gateway(item, lists) for item in plant.gateways],
+        "serial": [serial_row(item, lists) for item in plant.serial],
+        "serial_notes": list(serial_notes(lists)),
+        "units": [_unit(item) for item in plant.units],
         "access_notes": list(_access_notes(lists)),
         "sequences": [_sequence(name, lists) for name in plant.sequences],
-        "unpolled": [item.name for item in lists.on_lines if not item.status_poll],
-        "polls": [_poll(item, lists) for item in lists.on_lines if item.status_poll],
-        "worst": [_worst(item, lists) for item in lists.on_lines],
+        "unpolled": [
+            *(item.name for item in lists.on_lines if not item.status_poll),
+            *(item.name for item in plant.serial if not item.status_poll),
+        ],
+        "polls": [
+            *(_poll(item, lists) for item in lists.on_lines if item.status_poll),
+            *(serial_poll(item, lists) for item in plant.serial if item.status_poll),
+        ],
+        "worst": [
+            *(_worst(item, lists) for item in lists.on_lines),
+            *(serial_worst(item, lists) for item in plant.serial),
+        ],
         "status_codes": status_rows(lists.language, _having(lists)),
         "sheets": next((name for name in names if name.endswith("_parameters.md")), ""),
         "memory": _memory(memory, lists) if cpus_of(plant.plc) else None,
@@ -181,6 +194,7 @@ def _having(lists: PlantLists) -> list[str]:
         "channels": lists.at_channels,
         "sequences": lists.plant.sequences,
         "parameters": _with_parameters(lists),
+        "serial": lists.plant.serial,
     }
     return [name for name, items in found.items() if items]
 
@@ -195,6 +209,13 @@ def _gateway(gateway: PlantGateway, lists: PlantLists) -> dict[str, object]:
         "inputs": _place("I", gateway.input_address, layout.input_length, gateway, lists),
         "outputs": _place("Q", gateway.output_address, layout.output_length, gateway, lists),
         "access": gateway.access,
+        **_unit(gateway),
+    }
+
+
+def _unit(unit: PlantGateway | SerialLine) -> dict[str, object]:
+    return {
+        "name": unit.name,
         "drives": [
             {
                 "name": drive.name,
@@ -202,7 +223,7 @@ def _gateway(gateway: PlantGateway, lists: PlantLists) -> dict[str, object]:
                 "series": drive.series,
                 "max_frequency": f"{drive.max_frequency_hz:g}",
             }
-            for drive in gateway.drives
+            for drive in unit.drives
         ],
     }
 

@@ -6,12 +6,13 @@ from functools import cached_property
 from fbgen.artefacts.variables import PlcVariable, variables
 from fbgen.blocks.alarms import LINE_ALARMS, Alarm, drive_alarms, that_can_come
 from fbgen.blocks.pbdp_alarms import GATEWAY_ALARMS, PBDP_DRIVE_ALARMS
+from fbgen.blocks.serial_alarms import SERIAL_ALARMS
 from fbgen.blocks.texts import ENGLISH, Texts
 from fbgen.catalog import Catalog, Layout, ProcessDataGateway
 from fbgen.dataclass import dataclass
 from fbgen.emit.generated import CanonicalProgram, GeneratedSet
 from fbgen.emit.symbol_table import numbers_of
-from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of, with_prefix
+from fbgen.plant import Plant, PlantDrive, PlantGateway, SerialLine, layout_of, with_prefix
 
 _SEPARATOR = "\n"
 """Stands between the names of a path, and in none of them."""
@@ -40,8 +41,10 @@ class PlantLists:
         """A block of the plant by its usual name."""
         return with_prefix(usual, self.plant.prefix)
 
-    def is_process_data(self, gateway: PlantGateway) -> bool:
-        """Whether it is a gateway for process data, and not one with a line."""
+    def is_process_data(self, gateway: PlantGateway | SerialLine) -> bool:
+        """Whether it is a gateway for process data, and not one with a line, or a line."""
+        if isinstance(gateway, SerialLine):
+            return False
         return isinstance(self.catalog.profibus_gateway(gateway.type), ProcessDataGateway)
 
     @cached_property
@@ -112,10 +115,12 @@ class PlantLists:
 
     def alarms(self) -> Iterator["PlacedAlarm"]:
         """All alarms of all lines and drives, without those that can never come."""
-        for gateway in self.plant.gateways:
+        for gateway in self.plant.units:
             of_line: tuple[Alarm, ...] = LINE_ALARMS
             of_drives = drive_alarms(self.plant.sequences)
-            if self.is_process_data(gateway):
+            if isinstance(gateway, SerialLine):
+                of_line = SERIAL_ALARMS
+            elif self.is_process_data(gateway):
                 of_line, of_drives = GATEWAY_ALARMS, PBDP_DRIVE_ALARMS
             word = self.variable(gateway.name, "line", "alarms")
             for alarm in that_can_come(of_line, [gateway]):
@@ -132,7 +137,7 @@ class PlacedAlarm:
 
     alarm: Alarm
     word: PlcVariable
-    gateway: PlantGateway
+    gateway: PlantGateway | SerialLine
     drive: PlantDrive | None = None
 
     @property

@@ -12,7 +12,7 @@ from fbgen.artefacts.text_table import csv_table
 from fbgen.artefacts.variables import PlcVariable
 from fbgen.artefacts.view import PlantLists
 from fbgen.emit.generated import Artefact
-from fbgen.plant import PlantGateway
+from fbgen.plant import PlantGateway, SerialLine
 
 _LINE = ("online", "ioError", "ioRetVal", "gatewayFault", "errorCount", "emergencyStop", "stopped")
 _CONTROL = ("enable", "interlock", "run", "reverse", "frequency", "reset")
@@ -25,6 +25,7 @@ _DRIVE = (
     ("alarms",),
 )
 _PBDP_LINE = ("online", "ioError", "ioRetVal", "emergencyStop", "stopped")
+_SERIAL_LINE = ("online", "portStatus", "errorCount", "emergencyStop", "stopped")
 _PBDP_STATE = (
     *("online", "ready", "running", "tripped", "inhibited", "status", "command"),
     *("frequency", "current", "trip"),
@@ -40,7 +41,7 @@ _FORMATS = {"Bool": "Bool", "Real": "Floating-point", "Int": "DEC", "Time": "Tim
 
 def watch_tables(lists: PlantLists) -> list[Artefact]:
     """The tables of the plant's dialect."""
-    tables = {gateway.name: list(watched(lists, gateway)) for gateway in lists.plant.gateways}
+    tables = {gateway.name: list(watched(lists, gateway)) for gateway in lists.plant.units}
     found = [Artefact(lists.file_name("watch.csv"), csv_table(_rows(lists, tables.values())))]
     if lists.plant.dialect == "tia":
         for gateway, table in tables.items():
@@ -49,11 +50,13 @@ def watch_tables(lists: PlantLists) -> list[Artefact]:
     return found
 
 
-def watched(lists: PlantLists, gateway: PlantGateway) -> Iterator[PlcVariable]:
+def watched(lists: PlantLists, gateway: PlantGateway | SerialLine) -> Iterator[PlcVariable]:
     """The variables of the line and its drives that show what goes on."""
     line: tuple[str, ...] = _LINE
     of_drive: tuple[tuple[str, ...], ...] = _DRIVE
-    if lists.is_process_data(gateway):
+    if isinstance(gateway, SerialLine):
+        line = _SERIAL_LINE
+    elif lists.is_process_data(gateway):
         line, of_drive = _PBDP_LINE, _PBDP_DRIVE
     for name in line:
         yield lists.variable(gateway.name, "line", name)

@@ -9,7 +9,7 @@ from typing import Literal
 
 from fbgen.blocks.literals import SclText, word
 from fbgen.dataclass import dataclass
-from fbgen.plant import PlantGateway
+from fbgen.plant import PlantGateway, SerialLine
 
 AlarmClass = Literal["Errors", "Warnings"]
 """As WinCC calls the two classes that every project has: Errors want an acknowledgement."""
@@ -41,11 +41,11 @@ class Alarm:
         """The bit in its word."""
         return word(1 << self.bit)
 
-    def can_come(self, gateway: PlantGateway) -> bool:
-        """Whether there is anything behind this gateway that raises it."""
+    def can_come(self, unit: PlantGateway | SerialLine) -> bool:
+        """Whether there is anything at this gateway or line that raises it."""
         if self.needs == "status_poll":
-            return gateway.status_poll
-        return self.needs in ("nothing", gateway.access)
+            return unit.status_poll
+        return self.needs == "nothing" or self.needs == getattr(unit, "access", "")
 
     def text(self, language: str) -> str:
         """What the operator reads."""
@@ -108,6 +108,27 @@ INTERLOCK = Alarm(
     "control.interlock ist FALSE.",
 )
 
+LINE_EMERGENCY_STOP = Alarm(
+    3,
+    "emergency_stop",
+    "#line.emergencyStop",
+    "Warnings",
+    "Emergency stop of the line is on",
+    "Nothalt der Linie steht an",
+    "No drive of this line takes a command until it is taken back.",
+    "Kein Antrieb dieser Linie nimmt einen Befehl an, bis er weggenommen ist.",
+)
+NOT_STOPPED = Alarm(
+    4,
+    "not_stopped",
+    "#line.emergencyStop AND NOT #line.stopping AND NOT #line.stopped",
+    "Errors",
+    "Emergency stop: not every drive has acknowledged it",
+    "Nothalt: nicht jeder Antrieb hat ihn quittiert",
+    "unreached has how many. Such a drive may still run: switch it off.",
+    "unreached zeigt, wie viele. Ein solcher Antrieb kann noch laufen: abschalten.",
+)
+
 LINE_ALARMS = (
     Alarm(
         0,
@@ -134,26 +155,8 @@ LINE_ALARMS = (
         "errorCount zählt sie. RS-485-Leitung prüfen: Adern, Abschluss, Schirm, F800 und F801 "
         "der Antriebe; auch ein abgelehnter Schreibauftrag zählt.",
     ),
-    Alarm(
-        3,
-        "emergency_stop",
-        "#line.emergencyStop",
-        "Warnings",
-        "Emergency stop of the line is on",
-        "Nothalt der Linie steht an",
-        "No drive of this line takes a command until it is taken back.",
-        "Kein Antrieb dieser Linie nimmt einen Befehl an, bis er weggenommen ist.",
-    ),
-    Alarm(
-        4,
-        "not_stopped",
-        "#line.emergencyStop AND NOT #line.stopping AND NOT #line.stopped",
-        "Errors",
-        "Emergency stop: not every drive has acknowledged it",
-        "Nothalt: nicht jeder Antrieb hat ihn quittiert",
-        "unreached has how many. Such a drive may still run: switch it off.",
-        "unreached zeigt, wie viele. Ein solcher Antrieb kann noch laufen: abschalten.",
-    ),
+    LINE_EMERGENCY_STOP,
+    NOT_STOPPED,
 )
 """The alarms of typeTosLine.alarms."""
 
@@ -218,6 +221,8 @@ def drive_alarms(sequences: Sequence[str]) -> tuple[Alarm, ...]:
     return (*_DRIVE_ALARMS, sequence)
 
 
-def that_can_come(alarms: Iterable[Alarm], gateways: Sequence[PlantGateway]) -> tuple[Alarm, ...]:
-    """The alarms that at least one of these gateways can raise."""
-    return tuple(one for one in alarms if any(one.can_come(gateway) for gateway in gateways))
+def that_can_come(
+    alarms: Iterable[Alarm], units: Sequence[PlantGateway | SerialLine]
+) -> tuple[Alarm, ...]:
+    """The alarms that at least one of these gateways or lines can raise."""
+    return tuple(one for one in alarms if any(one.can_come(unit) for unit in units))

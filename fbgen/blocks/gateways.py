@@ -1,4 +1,4 @@
-"""A gateway of the plant as templates see it, whatever its type."""
+"""A gateway of the plant, or a serial line, as templates see it, whatever its type."""
 
 from collections.abc import Iterator, Sequence
 
@@ -19,21 +19,27 @@ class FirstValue:
 
 
 @dataclass(frozen=True, slots=True)
-class GatewayView:
-    """What the blocks of the plant as a whole need of a gateway.
+class UnitView:
+    """What the blocks of the plant as a whole need of a gateway or a serial line.
 
     `block`, `drives_type` and `params_type` are names of its block and of the types of its parts in
     TOS_Plant and TOS_Parameters.
     """
 
     name: str
-    profibus_address: SclText
-    station: SclText
-    frame: FrameView
     block: str
     drives_type: str
     params_type: str
     first_values: tuple[FirstValue, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class GatewayView(UnitView):
+    """A gateway: what is known of it beside that."""
+
+    profibus_address: SclText
+    station: SclText
+    frame: FrameView
 
     @property
     def access(self) -> str:

@@ -3,26 +3,35 @@
 from collections.abc import Iterator, Sequence
 
 from fbgen.blocks.alarms import LINE_ALARMS, drive_alarms, that_can_come
+from fbgen.blocks.drive_words import drive_context
 from fbgen.blocks.family import FamilyPlan
 from fbgen.blocks.gateways import other_types
 from fbgen.blocks.line_gateways import LineGatewayView, line_gateway_view, missing_fields
 from fbgen.blocks.line_times import short_timeouts
-from fbgen.blocks.literals import SclText, byte, comno, milliseconds, source_text, word
+from fbgen.blocks.literals import SclText, source_text, word
 from fbgen.blocks.poll_cycle import slow_polls
 from fbgen.blocks.sequences import SequenceView, sequence_view
 from fbgen.blocks.specs import BlockSpec, block, data_block, data_type
 from fbgen.blocks.texts import Texts
-from fbgen.blocks.trips import command_source, trip_literals
 from fbgen.blocks.words import WordView, bits_origin
 from fbgen.catalog import Catalog, Drive, TelegramGateway, WriteStep, origin
-from fbgen.catalog.sourced import Duration
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.plant import Plant, PlantGateway
 
-_COMMANDS_IN_A_ROW = 8
+COMMANDS_IN_A_ROW = 8
 """Telegrams of drives after which the status poll has its turn, while more of them wait."""
-_EMERGENCY_STOP = ("network_command", "network_frequency", "emergency_stop")
+EMERGENCY_STOP = ("network_command", "network_frequency", "emergency_stop")
 """The bits of the command word that stop a drive at once."""
+
+
+LINE_TYPES = tuple(
+    f"typeTos{name}"
+    for name in (
+        *("Request", "Reply", "Channel"),
+        *("Control", "State", "Polled", "LineParam", "DriveParam"),
+    )
+)
+"""The types of every line, in the order of dependence."""
 
 
 def line_problems(chosen: Sequence[PlantGateway], catalog: Catalog) -> Iterator[Diagnostic]:
@@ -39,7 +48,7 @@ def line_family(
     Raises DiagnosticError FB5001.
     """
     drives = _series(chosen, catalog)
-    sequences = tuple(_sequence(name, drives, catalog, texts) for name in plant.sequences)
+    sequences = sequence_views(plant, catalog, texts)
     gateways = tuple(line_gateway_view(plant, item, catalog) for item in chosen)
     first = gateways[0]
     context: dict[str, object] = {
@@ -58,9 +67,9 @@ def line_family(
         "line": _line_context(drives[0], gateways, texts),
     }
     context |= _gateway_context(catalog.telegram_gateway(chosen[0].type))
-    context |= _drive_context(drives[0], catalog)
+    context |= drive_context(drives[0], catalog)
     return FamilyPlan(
-        gateways,
+        units=gateways,
         types=_types(gateways, sequences),
         blocks=_blocks(gateways, sequences),
         data=[
@@ -69,7 +78,7 @@ def line_family(
         ],
         context=context,
         warnings=(
-            *_eeprom_writes(plant, catalog),
+            *eeprom_writes(plant, catalog),
             *slow_polls(plant, catalog),
             *short_timeouts(plant, catalog),
         ),
@@ -79,9 +88,8 @@ def line_family(
 def _types(
     gateways: tuple[LineGatewayView, ...], sequences: tuple[SequenceView, ...]
 ) -> list[BlockSpec]:
-    line = ("Input", "Output", "Request", "Reply", "Channel", "Line")
-    plain = (*line, "Control", "State", "Polled", "LineParam", "DriveParam")
-    specs = [data_type(f"typeTos{name}") for name in plain]
+    specs = [data_type(name) for name in ("typeTosInput", "typeTosOutput", *LINE_TYPES)]
+    specs.insert(5, data_type("typeTosLine"))
     specs += [
         data_type(f"typeTos_{item.id}", "typeTosSeq", {"sequence": item}) for item in sequences
     ]
@@ -115,6 +123,16 @@ def _series(chosen: Sequence[PlantGateway], catalog: Catalog) -> list[Drive]:
     return [catalog.drive(name) for name in names]
 
 
+def sequence_views(plant: Plant, catalog: Catalog, texts: Texts) -> tuple[SequenceView, ...]:
+    """The sequences of a plant, made for all series that take telegrams.
+
+    Raises DiagnosticError FB5001.
+    """
+    numbered = [drive for drive in plant.drives if drive.channel is None]
+    drives = [catalog.drive(name) for name in dict.fromkeys(one.series for one in numbered)]
+    return tuple(_sequence(name, drives, catalog, texts) for name in plant.sequences)
+
+
 def _sequence(name: str, drives: list[Drive], catalog: Catalog, texts: Texts) -> SequenceView:
     sequence = catalog.sequence(name)
     views = [sequence_view(sequence, drive, catalog, texts) for drive in drives]
@@ -134,11 +152,9 @@ def _sequence(name: str, drives: list[Drive], catalog: Catalog, texts: Texts) ->
     return views[0]
 
 
-def _eeprom_writes(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
-    """A cell lasts about 10,000 writes (TOSPBDP001 manual v1.1, 8 D)."""
-    on_lines = {
-        drive.series for item in plant.gateways for drive in item.drives if drive.channel is None
-    }
+def eeprom_writes(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
+    """FB5005: a cell lasts about 10,000 writes (TOSPBDP001 manual v1.1, 8 D)."""
+    on_lines = {drive.series for drive in plant.drives if drive.channel is None}
     for name in plant.sequences:
         for step in catalog.sequence(name).steps:
             if isinstance(step, WriteStep) and step.memory == "eeprom":
@@ -185,61 +201,18 @@ def _gateway_context(gateway: TelegramGateway) -> dict[str, object]:
     }
 
 
-def _drive_context(drive: Drive, catalog: Catalog) -> dict[str, object]:
-    protocol = catalog.toshiba_protocol(drive.protocol)
-    numbers = protocol.inv_numbers["binary"]
-    read = protocol.command("read_padded")
-    lower_case = (read.tripped_reply_code or 0) ^ (read.reply_code or 0)
-    trip = drive.comno(drive.link.trip)
-    status = drive.comno(drive.link.status)
-    return {
-        "protocol": {
-            "broadcast": byte(int(numbers.broadcast, 16), origin("broadcast", numbers)),
-            "inv_no_max": SclText(str(numbers.maximum), origin("inverter numbers", numbers)),
-            "lower_case": byte(lower_case, origin("command G", read)),
-        },
-        "command": {
-            item.name: byte(item.code, origin(f"command {item.letter}", item, item.source or ""))
-            for item in protocol.commands
-        },
-        "comno": {
-            "trip": comno(trip),
-            "status_word": comno(status),
-            "setpoint": comno(drive.comno(drive.link.setpoint)),
-            "command_word": comno(drive.comno(drive.link.command)),
-            "output_frequency": comno(drive.comno(drive.link.output_frequency)),
-            "output_current": comno(drive.comno(drive.link.output_current)),
-            "trip_source": source_text(trip, trip.source),
-            "command_source": command_source(drive),
-        },
-        "drive_command": WordView(drive.command_word, drive.id),
-        "drive_status": WordView(drive.word(drive.comno(drive.link.status).word or ""), drive.id),
-        "reset_silence": _duration(drive.times.reset_silence, f"{drive.id} reset_silence"),
-        "trips": [trip_literals(trip) for trip in drive.trips],
-        "spacer": {
-            "first": comno(trip),
-            "second": comno(status),
-            "third": comno(drive.comno(drive.link.output_frequency)),
-        },
-    }
-
-
-def _duration(time: Duration, name: str) -> SclText:
-    return milliseconds(time.ms, origin(name, time, time.source or ""))
-
-
 def _line_context(
     drive: Drive, gateways: tuple[LineGatewayView, ...], texts: Texts
 ) -> dict[str, object]:
     bits = drive.command_word
-    place = bits_origin(drive.id, bits, _EMERGENCY_STOP)
+    place = bits_origin(drive.id, bits, EMERGENCY_STOP)
     reply = drive.times.reply_max
     wait_ms = max(item.times.wait_ms for item in gateways)
     stop_ms = max(item.times.emergency_stop_ms for item in gateways)
     times = gateways[0].timeout.origin
     return {
-        "commands_in_a_row": _COMMANDS_IN_A_ROW,
-        "emergency_stop": word(bits.encode(_EMERGENCY_STOP), place),
+        "commands_in_a_row": COMMANDS_IN_A_ROW,
+        "emergency_stop": word(bits.encode(EMERGENCY_STOP), place),
         "longest_wait_comment": SclText(texts("{time} ms at most", time=f"{wait_ms:.0f}"), times),
         "longest_stop_comment": SclText(texts("{time} ms at most", time=f"{stop_ms:.0f}"), times),
         "apart_source": source_text(reply, (reply.source or "").split(";")[0]),

@@ -37,7 +37,7 @@ _INPUTS = {"status": 2, **_TELEGRAM}
 
 @dataclass(frozen=True, slots=True)
 class DriveView:
-    """A drive behind the gateway."""
+    """A drive on a line."""
 
     name: str
     series: str
@@ -58,6 +58,10 @@ class LineGatewayView(GatewayView):
     taken: SclText
     times: LineTimes
     drives: tuple[DriveView, ...]
+    line_block: str = "TOS_Line"
+    poll_block: str = "TOS_StatusPoll"
+    drive_block: str = "TOS_Drive"
+    alarms_block: str = "TOS_Alarms"
 
 
 def line_gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> LineGatewayView:
@@ -71,7 +75,7 @@ def line_gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> 
     address, station = gateway_place(plant, gateway)
     timeout = milliseconds(limits.timeout_ms, times if chosen is None else place)
     retries = SclText(str(gateway.parameters.retries), place)
-    of_drives = (value for drive in gateway.drives for value in _first_values(drive))
+    of_drives = (value for drive in gateway.drives for value in drive_values(drive))
     return LineGatewayView(
         name=gateway.name,
         profibus_address=address,
@@ -93,7 +97,7 @@ def line_gateway_view(plant: Plant, gateway: PlantGateway, catalog: Catalog) -> 
         apart=milliseconds(limits.apart_ms, times),
         taken=milliseconds(limits.taken_ms, times),
         times=limits,
-        drives=tuple(_drive(item) for item in gateway.drives),
+        drives=tuple(drive_view(item) for item in gateway.drives),
     )
 
 
@@ -130,8 +134,8 @@ def _times_of_the_line(entry: TelegramGateway, series: Iterable[Drive]) -> Itera
         yield origin(f"{drive.id} reply_max", limit, limit.source or "")
 
 
-def _first_values(drive: PlantDrive) -> Iterator[FirstValue]:
-    """What the parameters of a drive behind a line begin with."""
+def drive_values(drive: PlantDrive) -> Iterator[FirstValue]:
+    """What the parameters of a drive on a line begin with."""
     place = origin(f"drive {drive.name}", drive)
     pause = milliseconds(drive.parameters.error_pause_ms, place)
     yield from frequency_values(drive)
@@ -139,6 +143,7 @@ def _first_values(drive: PlantDrive) -> Iterator[FirstValue]:
     yield from inhibit_values(drive)
 
 
-def _drive(drive: PlantDrive) -> DriveView:
+def drive_view(drive: PlantDrive) -> DriveView:
+    """A drive by its number."""
     place = origin(f"drive {drive.name}", drive)
     return DriveView(drive.name, drive.series, drive.inv_no, byte(drive.inv_no, place))

@@ -72,11 +72,12 @@ def _drives(plant: Plant) -> Iterator[Diagnostic]:
 
 def _units(plant: Plant) -> Iterator[Diagnostic]:
     """A gateway x has the block TOS_Gateway_x and the data block TOS_Gateway_x_DB."""
-    for gateway in plant.gateways:
-        if gateway.name.lower() in _OF_PLANT:
-            message = f"the gateway is called '{gateway.name}' like a variable of TOS_Plant"
-            place = gateway.span_of("name")
-            yield Diagnostic("FB5007", message, place, "call the gateway otherwise")
+    for unit in plant.units:
+        if unit.name.lower() in _OF_PLANT:
+            what = "gateway" if unit in plant.gateways else "line"
+            message = f"the {what} is called '{unit.name}' like a variable of TOS_Plant"
+            place = unit.span_of("name")
+            yield Diagnostic("FB5007", message, place, f"call the {what} otherwise")
     seen = {gateway.name.casefold(): gateway for gateway in plant.gateways}
     for gateway in plant.gateways:
         other = seen.get(f"{gateway.name}_db".casefold())

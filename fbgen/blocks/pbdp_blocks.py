@@ -67,7 +67,7 @@ def pbdp_family(
         for name in ("typePbdpGateway", "typePbdpParam")
     ]
     return FamilyPlan(
-        gateways,
+        units=gateways,
         types=types,
         blocks=list(_blocks(gateways, catalog)),
         data=[

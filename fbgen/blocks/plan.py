@@ -5,7 +5,7 @@ What belongs to the plant as a whole, TOS_Plant, TOS_Parameters, TOS_Main, the s
 blocks, and the scaling functions, is called the same whatever gateways it has.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from fbgen.blocks.family import FamilyPlan
 from fbgen.blocks.gateways import several_masters
@@ -14,6 +14,7 @@ from fbgen.blocks.literals import SclText, milliseconds
 from fbgen.blocks.names import name_conflicts
 from fbgen.blocks.pbdp_blocks import pbdp_family, pbdp_problems
 from fbgen.blocks.scaling import other_counts, scaling
+from fbgen.blocks.serial_blocks import serial_family, serial_problems
 from fbgen.blocks.specs import BlockSpec, block, data_block
 from fbgen.blocks.texts import ENGLISH, Texts
 from fbgen.catalog import Catalog, ProcessDataGateway, origin
@@ -61,16 +62,22 @@ def plan_blocks(plant: Plant, catalog: Catalog, texts: Texts = ENGLISH) -> Block
     lines, channels = _by_kind(plant, catalog)
     found = [*name_conflicts(plant, known)]
     found += [*line_problems(lines, catalog), *pbdp_problems(channels, catalog)]
-    if found := [*found, *other_counts(plant, catalog)]:
+    found += other_counts(plant, catalog)
+    if plant.serial:
+        found += serial_problems(plant, lines, catalog)
+    if found:
         raise DiagnosticError(found)
     families = []
     if lines:
         families.append(line_family(plant, lines, catalog, texts))
     if channels:
         families.append(pbdp_family(plant, channels, catalog, texts))
-    specs = [spec for family in families for spec in family.types]
+    if plant.serial:
+        families.append(serial_family(plant, catalog, texts))
+    specs = _once(spec for family in families for spec in family.types)
     specs += [block(name) for name in _SCALING]
-    specs += [spec for family in families for spec in family.blocks]
+    specs += [spec for family in families for spec in family.exchanged]
+    specs += _once(spec for family in families for spec in family.blocks)
     specs.append(data_block("TOS_Plant"))
     specs += [spec for family in families for spec in family.data]
     specs += [data_block("TOS_Parameters"), block("TOS_Main")]
@@ -83,6 +90,11 @@ def plan_blocks(plant: Plant, catalog: Catalog, texts: Texts = ENGLISH) -> Block
     of_families = (found for family in families for found in family.warnings)
     warnings = (*of_families, *gsd_warnings(plant, catalog))
     return BlockPlan(tuple(specs), context, warnings)
+
+
+def _once(specs: Iterable[BlockSpec]) -> list[BlockSpec]:
+    """Each unit once: families share types, sequences and what reads the state of drives."""
+    return list({spec.name: spec for spec in specs}.values())
 
 
 def _by_kind(plant: Plant, catalog: Catalog) -> tuple[list[PlantGateway], list[PlantGateway]]:
@@ -98,18 +110,19 @@ def _by_kind(plant: Plant, catalog: Catalog) -> tuple[list[PlantGateway], list[P
 def _plant_context(
     plant: Plant, families: list[FamilyPlan], catalog: Catalog, texts: Texts
 ) -> dict[str, object]:
-    by_name = {view.name: view for family in families for view in family.gateways}
-    context: dict[str, object] = {}
-    for family in families:
+    by_name = {view.name: view for family in families for view in family.units}
+    context: dict[str, object] = {"serial": False, "modbus": False}
+    for family in reversed(families):
         context |= family.context
-    most_drives = context.get("most_drives", 0)
-    assert isinstance(most_drives, int)
+    counts = [family.context.get("most_drives", 0) for family in families]
+    most_drives = max(count for count in counts if isinstance(count, int))
     return context | {
         "optimized": "FALSE" if plant.family.classic else "TRUE",
         "longest_pause": longest_pause(plant),
         "on_delay": _CLASSIC_TIMER if plant.family.classic else _TIMER,
         "plant": PlantView(plant.name, most_drives),
         "gateways": tuple(by_name[item.name] for item in plant.gateways),
+        "units": tuple(by_name[item.name] for item in plant.units),
         "station_mask": "16#0000FFFF" if several_masters(plant) else "16#000000FF",
         "scaling": scaling(catalog.drive(plant.drives[0].series), texts),
     }

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import field
 
-from fbgen.blocks.gateways import GatewayView
+from fbgen.blocks.gateways import UnitView
 from fbgen.blocks.sequences import SequenceView
 from fbgen.dataclass import dataclass
 
@@ -22,9 +22,9 @@ class BlockSpec:
 
     @property
     def subject(self) -> str:
-        """The gateway or the sequence that it is made for, "" where it is made for the plant."""
+        """The gateway, line or sequence that it is made for, "" where it is made for the plant."""
         made_for = self.context.get("gateway") or self.context.get("sequence")
-        if isinstance(made_for, GatewayView):
+        if isinstance(made_for, UnitView):
             return made_for.name
         return made_for.id if isinstance(made_for, SequenceView) else ""
 

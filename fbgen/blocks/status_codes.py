@@ -9,8 +9,9 @@ from typing import Literal
 
 from fbgen.dataclass import dataclass
 
-Having = Literal["lines", "channels", "sequences", "parameters"]
-"""What a plant must have for a code: telegrams, process data, sequences, a parameter channel."""
+Having = Literal["lines", "channels", "sequences", "parameters", "serial"]
+"""What a plant must have for a code: gateways for telegrams or process data, sequences, a parameter
+channel, serial lines."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +54,7 @@ STATUS_CODES = (
         "inverter number or command not allowed",
         "Umrichternummer oder Befehl nicht erlaubt",
         "Inverter numbers are 00 to 3F, FF is a broadcast. See which value the caller gives.",
-        ("lines",),
+        ("lines", "serial"),
     ),
     StatusCodes(
         (0x8201,),
@@ -81,6 +82,14 @@ STATUS_CODES = (
         ("lines",),
     ),
     StatusCodes(
+        (0x8402,),
+        "on a serial line: what came was damaged, or the line did not fall silent",
+        "auf einer seriellen Linie: was kam, war beschädigt, oder die Linie wurde nicht still",
+        "Check the line, its ends and its shield, and whether rate and parity of module and drive "
+        "agree; look for something on the line that sends unasked.",
+        ("serial",),
+    ),
+    StatusCodes(
         (0x8403,),
         "another reply came",
         "eine andere Antwort kam",
@@ -91,6 +100,14 @@ STATUS_CODES = (
         "no gateway",
         "kein Gateway",
         "Check its supply, the PROFIBUS plug, its address, and whether the PLC has it configured.",
+        ("lines", "channels"),
+    ),
+    StatusCodes(
+        (0x8404,),
+        "no communication module",
+        "kein Kommunikationsmodul",
+        "line.portStatus has what the module reported: compare its place with the plant file.",
+        ("serial",),
     ),
     StatusCodes(
         (0x8405,),
@@ -103,7 +120,7 @@ STATUS_CODES = (
         "refused: an emergency stop is on",
         "abgelehnt: Nothalt steht an",
         "Take the emergency stop back, then give the job again.",
-        ("lines",),
+        ("lines", "serial"),
     ),
     StatusCodes(
         (0x8407,),
@@ -135,6 +152,26 @@ STATUS_CODES = (
         "CLEAR",
         "Find out why the master was in CLEAR, then take run back and give it again.",
         ("channels",),
+    ),
+    StatusCodes(
+        (0x8410, 0x8411, 0x8412, 0x8413, 0x8414),
+        "the drive on a serial line: cannot be executed now, data outside the range, no such "
+        "ComNo, no such command, checksum wrong",
+        "der Antrieb an einer seriellen Linie: jetzt nicht ausführbar, Wert außerhalb, keine "
+        "solche ComNo, kein solcher Befehl, Prüfsumme falsch",
+        "Compare number and value with the series' list of communication numbers; some can be "
+        "written at standstill only. After a wrong checksum look at the line.",
+        ("serial",),
+    ),
+    StatusCodes(
+        (0x8421, 0x8422, 0x8423, 0x8424),
+        "the drive by MODBUS: no such function, no such ComNo, data outside the range, cannot be "
+        "executed",
+        "der Antrieb über MODBUS: keine solche Funktion, keine solche ComNo, Wert außerhalb, nicht "
+        "ausführbar",
+        "Compare number and value with the series' list of communication numbers; some can be "
+        "written at standstill only.",
+        ("serial",),
     ),
     StatusCodes(
         (0x8500, 0x8501, 0x8502),

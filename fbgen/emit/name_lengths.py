@@ -77,6 +77,8 @@ def _way_out(part: _Part, room: int, plant: Plant) -> str:
 def _parts(plant: Plant, catalog: Catalog) -> Iterator[_Part]:
     for gateway in plant.gateways:
         yield _Part(gateway.name, "gateway", gateway.span_of("name"))
+    for line in plant.serial:
+        yield _Part(line.name, "line", line.span_of("name"))
     for drive in plant.drives:
         yield _Part(drive.name, "drive", drive.span_of("name"))
     for name in plant.sequences:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from fbgen.diagnostics import error
 from fbgen.lang import ast
-from fbgen.plant import BlockNumbers, Plant
+from fbgen.plant import BlockNumbers, Plant, buffer_numbers, with_prefix
 
 LINE_END = "\r\n"
 _KINDS = {ast.BlockKind.FUNCTION: "FC", ast.BlockKind.FUNCTION_BLOCK: "FB"}
@@ -45,18 +45,26 @@ def numbers_of(units: Sequence[ast.Unit], plant: Plant) -> dict[str, tuple[str, 
     numbers = plant.block_numbers
     counts: Counter[str] = Counter()
     found: dict[str, tuple[str, int]] = {}
+    fixed = {
+        with_prefix(name, plant.prefix): number for name, number in buffer_numbers(plant).items()
+    }
     for unit in units:
         if isinstance(unit, Unit) and not _has_its_number(unit):
             kind = _kind(unit)
+            if unit.name.name in fixed:
+                found[unit.name.name] = kind, fixed[unit.name.name]
+                continue
             found[unit.name.name] = kind, numbers.first + counts[kind]
             counts[kind] += 1
     for kind, count in counts.items():
-        if count > _room(numbers):
+        taken = len(fixed) if kind == "DB" else 0
+        if count + taken > _room(numbers):
+            needed = count + taken
             raise error(
                 "FB5011",
-                f"the plant needs {count} {kind}s, and {_room(numbers)} numbers are free for them",
+                f"the plant needs {needed} {kind}s, and {_room(numbers)} numbers are free for them",
                 numbers.span_of("last"),
-                f"let block_numbers end at {numbers.first + count - 1} or later",
+                f"let block_numbers end at {numbers.first + needed - 1} or later",
             )
     return found
 

@@ -4,6 +4,7 @@ from fbgen.plant.changing import changed, in_dialect, problems_of
 from fbgen.plant.commented import write_commented_plant
 from fbgen.plant.commented_sequence import OWN_SEQUENCE_FILE, write_own_sequence
 from fbgen.plant.cpus import CPUS, Cpu, cpus_of
+from fbgen.plant.drive import PlantDrive
 from fbgen.plant.families import (
     FAMILIES,
     FILE_LAYOUTS,
@@ -21,11 +22,12 @@ from fbgen.plant.plant import (
     HIGHEST_BLOCK,
     BlockNumbers,
     Plant,
-    PlantDrive,
     PlantGateway,
 )
 from fbgen.plant.prefix import with_prefix
 from fbgen.plant.reach import OLDER_CPUS_MOVE, Move, Refusal, move_of, not_a_way, refusal
+from fbgen.plant.serial_checks import buffer_numbers, module_of, place_of, port_of
+from fbgen.plant.serial_line import SerialLine
 
 __all__ = [
     "BlockNumbers",
@@ -47,15 +49,20 @@ __all__ = [
     "PlantGateway",
     "PlcFamily",
     "Refusal",
+    "SerialLine",
+    "buffer_numbers",
     "changed",
     "cpus_of",
     "gsd_warnings",
     "in_dialect",
     "layout_of",
     "load_plant",
+    "module_of",
     "move_of",
     "not_a_way",
+    "place_of",
     "plugged",
+    "port_of",
     "problems_of",
     "read_gsd_file",
     "read_plant",

@@ -11,7 +11,7 @@ def problems_of(plant: Plant, catalog: Catalog) -> list[Diagnostic]:
     return [
         *plant.problems(),
         *plant.problems_against(catalog),
-        *(item for gateway in plant.gateways for item in gateway.problems_against(catalog)),
+        *(item for unit in plant.units for item in unit.problems_against(catalog)),
     ]
 
 

@@ -15,6 +15,7 @@ from fbgen.catalog import (
 )
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
 from fbgen.nearest import nearest
+from fbgen.plant import serial_checks
 from fbgen.plant.connections import process_data_gateway, telegram_gateway
 from fbgen.plant.cpus import CPUS, cpus_of
 from fbgen.plant.families import FAMILIES, FILE_LAYOUTS, Family
@@ -25,7 +26,9 @@ from fbgen.plant.prefix import prefix_problems
 from fbgen.plant.reach import not_a_way, refusal
 
 if TYPE_CHECKING:
-    from fbgen.plant.plant import BlockNumbers, Plant, PlantDrive, PlantGateway
+    from fbgen.plant.drive import PlantDrive
+    from fbgen.plant.plant import BlockNumbers, Plant, PlantGateway
+    from fbgen.plant.serial_line import SerialLine
 
 Item = TypeVar("Item", bound=Located)
 
@@ -184,13 +187,20 @@ def places_of_drives(item: "PlantGateway") -> Iterator[Diagnostic]:
 
 
 def plant(item: "Plant") -> Iterator[Diagnostic]:
-    """FB2012, FB2013 and FB2021 names, FB2014 dialect, FB2015 PROFIBUS addresses, FB2019
-    identifiers, FB2022 files."""
-    parts: tuple[Plant | PlantGateway | PlantDrive, ...] = (item, *item.gateways, *item.drives)
+    """FB2050 no drives, FB2012, FB2013 and FB2021 names, FB2014 dialect, FB2015 PROFIBUS
+    addresses, FB2019 identifiers, FB2022 files."""
+    if not item.units:
+        yield Diagnostic(
+            "FB2050",
+            "the plant has nothing that drives are connected to",
+            item.span,
+            "add gateways: with a gateway, or serial: with a line at a communication module",
+        )
+    named: tuple[PlantGateway | SerialLine | PlantDrive, ...] = (*item.units, *item.drives)
+    parts: tuple[Plant | PlantGateway | SerialLine | PlantDrive, ...] = (item, *named)
     for part in parts:
         yield from name_problems(part.name, part.span_of("name"), item.prefix)
     yield from prefix_problems(item.prefix, item.span_of("prefix"))
-    named: tuple[PlantGateway | PlantDrive, ...] = (*item.gateways, *item.drives)
     yield from _twice(
         named,
         "name",
@@ -224,15 +234,17 @@ def plant(item: "Plant") -> Iterator[Diagnostic]:
         message="the PROFIBUS address {} is given twice",
         help_text="every slave of a DP master system (dp_master) needs its own address",
     )
-    with_identifier = [part for part in item.gateways if part.hardware_identifier is not None]
+    with_identifier = [part for part in item.units if part.hardware_identifier is not None]
     yield from _twice(
         with_identifier,
         "hardware_identifier",
         lambda part: str(part.hardware_identifier),
         code="FB2019",
         message="the hardware identifier {} is given twice",
-        help_text="look it up in the device configuration of each gateway",
+        help_text="look it up in the device configuration of each of them",
     )
+    for part in item.serial:
+        yield from serial_checks.module_problems(part, item.family)
 
 
 def _cpu(item: "Plant") -> Iterator[Diagnostic]:
@@ -255,7 +267,9 @@ def sequences(item: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
     Whether it fits is not said while a drive has a series that is not there (FB2009).
     """
     on_lines = [part for part in item.gateways if not _is_process_data(part, catalog)]
-    series = {member.series for part in on_lines for member in part.drives}
+    members = [member for part in on_lines for member in part.drives]
+    members += [member for part in item.serial for member in part.drives]
+    series = {member.series for member in members}
     known = series <= catalog.drives.keys()
     for index, name in enumerate(item.sequences):
         span = item.item_span_of("sequences", index)
@@ -268,7 +282,7 @@ def sequences(item: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
         elif known and not series & set(entry.series):
             message = f"the sequence '{name}' fits no drive of this plant"
             help_text = f"it is made for {', '.join(entry.series)}"
-            if not on_lines:
+            if not on_lines and not item.serial:
                 help_text = "sequences are telegrams, and no gateway of this plant sends telegrams"
             yield Diagnostic("FB2011", message, span, help_text)
 

@@ -69,6 +69,23 @@ sequences:
   - emergency_stop
   # - start_and_wait  # one of your own: sequences/start_and_wait.yaml beside this file
 
+# Drives straight on RS-485, at a communication module of the PLC itself, instead of gateways or
+# beside them (Toshiba protocol or MODBUS-RTU):
+#
+#   serial:
+#     - name: line1
+#       module: cm_ptp             # cm_1241 (S7-1200), cp_340, cp_341 (S7-300), adapter (iec,
+#                                  # twincat); without it the usual one of the PLC
+#       hardware_identifier: 271   # of its port, on S7-1200 and S7-1500; on S7-300 address:
+#       protocol: toshiba_binary   # or toshiba_ascii, modbus
+#       baud: 19200
+#       parity: even               # none, even, odd
+#       wires: 4                   # 2 or 4
+#       drives:
+#         - {name: press, inv_no: 1, series: vf-s11, max_frequency_hz: 50.0}
+#
+# status_poll, parameters and drives are as with a gateway for telegrams.
+
 gateways:
   - name: gw1
     title: Conveyor hall       # optional

@@ -9,6 +9,7 @@ from fbgen.catalog import AccessWay, Catalog, Located, OptionValue
 from fbgen.catalog.scalars import Flag, Octets, Real, Text, Whole
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import checks
+from fbgen.plant.drive import PlantDrive
 from fbgen.plant.families import (
     FAMILIES,
     LANGUAGES,
@@ -18,8 +19,9 @@ from fbgen.plant.families import (
     PlcFamily,
 )
 from fbgen.plant.gsd_file import GsdFile
-from fbgen.plant.parameters import DriveParameters, LineParameters
+from fbgen.plant.parameters import LineParameters
 from fbgen.plant.prefix import USUAL_PREFIX
+from fbgen.plant.serial_line import SerialLine
 
 HIGHEST_BLOCK = 7999
 """The highest number of a block that an S7-300 or S7-400 takes; small CPUs take fewer."""
@@ -35,28 +37,6 @@ def layout_or_gsd(schema: dict[str, Any]) -> None:
     """In the JSON Schema a gateway says its layout, or which GSD file does."""
     schema["required"].remove("layout")
     schema["anyOf"] = [{"required": ["layout"]}, {"required": ["gsd"]}]
-
-
-class PlantDrive(Located):
-    """One inverter. `max_frequency_hz` is its parameter FH.
-
-    `inv_no` is its number on the line of a gateway that has one, `channel` its port at a gateway
-    for process data.
-    """
-
-    name: str
-    title: Text | None = None
-    inv_no: Whole = 0
-    channel: Literal["A", "B"] | None = None
-    series: str
-    max_frequency_hz: Real
-    parameters: DriveParameters = Field(default_factory=DriveParameters)
-    options: dict[str, OptionValue] = Field(default_factory=dict)
-
-    def problems_against(self, known: object) -> Iterable[Diagnostic]:
-        """What the catalogue says about this drive."""
-        assert isinstance(known, Catalog)
-        return checks.drive(self, known)
 
 
 class PlantGateway(Located):
@@ -131,7 +111,8 @@ class Plant(Located):
     state of all drives of a gateway may take. `language` is that of comments and texts. `prefix` is
     how the names of blocks begin; `files` says whether each stands in a file of its own, None what
     is usual for the dialect. `error_obs` says whether the organization blocks for errors that an
-    S7-300 or S7-400 needs are generated, or whether the project has its own.
+    S7-300 or S7-400 needs are generated, or whether the project has its own. `serial` are lines at
+    communication modules of the PLC itself.
     """
 
     version: Literal[1]
@@ -148,7 +129,8 @@ class Plant(Located):
     block_numbers: BlockNumbers = Field(default_factory=BlockNumbers)
     error_obs: Literal["generate", "mine"] = "generate"
     sequences: tuple[str, ...] = ()
-    gateways: tuple[PlantGateway, ...] = Field(min_length=1)
+    gateways: tuple[PlantGateway, ...] = ()
+    serial: tuple[SerialLine, ...] = ()
 
     @property
     def family(self) -> Family:
@@ -162,13 +144,18 @@ class Plant(Located):
 
     @property
     def has_error_blocks(self) -> bool:
-        """Whether OB82, OB85, OB86 and OB122 are generated."""
-        return self.family.classic and self.error_obs == "generate"
+        """Whether OB82, OB85, OB86 and OB122 are generated: they note what slaves do."""
+        return self.family.classic and self.error_obs == "generate" and bool(self.gateways)
+
+    @property
+    def units(self) -> tuple[PlantGateway | SerialLine, ...]:
+        """Everything that drives are connected to, in the order of the file."""
+        return (*self.gateways, *self.serial)
 
     @property
     def drives(self) -> tuple[PlantDrive, ...]:
-        """All drives of all gateways, in the order of the file."""
-        return tuple(drive for gateway in self.gateways for drive in gateway.drives)
+        """All drives of all gateways and lines, in the order of the file."""
+        return tuple(drive for unit in self.units for drive in unit.drives)
 
     def problems(self) -> Iterable[Diagnostic]:
         """What the parts of the plant say about each other."""

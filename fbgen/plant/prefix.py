@@ -3,7 +3,7 @@
 Templates, pages and scenarios call everything by the usual prefix. With `prefix: ACME_` the block
 `TOS_Main` is called `ACME_Main`, and the type `typeTosDrive` is called `typeAcmeDrive`. Blocks of
 gateways for process data keep their family behind it: `PBDP_Drive` is called `ACME_PBDP_Drive`, the
-type `typePbdpDrive` is called `typeAcmePbdpDrive`.
+type `typePbdpDrive` is called `typeAcmePbdpDrive`; so do those of serial lines (`TIP_`, `MB_`).
 """
 
 import re
@@ -15,10 +15,10 @@ from fbgen.source import Span
 USUAL_PREFIX = "TOS_"
 LONGEST_PREFIX = 12
 _PREFIX = re.compile(r"[A-Za-z][A-Za-z0-9]*_")
-_FAMILIES = ("PBDP_", "typePbdp")
+_FAMILIES = ("PBDP_", "TIP_", "MB_", "typePbdp", "typeTip")
 """How the names of blocks and types of another family begin, which stays behind a prefix."""
 _USUAL_NAME = re.compile(
-    r"(?<![A-Za-z0-9_])(?:(?P<block>TOS_)|(?P<type>typeTos)|(?P<other>PBDP_)|type(?=Pbdp))"
+    r"(?<![A-Za-z0-9_])(?:(?P<block>TOS_)|(?P<type>typeTos)|(?P<other>PBDP_|TIP_|MB_)|type(?=Pbdp|Tip))"
     r"(?=[A-Za-z_])"
 )
 

@@ -19,11 +19,13 @@ Probability = Annotated[Real, Field(gt=0, le=1)]
 
 
 class Target(Enum):
-    """What a fault happens to. `WHOLE` needs no name; `TELEGRAMS` is a gateway with a line."""
+    """What a fault happens to. `WHOLE` needs no name; `TELEGRAMS` is a gateway with a line, `LINE`
+    its line, or a serial line of the PLC."""
 
     WHOLE = "plant"
     GATEWAY = "gateway"
     TELEGRAMS = "gateway for telegrams"
+    LINE = "line"
     DRIVE = "drive"
 
     def places(self, plant: Installation) -> Mapping[str, object]:
@@ -32,6 +34,8 @@ class Target(Enum):
             return plant.stations
         if self is Target.TELEGRAMS:
             return plant.gateways
+        if self is Target.LINE:
+            return {**plant.gateways, **plant.devices.modules}
         return plant.drives if self is Target.DRIVE else {}
 
 

@@ -58,7 +58,7 @@ class LineBabbling:
 FAULT = FaultType(
     "line_babbling",
     "Something on the line behind a gateway sends without being asked",
-    Target.TELEGRAMS,
+    Target.LINE,
     LineBabbling,
     BabblingSettings,
 )

@@ -14,6 +14,6 @@ def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
 FAULT = FaultType(
     "line_broken",
     "The line behind a gateway is broken in both directions",
-    Target.TELEGRAMS,
+    Target.LINE,
     _make,
 )

@@ -24,7 +24,7 @@ def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
 FAULT = FaultType(
     "line_broken_one_way",
     "The line behind a gateway is broken in one direction",
-    Target.TELEGRAMS,
+    Target.LINE,
     _make,
     OneWaySettings,
 )

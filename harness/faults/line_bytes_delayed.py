@@ -37,7 +37,7 @@ def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
 FAULT = FaultType(
     "line_bytes_delayed",
     "Bytes arrive late on the line behind a gateway",
-    Target.TELEGRAMS,
+    Target.LINE,
     _make,
     DelaySettings,
 )

@@ -25,7 +25,7 @@ def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
 FAULT = FaultType(
     "line_bytes_doubled",
     "Bytes arrive twice on the line behind a gateway",
-    Target.TELEGRAMS,
+    Target.LINE,
     _make,
     DoublingSettings,
 )

@@ -23,5 +23,5 @@ def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
 
 
 FAULT = FaultType(
-    "line_noise", "Noise on the line behind a gateway", Target.TELEGRAMS, _make, NoiseSettings
+    "line_noise", "Noise on the line behind a gateway", Target.LINE, _make, NoiseSettings
 )

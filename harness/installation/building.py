@@ -10,15 +10,16 @@ from pathlib import Path
 from fbgen.catalog import Catalog, TelegramGateway, load_catalog, with_own_sequences
 from fbgen.diagnostics import error
 from fbgen.nearest import nearest
-from fbgen.plant import Plant, PlantGateway, load_plant, plugged, with_prefix
+from fbgen.plant import Plant, PlantGateway, load_plant, place_of, plugged, with_prefix
 from harness.engine.loading import engine_named, read_program
 from harness.fieldbus import DpMaster, Parameters, Station, StationSettings, watchdog_factors
 from harness.installation.devices import FieldDevices, build_devices
 from harness.installation.plant import Installation
-from harness.installation.programs import generated_program, keep_loaded
+from harness.installation.programs import generated_program, keep_loaded, numbers_in
 from harness.installation.setup import PlantSetup
 from harness.kernel import NS_PER_MS, Kernel
 from harness.plc import Cpu, CpuFamily, CpuSettings, Mounting
+from harness.plc.serial.adapter import SerialAdapter
 
 
 def plant(path: str | Path, setup: PlantSetup | None = None) -> Installation:
@@ -36,7 +37,8 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     Raises DiagnosticError FB7501 for conditions of devices that the plant does not have, FB7502 for
     a gateway that cannot be simulated, and whatever is wrong in the PLC text.
     """
-    _one_master(plan)
+    if plan.gateways:
+        _one_master(plan)
     _all_known("drive", setup.drives, [item.name for item in plan.drives], plan)
     with_memory = [
         item.name
@@ -57,12 +59,20 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
         by_image = entry.access == "process_image"
         identifier, diagnosis = entry.hardware_identifier, entry.diagnosis_address
         cpu.mount(Mounting(station, by_image, identifier, diagnosis))
+    for index, line in enumerate(plan.serial, start=1):
+        place = place_of(line, plan)
+        module = devices.modules[line.name]
+        cpu.serial_ports.plug(-index if place is None else place, module)
+        if place is None:
+            path = with_prefix(f"TIP_Adapters.{line.name}", plan.prefix)
+            adapter = SerialAdapter(kernel, module, lambda: cpu.engine, path)
+            cpu.after_scan.append(adapter.exchange)
     if setup.program is not None:
         program = setup.program
     elif setup.sources is None:
         program = generated_program(plan, catalog)
     else:
-        program = read_program(setup.sources, plan.code_dialect)
+        program = read_program(setup.sources, plan.code_dialect, numbers_in(plan))
     load = setup.factory or engine_named(setup.engine, setup.probes)
     cpu.load(program, load)
     keep_loaded(program)
@@ -74,11 +84,12 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
 
 
 def _cpu_settings(plan: Plant, times: CpuSettings) -> CpuSettings:
-    last = max(
-        (address or 0) + 0xFF
+    addresses = [
+        address or 0
         for entry in plan.gateways
         for address in (entry.input_address, entry.output_address)
-    )
+    ]
+    last = max(addresses, default=0) + 0xFF
     return replace(
         times,
         family=CpuFamily(plan.plc),

@@ -17,9 +17,11 @@ from harness.drives.settings import TimeoutRestart
 from harness.fieldbus import DpSlave
 from harness.gateways.pbdp110 import Pbdp110, drive_facts, pbdp110_settings
 from harness.gateways.tospbdp001 import Tospbdp001, tospbdp001_settings
+from harness.installation.serial_lines import line_of, module_of, on_serial_line, port_at
 from harness.installation.setup import DriveConditions
 from harness.kernel import Kernel
 from harness.line import Line, Spacing, Topology
+from harness.plc.serial import SerialModule
 
 _BAUD_RATE = 19_200
 TIMEOUT_S = 1
@@ -29,8 +31,9 @@ TIMEOUT_S = 1
 class FieldDevices:
     """Gateways, lines and spacing go by the gateway's name, drives by their own.
 
-    `gateways` are those for telegrams, each with one line; `interfaces` those for process data,
-    whose lines go by the gateway's name and the channel's, as `gw1.a`.
+    `modules` are the communication modules of the PLC, by the names of their serial lines; `lines`
+    has these too. `gateways` are those for telegrams, each with one line; `interfaces` those for
+    process data, whose lines go by the gateway's name and the channel's, as `gw1.a`.
     """
 
     gateways: Mapping[str, Tospbdp001]
@@ -38,6 +41,7 @@ class FieldDevices:
     lines: Mapping[str, Line]
     drives: Mapping[str, Inverter]
     spacing: Mapping[str, Spacing]
+    modules: Mapping[str, SerialModule]
 
     def device(self, name: str) -> Tospbdp001 | Pbdp110:
         """The gateway of a name, of whatever kind."""
@@ -80,7 +84,18 @@ def build_devices(
             series = catalog.drive(item.series)
             own = replace(own, parameters={**_on_a_line(series, item, own.port), **own.parameters})
             drives[item.name] = _drive(kernel, series, item, line, own)
-    return FieldDevices(gateways, interfaces, lines, drives, spacing)
+    modules: dict[str, SerialModule] = {}
+    for serial in plan.serial:
+        line = lines[serial.name] = line_of(kernel, serial)
+        modules[serial.name] = module_of(kernel, serial, line)
+        for item in serial.drives:
+            series = catalog.drive(item.series)
+            port = port_at(serial, series)
+            own = conditions.get(item.name, DriveConditions())
+            as_set = on_serial_line(serial, item, series, port)
+            own = replace(own, parameters={**as_set, **own.parameters}, port=port.name)
+            drives[item.name] = _drive(kernel, series, item, line, own)
+    return FieldDevices(gateways, interfaces, lines, drives, spacing, modules)
 
 
 @dataclass(frozen=True, slots=True)

@@ -82,9 +82,9 @@ class Installation:
     def neighbours(self, drive: str) -> Sequence[str]:
         """The other drives on the line of a drive; there are none at an interface."""
         entry = next(
-            entry for entry in self.plan.gateways if drive in {item.name for item in entry.drives}
+            entry for entry in self.plan.units if drive in {item.name for item in entry.drives}
         )
-        on_a_line = entry.name in self.gateways
+        on_a_line = entry.name not in self.interfaces
         return tuple(item.name for item in entry.drives if item.name != drive and on_a_line)
 
     def cable(self, drive: str) -> Iterator[Hold[bool]]:

@@ -11,7 +11,7 @@ from fbgen.cache.texts import packed, unpacked
 from fbgen.catalog import Catalog, load_catalog
 from fbgen.lang.ast import Block
 from fbgen.lang.checked import Program
-from fbgen.plant import Plant
+from fbgen.plant import Plant, buffer_numbers, with_prefix
 from fbgen.resources import shipped
 from fbgen.source import Source
 from harness.engine.compiled import translation
@@ -40,12 +40,18 @@ def generated_program(plan: Plant, catalog: Catalog) -> Program:
     if key not in _programs:
         program = _kept_program(key)
         if program is None:
-            program = read_program(_sources(plan, catalog, key), plan.code_dialect)
+            sources = _sources(plan, catalog, key)
+            program = read_program(sources, plan.code_dialect, numbers_in(plan))
         _programs[key] = program
         while len(_programs) > _KEPT:
             _programs.popitem(last=False)
     _programs.move_to_end(key)
     return _programs[key]
+
+
+def numbers_in(plan: Plant) -> dict[str, int]:
+    """The data blocks of the plant that its program names by their numbers."""
+    return {with_prefix(name, plan.prefix): n for name, n in buffer_numbers(plan).items()}
 
 
 def _kept_program(key: str) -> Program | None:

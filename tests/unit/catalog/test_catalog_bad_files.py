@@ -84,6 +84,9 @@ PLANTS = [
     ("FB2040_modules_without_gsd", 9, 14),
     ("FB2041_other_device", 8, 10),
     ("FB2042_lengths", 8, 13),
+    ("FB2050_nothing", 1, 1),
+    ("FB2051_module", 8, 13),
+    ("FB2052_rate", 8, 11),
 ]
 
 

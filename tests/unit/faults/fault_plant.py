@@ -34,9 +34,13 @@ def fault(
 ) -> Fault:
     """A fault as a scenario makes it, at gw1 or at drive3."""
     kind = FAULTS[name]
-    on = {Target.WHOLE: "", Target.GATEWAY: "gw1", Target.TELEGRAMS: "gw1", Target.DRIVE: "drive3"}[
-        kind.target
-    ]
+    on = {
+        Target.WHOLE: "",
+        Target.GATEWAY: "gw1",
+        Target.TELEGRAMS: "gw1",
+        Target.LINE: "gw1",
+        Target.DRIVE: "drive3",
+    }[kind.target]
     return kind.make(plant, on, fault_settings(kind, settings or {}, {}))
 
 

@@ -84,7 +84,7 @@ def test_faults_of_telegrams_are_none_of_an_interface(installation: Installation
     fit = {name for name, kind in FAULTS.items() if "gw1" in kind.target.places(installation)}
     assert "gateway_unpowered" in fit
     assert not {"line_broken", "gateway_reports", "gateway_trigger_stuck"} & fit
-    assert FAULTS["line_broken"].target is Target.TELEGRAMS
+    assert FAULTS["line_broken"].target is Target.LINE
 
 
 def test_two_drives_at_an_interface_are_no_neighbours(installation: Installation) -> None:

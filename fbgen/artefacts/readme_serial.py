@@ -1,0 +1,143 @@
+"""What README.md says about serial lines: modules and what is set at them, times."""
+
+from collections.abc import Iterator, Mapping
+
+from fbgen.artefacts.view import PlantLists
+from fbgen.blocks.serial_times import READS_A_DRIVE, serial_times
+from fbgen.plant import SerialLine, buffer_numbers, module_of, place_of
+
+_TITLES = {
+    "cm_ptp": "CM PtP RS422/485",
+    "cm_1241": "CM 1241 RS422/485",
+    "cp_340": "CP 340",
+    "cp_341": "CP 341",
+    "adapter": "adapter",
+}
+_PROTOCOLS = {
+    "toshiba_binary": ("Toshiba, binary", "Toshiba, binär"),
+    "toshiba_ascii": ("Toshiba, ASCII", "Toshiba, ASCII"),
+    "modbus": ("MODBUS-RTU", "MODBUS-RTU"),
+}
+_MODULES = {
+    "freeport": (
+        "Set the module to freeport. Start of a message: any character; end of a message: "
+        "character delay time of 44 bit times, and nothing else; no flow control; {wires}. A CM "
+        "1241 needs firmware V2.1 for Send_P2P and Receive_P2P. The character delay time is four "
+        "characters; at 38400 bit/s and more set 100 bit times, as the help of TIA Portal advises.",
+        "Das Modul auf Freeport stellen. Beginn einer Nachricht: beliebiges Zeichen; Ende: "
+        "Zeichenverzugszeit von 44 Bitzeiten, sonst nichts; keine Flusskontrolle; {wires}. Ein CM "
+        "1241 braucht für Send_P2P und Receive_P2P Firmware V2.1. Die Zeichenverzugszeit sind vier "
+        "Zeichen; ab 38400 bit/s 100 Bitzeiten einstellen, wie es die Hilfe von TIA Portal rät.",
+    ),
+    "cp34x": (
+        "Set the CP to the ASCII driver, end of a message: after the character delay time, of four "
+        "characters; no flow control; {wires}. {instructions} come from the library of the CP. "
+        "{buffers}",
+        "Den CP auf den ASCII-Treiber stellen, Ende einer Nachricht: nach der Zeichenverzugszeit "
+        "von vier Zeichen; keine Flusskontrolle; {wires}. {instructions} stehen in der Bibliothek "
+        "des CP. {buffers}",
+    ),
+    "adapter": (
+        "Your own program sends and receives, by the serial library of the PLC: when "
+        "`sendCount` of `{adapters}.LINE` changes, it sends `sendLength` bytes of `outBytes` "
+        "and then sets `sentCount` to that number. Where the line was silent for four "
+        "characters it puts what came, 32 bytes at most, into `inBytes`, its number into "
+        "`receiveLength`, and counts `receiveCount` up; the next message only when `takenCount`"
+        " has followed. With `damaged` a message has an error of parity or frame, with `failed`"
+        " the port cannot be used.",
+        "Ihr eigenes Programm sendet und empfängt mit der seriellen Bibliothek der Steuerung: "
+        "Wenn sich `sendCount` von `{adapters}.LINIE` ändert, sendet es `sendLength` Byte von "
+        "`outBytes` und setzt danach `sentCount` auf diese Zahl. Wo die Linie vier Zeichen lang"
+        " still war, legt es, was kam, höchstens 32 Byte, in `inBytes`, die Anzahl in "
+        "`receiveLength`, und zählt `receiveCount` weiter; die nächste Nachricht erst, wenn "
+        "`takenCount` gefolgt ist. Mit `damaged` hat eine Nachricht einen Fehler der Parität "
+        "oder des Rahmens, mit `failed` ist der Anschluss nicht zu gebrauchen.",
+    ),
+}
+_WIRES = {
+    4: (
+        "full duplex (RS422), four-wire, multipoint master",
+        "Vollduplex (RS422), vier Adern, Mehrpunkt-Master",
+    ),
+    2: ("half duplex (RS485), two-wire", "Halbduplex (RS485), zwei Adern"),
+}
+
+
+def serial_row(line: SerialLine, lists: PlantLists) -> dict[str, str]:
+    """A line in the table of the hardware configuration."""
+    plant = lists.plant
+    number = place_of(line, plant)
+    place = lists.in_words("bound by you", "von Ihnen gebunden")
+    if number is not None:
+        by_identifier = plant.family.hardware_identifiers
+        place = f"{'HW-ID' if by_identifier else lists.in_words('address', 'Adresse')} {number}"
+    return {
+        "name": line.name,
+        "module": _TITLES[module_of(line, plant.plc)],
+        "place": place,
+        "protocol": lists.in_words(*_PROTOCOLS[line.protocol]),
+        "baud": str(line.baud),
+        "parity": lists.texts(line.parity),
+        "wires": str(line.wires),
+    }
+
+
+def serial_notes(lists: PlantLists) -> Iterator[str]:
+    """What is set at the modules; once for each way of setting."""
+    plant = lists.plant
+    found = {(_KINDS[module_of(line, plant.plc)], line.wires) for line in plant.serial}
+    for kind, wires in sorted(found):
+        yield lists.in_words(*_MODULES[kind]).format(
+            wires=lists.in_words(*_WIRES[wires]),
+            instructions=", ".join(sorted(_instructions(lists))),
+            buffers=_buffers(lists),
+            adapters=lists.name("TIP_Adapters"),
+        )
+
+
+def _instructions(lists: PlantLists) -> set[str]:
+    by_block = {module_of(line, lists.plant.plc) == "cp_340" for line in lists.plant.serial}
+    return {
+        name
+        for one in by_block
+        for name in (("P_SEND", "P_RCV") if one else ("P_SND_RK", "P_RCV_RK"))
+    }
+
+
+def _buffers(lists: PlantLists) -> str:
+    """Which numbers the data blocks must have that the instructions take by number."""
+    numbers = buffer_numbers(lists.plant)
+    listed = ", ".join(f"`{lists.name(name)}` DB{number}" for name, number in numbers.items())
+    return lists.in_words(
+        f"The instructions take data blocks by number: {listed}.",
+        f"Die Anweisungen nehmen Datenbausteine nach Nummer: {listed}.",
+    )
+
+
+_KINDS = {
+    **{"cm_ptp": "freeport", "cm_1241": "freeport"},
+    **{"cp_340": "cp34x", "cp_341": "cp34x", "adapter": "adapter"},
+}
+
+
+def serial_poll(line: SerialLine, lists: PlantLists) -> dict[str, object]:
+    """One line in the table of the poll cycle."""
+    times = serial_times(lists.plant, line, lists.catalog)
+    return {
+        "gateway": line.name,
+        "drives": len(line.drives),
+        "reads": READS_A_DRIVE * len(line.drives),
+        "read_ms": f"{times.read_ms:g}",
+        "round_ms": f"{times.round_ms:g}",
+    }
+
+
+def serial_worst(line: SerialLine, lists: PlantLists) -> Mapping[str, str]:
+    """One line in the table of the worst cases."""
+    times = serial_times(lists.plant, line, lists.catalog)
+    return {
+        "gateway": line.name,
+        "telegram": f"{times.telegram_ms:.0f}",
+        "wait": f"{times.wait_ms:.0f}",
+        "emergency_stop": f"{times.emergency_stop_ms:.0f}",
+    }

@@ -1,0 +1,78 @@
+"""A serial line of the PLC as its templates see it."""
+
+from fbgen.blocks.gateways import FirstValue, UnitView
+from fbgen.blocks.line_gateways import DriveView, drive_values, drive_view
+from fbgen.blocks.literals import SclText, milliseconds, truth
+from fbgen.blocks.serial_times import SerialTimes, serial_times
+from fbgen.catalog import Catalog, origin
+from fbgen.dataclass import dataclass
+from fbgen.plant import Plant, SerialLine, buffer_numbers, module_of, place_of
+
+_PORT_KINDS = {
+    **{"cm_ptp": "freeport", "cm_1241": "freeport"},
+    **{"cp_340": "cp34x", "cp_341": "cp34x", "adapter": "adapter"},
+}
+"""Module of the plant file -> the template that reaches it."""
+
+
+@dataclass(frozen=True, slots=True)
+class SerialLineView(UnitView):
+    """A line with everything its blocks need; `port_kind` is the template of its module.
+
+    `buffer_number` is that of the data block that a CP 340 or CP 341 works with.
+    """
+
+    port_kind: str
+    port: SclText
+    send_instruction: str
+    receive_instruction: str
+    buffer_number: SclText
+    ascii: SclText
+    status_poll: bool
+    timeout: SclText
+    gap: SclText
+    silence: SclText
+    times: SerialTimes
+    drives: tuple[DriveView, ...]
+    line_block: str
+    poll_block: str
+    drive_block: str = "TIP_Drive"
+    alarms_block: str = "TIP_Alarms"
+
+
+def serial_line_view(plant: Plant, line: SerialLine, catalog: Catalog) -> SerialLineView:
+    """What the templates of one line are told."""
+    place = origin(f"serial line {line.name}", line)
+    times = serial_times(plant, line, catalog)
+    timeout = milliseconds(times.timeout_ms, place)
+    modbus = line.family == "modbus"
+    module = module_of(line, plant.plc)
+    by_block = module == "cp_340"
+    return SerialLineView(
+        name=line.name,
+        block=f"TIP_Serial_{line.name}",
+        drives_type=f"typeTipSerial_{line.name}",
+        params_type=f"typeTipParam_{line.name}",
+        first_values=(
+            FirstValue("line.timeout", timeout),
+            FirstValue("line.retries", SclText(str(line.parameters.retries), place)),
+            *(value for drive in line.drives for value in drive_values(drive)),
+        ),
+        port_kind=_PORT_KINDS[module],
+        send_instruction="P_SEND" if by_block else "P_SND_RK",
+        receive_instruction="P_RCV" if by_block else "P_RCV_RK",
+        buffer_number=SclText(
+            str(buffer_numbers(plant).get(f"TIP_Buffer_{line.name}", 0)),
+            origin("block_numbers", plant.block_numbers),
+        ),
+        port=SclText(str(place_of(line, plant) or 0), place),
+        ascii=truth(line.protocol == "toshiba_ascii", place),
+        status_poll=line.status_poll,
+        timeout=timeout,
+        gap=milliseconds(times.gap_ms, place),
+        silence=milliseconds(times.silence_ms, place),
+        times=times,
+        drives=tuple(drive_view(item) for item in line.drives),
+        line_block="MB_Line" if modbus else "TIP_Line",
+        poll_block="MB_StatusPoll" if modbus else "TOS_StatusPoll",
+    )
