@@ -1,4 +1,4 @@
-"""`fbgen catalog list` and `fbgen catalog show`: what the catalogue holds."""
+"""`fbgen catalog list`, `fbgen catalog show`, `fbgen catalog eds`: what the catalogue holds."""
 
 from enum import Enum
 from typing import TYPE_CHECKING, Annotated
@@ -96,6 +96,36 @@ def show(
         result_json(plain(found))
     else:
         result(entry_text(found))
+
+
+@commands.command(
+    epilog=examples(
+        "fbgen catalog eds dev003z > dev003z.eds",
+        "fbgen catalog eds dev003z --series vf-mb1",
+    ),
+)
+def eds(
+    entry: Annotated[str, typer.Argument(metavar="ID", help="A DeviceNet adapter: dev003z.")],
+    series: Annotated[
+        str | None,
+        typer.Option("--series", metavar="S", help="The inverter that it is inside of."),
+    ] = None,
+    catalog: CatalogOption = None,
+) -> None:
+    """Write an EDS file for a simulated DeviceNet adapter, for configuration tools."""
+    from fbgen.artefacts.eds import eds_text
+    from fbgen.catalog import load_catalog
+    from fbgen.diagnostics import error
+    from fbgen.nearest import nearest
+
+    known = load_catalog(catalog or ())
+    gateway = known.devicenet_gateway(entry)
+    codes = gateway.devicenet.product_codes
+    wanted = series or gateway.series[-1]
+    if wanted not in codes:
+        message = f"a {gateway.id} does not fit into an inverter of the series '{wanted}'"
+        raise error("FB7106", message, None, nearest(wanted, codes))
+    result(eds_text(gateway, known.drive(wanted)).rstrip("\n"))
 
 
 def _rows(known: "Catalog") -> list[list[str]]:

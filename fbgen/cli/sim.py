@@ -1,8 +1,6 @@
 """`fbgen sim`: simulated devices on a real port, for a PLC or a master that is none of ours."""
 
-import sys
 from pathlib import Path
-from time import monotonic
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -10,14 +8,16 @@ import typer
 from fbgen.cli import sim_drive
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import CatalogOption
-from fbgen.cli.output import on_error_terminal, result, say
+from fbgen.cli.output import result, say
+from fbgen.cli.sim_can import OptionWanted, serve_option
+from fbgen.cli.state_line import StateLine
 
 if TYPE_CHECKING:
     from fbgen.catalog import Catalog
     from fbgen.plant import Plant
     from harness.serial import Port, ServedGateways
 
-_SHOWN_EVERY_S = 0.5
+_USUAL_BAUD = 19_200
 _EXAMPLES = {"pbdp110": "pbdp110", "tospbdp001": "manual_example"}
 """The shipped example plant with a gateway of each type that can be served."""
 
@@ -47,6 +47,7 @@ def _sim() -> None:
         "fbgen sim gateway --port socket://192.168.0.9:4001 --address 7 --layout doc9",
         "fbgen sim gateway --pty                            prints the pseudo terminal's name",
         "fbgen sim gateway --pty --type pbdp110             two drives at a PBDP-110",
+        "fbgen sim gateway --type dev003z --can socketcan:can0 --address 5",
     ),
 )
 def gateway(
@@ -64,23 +65,46 @@ def gateway(
         bool, typer.Option("--pty", help="Make a pseudo terminal and print its name (Linux).")
     ] = False,
     baud: Annotated[
-        int, typer.Option("--baud", metavar="N", help="Speed of the port, in bit/s.")
-    ] = 19_200,
+        int | None,
+        typer.Option("--baud", metavar="N", help="Speed in bit/s: 19200 at ports, 500000 on CAN."),
+    ] = None,
     kind: Annotated[
         str | None,
-        typer.Option("--type", metavar="T", help="Example plant: with a tospbdp001, or a pbdp110."),
+        typer.Option(
+            "--type",
+            metavar="T",
+            help="Example plant: with a tospbdp001, or a pbdp110. On CAN: dev003z.",
+        ),
     ] = None,
     layout: Annotated[
         str | None,
-        typer.Option("--layout", metavar="L", help="gsd10, module1 ...: instead of the plant's."),
+        typer.Option(
+            "--layout",
+            metavar="L",
+            help="gsd10, module1 ...: instead of the plant's. On CAN: extended_speed ...",
+        ),
     ] = None,
     address: Annotated[
         int | None,
-        typer.Option("--address", metavar="N", help="PROFIBUS address instead of the plant's."),
+        typer.Option(
+            "--address", metavar="N", help="PROFIBUS address instead of the plant's; MAC ID."
+        ),
+    ] = None,
+    can: Annotated[
+        str | None,
+        typer.Option("--can", metavar="I", help="socketcan:can0, slcan:PORT ...: of python-can."),
+    ] = None,
+    series: Annotated[
+        str | None,
+        typer.Option("--series", metavar="S", help="On CAN: vf-s15, or vf-mb1."),
+    ] = None,
+    log: Annotated[
+        Path | None,
+        typer.Option("--log", metavar="F", help="On CAN: log of all frames, .asc, .blf or .log."),
     ] = None,
     catalog: CatalogOption = None,
 ) -> None:
-    """Serve gateways with their inverters as PROFIBUS DP slaves, until Ctrl-C.
+    """Serve gateways with their inverters, until Ctrl-C: PROFIBUS DP slaves, or one on DeviceNet.
 
     A real master sees the slaves that the simulated PLC sees. Answers come at once, not after the
     delays that PROFIBUS asks for; a pseudo terminal keeps neither speed nor parity.
@@ -89,16 +113,41 @@ def gateway(
     from harness.serial import gateways_to_serve
 
     known = load_catalog(catalog or ())
+    if can is not None:
+        _only_can(port, pty, plant)
+        wanted = OptionWanted(kind, layout, address, baud, series, log)
+        serve_option(can, known, wanted)
+        return
+    _only_ports(series, log)
     check_port(port, pty, "the gateway")
     plan = _plant(plant, kind, layout, address, known)
     served = gateways_to_serve(plan, known)
-    opened = _open(port, baud)
+    opened = _open(port, _USUAL_BAUD if baud is None else baud)
     try:
         if pty:
             result(opened.name)
         _serve(served, opened)
     finally:
         opened.close()
+
+
+def _only_can(port: str | None, pty: bool, plant: Path | None) -> None:
+    from fbgen.diagnostics import error
+
+    if port is not None or pty or plant is not None:
+        other = "--port" if port is not None else "--pty" if pty else "a plant file"
+        message = f"--can and {other} at once"
+        raise error("FB9030", message, None, "--can takes --type, --address, --layout and --series")
+
+
+def _only_ports(series: str | None, log: Path | None) -> None:
+    from fbgen.diagnostics import error
+
+    if series is not None or log is not None:
+        name = "--series" if series is not None else "--log"
+        raise error(
+            "FB9030", f"{name} is for a CAN interface", None, "give --can INTERFACE:CHANNEL"
+        )
 
 
 def check_port(port: str | None, pty: bool, what: str) -> None:
@@ -124,9 +173,9 @@ def _plant(
         )
     wanted = kind or "tospbdp001"
     if wanted not in _EXAMPLES:
-        raise error(
-            "FB9034", f"there is no gateway '{wanted}' to serve", None, nearest(wanted, _EXAMPLES)
-        )
+        on_can = wanted in known.gateways and wanted not in known.profibus_gateways
+        help_ = "give --can INTERFACE:CHANNEL" if on_can else nearest(wanted, _EXAMPLES)
+        raise error("FB9034", f"there is no gateway '{wanted}' to serve here", None, help_)
     plan = load_plant(path or shipped("examples") / _EXAMPLES[wanted] / "plant.yaml", known)
     if layout is None and address is None:
         return plan
@@ -173,7 +222,7 @@ def _open(port: str | None, baud: int) -> "Port":
 def _serve(served: "ServedGateways", port: "Port") -> None:
     from harness.serial import Server
 
-    display = _Display(served)
+    display = StateLine(served)
     addresses = ", ".join(
         f"{entry.name} at address {entry.profibus_address}, {entry.layout}"
         for entry in served.plan.gateways
@@ -187,27 +236,3 @@ def _serve(served: "ServedGateways", port: "Port") -> None:
         display.end()
     segment = served.segment
     say(f"{segment.requests} telegrams, {segment.answers} answers, {segment.skipped} bytes skipped")
-
-
-class _Display:
-    """One line on a terminal: what the devices do."""
-
-    def __init__(self, served: "ServedGateways") -> None:
-        self._served = served
-        self._shown_s = 0.0
-        self._is_shown = on_error_terminal()
-
-    def look(self) -> bool:
-        """Show the line anew if it is time to; serving always goes on."""
-        now_s = monotonic()
-        if self._is_shown and now_s - self._shown_s > _SHOWN_EVERY_S:
-            self._shown_s = now_s
-            sys.stderr.write(f"\r\x1b[K{self._served.state}")
-            sys.stderr.flush()
-        return True
-
-    def end(self) -> None:
-        """Clear the line."""
-        if self._is_shown:
-            sys.stderr.write("\r\x1b[K")
-            sys.stderr.flush()

@@ -2,6 +2,8 @@
 
 from harness.serial.asking import Asking, Heard
 from harness.serial.bridge import LineBridge
+from harness.serial.can_interfaces import CanInterface, can_interface
+from harness.serial.can_log import CanLog
 from harness.serial.commands import Commands
 from harness.serial.control import ControlSocket
 from harness.serial.drive_server import DriveServer
@@ -18,6 +20,7 @@ from harness.serial.drives import (
 from harness.serial.fault_switches import FaultSwitches
 from harness.serial.gateways import ServedGateways, gateways_to_serve
 from harness.serial.line_log import HeardFrame, LineLog
+from harness.serial.options import OptionServer
 from harness.serial.pace import Pace
 from harness.serial.ports import Port, SerialPort, has_speed, profibus_port, serial_port
 from harness.serial.pseudo_terminal import PseudoTerminal
@@ -28,6 +31,8 @@ __all__ = [
     "Asking",
     "Heard",
     "protocol_of",
+    "CanInterface",
+    "CanLog",
     "Commands",
     "ControlSocket",
     "DriveServer",
@@ -38,6 +43,7 @@ __all__ = [
     "LineBridge",
     "LineLog",
     "LineSetting",
+    "OptionServer",
     "Pace",
     "Port",
     "PseudoTerminal",
@@ -45,6 +51,7 @@ __all__ = [
     "ServedDrives",
     "ServedGateways",
     "Server",
+    "can_interface",
     "drive_states",
     "gateways_to_serve",
     "line_setting",

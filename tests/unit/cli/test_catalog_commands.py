@@ -129,3 +129,25 @@ def test_words_of_a_devicenet_adapter_are_decoded_and_encoded(fbgen: Fbgen) -> N
     assert "Enabled" in fbgen("decode", "dev003z.extended_status", "04F4").out
     out = fbgen("encode", "dev003z.extended_control", *["run_reverse", "net_control"]).out
     assert "dev003z.extended_control = 0022" in out
+
+
+def test_an_eds_file_is_printed(fbgen: Fbgen) -> None:
+    run = fbgen("catalog", "eds", "dev003z", "--series", "vf-mb1")
+    assert run.status == 0
+    assert "ProdCode = 3000;" in run.out
+    assert run.out.isascii()
+    assert max(map(len, run.out.splitlines())) <= 100
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        (["pbdp110"], "FB1206"),
+        (["dev003y"], "FB1205"),
+        (["dev003z", "--series", "vf-s11"], "FB7106"),
+    ],
+)
+def test_what_has_no_eds_file(fbgen: Fbgen, arguments: list[str], code: str) -> None:
+    run = fbgen("catalog", "eds", *arguments)
+    assert (run.status, run.out) == (1, "")
+    assert code in run.err

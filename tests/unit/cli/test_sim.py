@@ -111,7 +111,7 @@ def test_ctrl_c_ends_with_a_summary_and_gives_the_port_back(
 def test_a_pbdp110_is_served_with_its_drives(fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch) -> None:
     port = OneRequest("10 03 01 49 4D 16")
     monkeypatch.setattr("fbgen.cli.sim._open", lambda name, baud: port)
-    monkeypatch.setattr("fbgen.cli.sim.on_error_terminal", lambda: True)
+    monkeypatch.setattr("fbgen.cli.state_line.on_error_terminal", lambda: True)
     run = fbgen("sim", "gateway", "--port", "COM3", "--type", "pbdp110", "--layout", "module4")
     assert port.sent == bytes.fromhex("10 01 03 00 04 16")
     assert "gw1 (address 3) waiting for parameters, no master; pump stopped; fan stopped" in run.err
@@ -122,7 +122,7 @@ def test_a_terminal_shows_what_the_devices_do(
     fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("fbgen.cli.sim._open", lambda name, baud: OneRequest())
-    monkeypatch.setattr("fbgen.cli.sim.on_error_terminal", lambda: True)
+    monkeypatch.setattr("fbgen.cli.state_line.on_error_terminal", lambda: True)
     run = fbgen("sim", "gateway", "--port", "COM3")
     assert "gw1 (address 2) waiting for parameters, no master; drive11 stopped" in run.err
 
@@ -152,3 +152,65 @@ def test_a_foreign_master_runs_the_gateway_of_a_process_that_ends_with_ctrl_c() 
     assert (process.returncode, out) == (0, "")
     assert f"{port}: gw1 at address 2, whole10; Ctrl-C ends" in err
     assert "0 bytes skipped" in err
+
+
+class QuietNetwork:
+    """A CAN interface at which nothing comes, and then Ctrl-C."""
+
+    name = "virtual:desk"
+
+    def __init__(self) -> None:
+        self.closed = False
+        self.turns = 0
+
+    def read(self, wait_s: float = 0.0) -> None:
+        self.turns += 1
+        if self.turns > 2:
+            raise KeyboardInterrupt
+
+    def write(self, frame: object) -> None:
+        raise AssertionError("nothing is sent in the self test")
+
+    def close(self) -> None:
+        self.closed = True
+
+
+def test_a_dev003z_is_served_at_a_can_interface(
+    fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    network = QuietNetwork()
+    monkeypatch.setattr("fbgen.cli.sim_can._open", lambda name, rate: network)
+    monkeypatch.setattr("fbgen.cli.state_line.on_error_terminal", lambda: True)
+    options = ["--address", "5", "--layout", "toshiba_parameter", "--series", "vf-mb1"]
+    log = tmp_path / "desk.asc"
+    run = fbgen("sim", "gateway", "--can", "virtual:desk", *options, "--log", str(log))
+    assert (run.status, run.out) == (0, "")
+    assert "virtual:desk: dev003z with MAC ID 5, 500000 bit/s; Ctrl-C ends" in run.err
+    assert "MAC ID 5: MS self test, NS not online; startup; vf-mb1 stopped" in run.err
+    assert run.err.endswith("0 frames heard, 0 sent\n")
+    assert network.closed
+    assert log.exists()
+
+
+@pytest.mark.parametrize(
+    ("options", "code"),
+    [
+        (["--can", "virtual:desk", "--port", "COM3"], "FB9030"),
+        (["--can", "virtual:desk", "--pty"], "FB9030"),
+        (["--can", "virtual:desk", "plant.yaml"], "FB9030"),
+        (["--can", "virtual:desk", "--type", "pbdp110"], "FB9034"),
+        (["--can", "virtual:desk", "--layout", "gsd10"], "FB1105"),
+        (["--can", "virtual:desk", "--address", "64"], "FB7106"),
+        (["--can", "virtual:desk", "--series", "vf-s11"], "FB7106"),
+        (["--can", "virtual:desk", "--series", "vf-s99"], "FB1205"),
+        (["--can", "virtual:desk", "--baud", "19200"], "FB9030"),
+        (["--pty", "--series", "vf-s15"], "FB9030"),
+        (["--pty", "--log", "x.asc"], "FB9030"),
+        (["--pty", "--type", "dev003z"], "FB9034"),
+    ],
+)
+def test_what_does_not_go_together_on_can(fbgen: Fbgen, options: list[str], code: str) -> None:
+    run = fbgen("sim", "gateway", *options)
+    assert run.status in (1, 2)
+    assert code in run.err
+    assert run.out == ""

@@ -1,0 +1,55 @@
+"""A log of CAN frames that other tools open: Vector's ASC and BLF, and candump's, by python-can."""
+
+from pathlib import Path
+
+from fbgen.diagnostics import error
+from fbgen.wire.devicenet import Frame
+from harness.kernel import NS_PER_S
+
+FORMATS = (".asc", ".blf", ".log", ".csv")
+"""What python-can makes of a file by the end of its name: Vector ASCII and binary, candump, CSV."""
+
+
+class CanLog:
+    """Writes frames with their times. Used as a context manager it closes the file."""
+
+    def __init__(self, path: Path) -> None:
+        """Raises DiagnosticError FB9030 for a name without a format, FB9031 for no right to it."""
+        import can  # noqa: PLC0415 - an extra: only who asks for a log needs it
+
+        if path.suffix.lower() not in FORMATS:
+            raise error(
+                "FB9030",
+                f"'{path.name}' does not say which format of log it is",
+                None,
+                f"let it end with {', '.join(FORMATS)}",
+            )
+        try:
+            self._log = can.Logger(str(path))
+        except OSError as problem:
+            reason = problem.strerror or type(problem).__name__
+            raise error("FB9031", f"{path.as_posix()} cannot be written: {reason}") from None
+        self._message = can.Message
+
+    def __enter__(self) -> "CanLog":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def write(self, at_ns: int, frame: Frame, *, received: bool = True) -> None:
+        """Add a frame that was over at an instant; `received` from somebody else."""
+        self._log.on_message_received(
+            self._message(
+                timestamp=at_ns / NS_PER_S,
+                arbitration_id=frame.identifier,
+                data=frame.data,
+                is_extended_id=False,
+                is_rx=received,
+                channel=1,
+            )
+        )
+
+    def close(self) -> None:
+        """Write what is left."""
+        self._log.stop()
