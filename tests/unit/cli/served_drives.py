@@ -22,10 +22,10 @@ class Serving:
 
 
 @contextmanager
-def serving(setting: LineSetting = SETTING) -> Iterator[Serving]:
+def serving(setting: LineSetting = SETTING, series: str = "vf-s11") -> Iterator[Serving]:
     """Served until the end."""
     port, over = PseudoTerminal(), Event()
-    served = serve_drives(drives(1, 2, 3), setting, port, byte_times=True)
+    served = serve_drives(drives(1, 2, 3, series=series), setting, port, byte_times=True)
     server = DriveServer(served, port)
     thread = Thread(target=lambda: server.serve(lambda idle_s: not over.is_set()))
     thread.start()
