@@ -21,6 +21,8 @@ COMMANDS = (
         "explain",
         "schemas",
         "talk",
+        "record",
+        "replay",
         "catalog",
         "sim",
     ),

@@ -6,6 +6,7 @@ from enum import Enum
 
 from fbgen.catalog import ComNo, Drive, Word, parse_word
 from fbgen.catalog.comno_names import named_comno
+from fbgen.cli.motor_start import STARTS
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.nearest import nearest
@@ -15,7 +16,6 @@ _INV_NO = re.compile(r"\d{1,3}(?:-\d{1,3})?")
 _RAW = re.compile(r"(?:16#|0x|2#|0b).+|[0-9A-Fa-f]+h", re.IGNORECASE)
 _NUMBER = re.compile(r"\d{4}|[0-9A-Fa-f]{4}|0[xX][0-9A-Fa-f]{1,4}")
 _ALL = ("all", "broadcast")
-_STARTS = ("run", "jog")
 FORWARD = "forward"
 """No bit of any word: it says that `reverse` is 0."""
 HOW = {
@@ -139,7 +139,7 @@ def _write(
     return Question(
         *(inv_no, com_no, comno, _frame(inv_no, command, com_no, word, talking), word),
         answered=inv_no is not None and all(item.field.answered for item in set_bits),
-        starts=not names.isdisjoint(_STARTS),
+        starts=not names.isdisjoint(STARTS),
         warning=warning,
     )
 

@@ -24,39 +24,50 @@ from harness.serial.options import OptionServer
 from harness.serial.pace import Pace
 from harness.serial.ports import Port, SerialPort, has_speed, profibus_port, serial_port
 from harness.serial.pseudo_terminal import PseudoTerminal
+from harness.serial.recording import Recording
+from harness.serial.replaying import DriveReplay, Exchange, MasterReplay
 from harness.serial.serving import Server
+from harness.serial.traffic import Traffic, read_traffic, write_frame, write_head
 
 __all__ = [
-    "has_speed",
     "Asking",
-    "Heard",
-    "protocol_of",
     "CanInterface",
     "CanLog",
     "Commands",
     "ControlSocket",
+    "DriveReplay",
     "DriveServer",
     "DriveState",
     "DriveToServe",
+    "Exchange",
     "FaultSwitches",
+    "Heard",
     "HeardFrame",
     "LineBridge",
     "LineLog",
     "LineSetting",
+    "MasterReplay",
     "OptionServer",
     "Pace",
     "Port",
     "PseudoTerminal",
+    "Recording",
     "SerialPort",
     "ServedDrives",
     "ServedGateways",
     "Server",
+    "Traffic",
     "can_interface",
     "drive_states",
     "gateways_to_serve",
+    "has_speed",
     "line_setting",
     "profibus_port",
+    "protocol_of",
+    "read_traffic",
     "serial_port",
     "serial_port_of",
     "serve_drives",
+    "write_frame",
+    "write_head",
 ]

@@ -33,6 +33,8 @@ COMMANDS = [
         ("sim", "gateway"),
         ("sim", "drive"),
         ("talk",),
+        ("record",),
+        ("replay",),
     ],
 ]
 

@@ -55,6 +55,8 @@ ELSEWHERE = {
 """Commands that are not run from a page, and why."""
 LONG = {
     "sim": "serves until Ctrl-C; tests/unit/serial starts it",
+    "record": "listens until Ctrl-C; tests/unit/cli/test_record_and_replay",
+    "replay": "takes a recording and a port; tests/unit/cli/test_record_and_replay",
     "talk": "takes an inverter at a port; tests/unit/cli/test_talk asks simulated ones",
     "campaign": "tests/unit/verify runs small ones",
     "mutate": "tests/unit/mutation and tests/unit/cli/test_mutate run small ones",
