@@ -9,8 +9,8 @@ sections 6 to 9. What happens to a trip at power off (it is gone, the past trips
 from collections.abc import Callable
 from typing import Literal
 
-from fbgen.catalog import ComNo, Drive, SerialPort
-from fbgen.diagnostics import Diagnostic, DiagnosticError, error
+from fbgen.catalog import Drive, SerialPort
+from fbgen.diagnostics import DiagnosticError, error
 from fbgen.wire.toshiba import ErrorCode
 from harness.drives import inter_drive, operation
 from harness.drives.command_words import CommandWords
@@ -18,6 +18,7 @@ from harness.drives.communication import Communication
 from harness.drives.device import Owner
 from harness.drives.load import Load
 from harness.drives.monitors import Monitors
+from harness.drives.new_inverter import check_complete, delivered, not_taken
 from harness.drives.operation import Operation, Panel
 from harness.drives.registers import Registers
 from harness.drives.settings import InverterSettings
@@ -30,11 +31,6 @@ from harness.line import Line
 EMERGENCY_STOP = "E"
 _DEFAULTS, _AS_NEW = "factory_setting", 3
 COMMUNICATION_ERROR = "Err5"
-_REFUSALS = {
-    ErrorCode.CANNOT_EXECUTE: "it cannot be written, or not while the inverter runs",
-    ErrorCode.DATA: "the value lies outside the range",
-    ErrorCode.COM_NO: "there is no such cell",
-}
 
 
 class Inverter:
@@ -77,13 +73,13 @@ class Inverter:
         protocol that it does not.
         FB7102 and FB7103 if the series lacks trips or ComNos that the simulation stands on.
         """
-        _complete(series)
+        check_complete(series)
         self.series = series
         self.name = settings.name
         self.powered = True
         self.observers: list[Callable[[], None]] = []
         self._emergency_terminal = False
-        self.registers = Registers(series, _delivered(series, settings))
+        self.registers = Registers(series, delivered(series, settings))
         check_protocols(series, self.registers)
         self.trips = TripLog(series)
         self.terminals = Terminals(series, self.registers)
@@ -277,7 +273,7 @@ class Inverter:
         word = comno.to_word(value)
         refused = self.write_eeprom(comno.number, word)
         if refused is not None:
-            raise DiagnosticError([_not_taken(comno, value, refused)])
+            raise DiagnosticError([not_taken(comno, value, refused)])
 
     def trip(self, display: str) -> None:
         """Let a trip come, by what the panel shows of it, such as OC1. FB7102 if unknown."""
@@ -448,44 +444,3 @@ class Inverter:
     def _changed(self) -> None:
         for observer in self.observers:
             observer()
-
-
-def _complete(series: Drive) -> None:
-    """FB7103 unless the series has every ComNo that the simulation stands on, by its name."""
-    names = {comno.name for comno in series.comnos}
-    wanted = (*operation.PARAMETERS, *inter_drive.SCALING)
-    if missing := [name for name in wanted if name not in names]:
-        raise error(
-            "FB7103",
-            f"the series '{series.id}' cannot be simulated: it has no {', '.join(missing)}",
-            series.span,
-            "give these ComNos under these names, as vf-s11.yaml does",
-        )
-
-
-def _delivered(series: Drive, settings: InverterSettings) -> dict[int, int]:
-    """The parameters of the settings as words. FB7101 for all that the series would not take."""
-    words: dict[int, int] = {}
-    found: list[Diagnostic] = []
-    for key, value in settings.parameters.items():
-        comno = series.comno(key)
-        word = comno.to_word(value)
-        if comno.storage != "eeprom":
-            found.append(_not_taken(comno, value, ErrorCode.CANNOT_EXECUTE))
-        elif not comno.minimum_word <= word <= comno.maximum_word:
-            found.append(_not_taken(comno, value, ErrorCode.DATA))
-        words[comno.number] = word
-    if found:
-        raise DiagnosticError(found)
-    return words
-
-
-def _not_taken(comno: ComNo, value: float, refused: ErrorCode) -> Diagnostic:
-    unit = f" {comno.unit}" if comno.unit else ""
-    low, high = comno.to_value(comno.minimum_word), comno.to_value(comno.maximum_word)
-    return Diagnostic(
-        "FB7101",
-        f"the inverter does not take {value:g}{unit} for {comno.name} ({comno.hex}): "
-        f"{_REFUSALS[refused]}",
-        help=f"the range is {low:g} to {high:g}{unit}",
-    )

@@ -10,7 +10,7 @@ object is refused with 03 unless the conformity level says that there is individ
 codes 2 and 3 give what there is, as the specification has it.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -20,7 +20,6 @@ from fbgen.wire import modbus_rtu
 from fbgen.wire.modbus import (
     BROADCAST,
     BadRequest,
-    ExceptionCode,
     ExceptionReply,
     Function,
     IdentifyReply,
@@ -36,42 +35,13 @@ from fbgen.wire.modbus import (
     WriteSeveralReply,
     WriteSeveralRequest,
 )
-from fbgen.wire.toshiba import ErrorCode
 from harness.drives.blocks import BlockTransfer
 from harness.drives.device import Device
+from harness.drives.modbus_names import CAUSES, EXCEPTIONS, FUNCTIONS, USUAL
 
 if TYPE_CHECKING:
     from harness.drives.communication import Communication
 
-FUNCTIONS: Mapping[str, Function] = {
-    "read": Function.READ,
-    "write": Function.WRITE,
-    "write_several": Function.WRITE_SEVERAL,
-    "write_and_read": Function.READ_WRITE,
-    "identify": Function.IDENTIFY,
-}
-EXCEPTIONS: Mapping[str, ExceptionCode] = {
-    "illegal_function": ExceptionCode.FUNCTION,
-    "illegal_address": ExceptionCode.ADDRESS,
-    "illegal_value": ExceptionCode.VALUE,
-    "device_failure": ExceptionCode.CANNOT_EXECUTE,
-}
-"""Functions and exceptions by their names in the catalogue."""
-
-_USUAL: Mapping[Cause, ExceptionCode] = {
-    "unknown_function": ExceptionCode.FUNCTION,
-    "unknown_comno": ExceptionCode.ADDRESS,
-    "wrong_quantity": ExceptionCode.VALUE,
-    "wrong_data": ExceptionCode.VALUE,
-    "not_executable": ExceptionCode.CANNOT_EXECUTE,
-}
-"""What the specification has for a cause of which a series says nothing."""
-
-_CAUSES: Mapping[ErrorCode, Cause] = {
-    ErrorCode.CANNOT_EXECUTE: "not_executable",
-    ErrorCode.DATA: "wrong_data",
-    ErrorCode.COM_NO: "unknown_comno",
-}
 _INDIVIDUAL_ACCESS = 0x80
 _ONE_OBJECT = 4
 
@@ -259,10 +229,10 @@ class ModbusSpeaker:
             assert number is not None
             refused = write(number, word)
             if refused is not None:
-                return _CAUSES[refused]
+                return CAUSES[refused]
         return None
 
     def _refused(self, address: int, function: int, cause: Cause) -> ExceptionReply:
         name = self._service.exceptions.get(cause)
-        code = _USUAL[cause] if name is None else EXCEPTIONS[name]
+        code = USUAL[cause] if name is None else EXCEPTIONS[name]
         return ExceptionReply(address, function, code)

@@ -8,7 +8,7 @@ from drive_bench import CATALOG, Bench
 
 from fbgen.wire import modbus
 from harness.drives import Inverter
-from harness.drives.modbus_speaker import EXCEPTIONS, FUNCTIONS
+from harness.drives.modbus_names import EXCEPTIONS, FUNCTIONS
 from harness.drives.settings import InverterSettings
 from harness.line import Disturbance
 from tests.vectors.reading import entries
