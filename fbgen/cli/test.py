@@ -17,7 +17,7 @@ from fbgen.cli.examples import examples
 from fbgen.cli.failure_annotations import AnnotationsOption, AnnotationWriter, CodeHost
 from fbgen.cli.html_report import HtmlOption, HtmlWriter, asked_for
 from fbgen.cli.junit_report import JunitOption, JunitWriter
-from fbgen.cli.layers import JsonOption
+from fbgen.cli.layers import CatalogOption, JsonOption
 from fbgen.cli.output import (
     Unread,
     going_on_unread,
@@ -51,6 +51,7 @@ def register(program: typer.Typer) -> None:
             "fbgen test scenarios --seed 7 --json",
             "fbgen test scenarios --temporaries undefined",
             "fbgen test scenarios --junit results.xml --annotations github",
+            "fbgen test scenarios --catalog our_catalog",
             "fbgen test scenarios --html report.html",
             "fbgen test scenarios --trace runs.jsonl --vcd waves",
             "fbgen test scenarios --coverage coverage.html --fail-under statement=90,branch=80",
@@ -92,6 +93,7 @@ def run_scenarios(
             "their defaults, or anything, as on an S7.",
         ),
     ] = None,
+    catalog: CatalogOption = None,
     junit: JunitOption = None,
     html: HtmlOption = None,
     annotations: AnnotationsOption = None,
@@ -124,7 +126,9 @@ def run_scenarios(
     with going_on_unread() if writers else nullcontext(Unread()) as unread:
         done = run_paths(
             paths or [Path()],
-            RunOptions(seed, select, dialect, jobs, observers, temporaries),
+            RunOptions(
+                *(seed, select, dialect, jobs, observers, temporaries, tuple(catalog or ())),
+            ),
             planned=session.planned,
             finished=session.counted if as_json else session.shown,
         )

@@ -20,7 +20,8 @@ class ScenarioResult:
     `plant` is the plant file, `ran_dialect` the dialect of the text that ran: empty if none did,
     because something was wrong in the files. `warnings` say what a run that has passed does not
     show. With an `expected_failure`, the reason for it, a scenario passes by having failures.
-    `observations` are what the observers of the run have left, such as its trace.
+    `catalog` has the folders over the shipped catalogue. `observations` are what the observers of
+    the run have left, such as its trace.
     """
 
     name: str
@@ -38,6 +39,7 @@ class ScenarioResult:
     expected_failure: str | None = None
     observations: tuple[object, ...] = ()
     temporaries: str = ""
+    catalog: tuple[str, ...] = ()
 
     def observed(self, kind: type[Kind]) -> Kind | None:
         """The observation of this kind, `result.observed(Trace)`; None if nobody has made one."""
@@ -51,6 +53,8 @@ class ScenarioResult:
             command += ["--dialect", self.dialect]
         if self.temporaries:
             command += ["--temporaries", self.temporaries]
+        for folder in self.catalog:
+            command += ["--catalog", folder]
         if self.changes:
             command += ["-k", f'"{self.changes}"']
         return shlex.join(command)

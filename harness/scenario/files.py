@@ -1,6 +1,7 @@
 """Scenario files: found, read, run, one after the other or several at the same time."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
 
@@ -87,11 +88,14 @@ def run_paths(
     `planned` is told how many there are, `finished` of each result as soon as it is there. Ctrl-C
     ends the session: what had ended until then is in the report.
 
-    Raises DiagnosticError FB8007 for missing files and FB8011 for a wrong expression. What is wrong
-    in a file is a failure of its result.
+    Raises DiagnosticError FB8007 for missing files, FB8011 for a wrong expression, and what is
+    wrong in a catalogue. What is wrong in a file is a failure of its result.
     """
     options = options or RunOptions()
     selection = parse_selection(options.select)
+    if options.catalog:
+        _catalog.cache_clear()
+        _catalog(options.catalog)
     work = [
         item
         for path in find_scenarios(paths)
@@ -123,14 +127,15 @@ def _of_file(path: Path, options: RunOptions) -> Sequence[ScenarioCase | Scenari
 def _run(options: RunOptions, item: ScenarioCase | ScenarioResult) -> ScenarioResult:
     if isinstance(item, ScenarioResult):
         return item
-    catalog = _shipped_catalog()
-    return explained(item, run_case(item, catalog, observers=options.observers), catalog)
+    catalog = _catalog(options.catalog)
+    result = explained(item, run_case(item, catalog, observers=options.observers), catalog)
+    return replace(result, catalog=tuple(folder.as_posix() for folder in options.catalog))
 
 
 @cache
-def _shipped_catalog() -> Catalog:
-    """Read once in each process."""
-    return load_catalog()
+def _catalog(folders: tuple[Path, ...]) -> Catalog:
+    """Read once in each process of a session."""
+    return load_catalog(folders)
 
 
 def _tells_nothing_new(result: ScenarioResult, before: ScenarioResult) -> bool:

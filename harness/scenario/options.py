@@ -1,5 +1,7 @@
 """How scenarios are run, whatever their files say."""
 
+from pathlib import Path
+
 from fbgen.dataclass import dataclass
 from harness.scenario.observers import ObserverMaker
 from harness.scenario.temporaries import Temporaries
@@ -12,7 +14,7 @@ class RunOptions:
     `seed`, `dialect` and `temporaries` take the place of those of the files. `select` is an
     expression over titles, files, variations and tags, see `harness.scenario.selection`. `jobs`
     processes run scenarios at the same time; the results are the same, in the same order.
-    `observers` look on at each run.
+    `observers` look on at each run. `catalog` has the folders that lie over the shipped catalogue.
     """
 
     seed: int | None = None
@@ -21,3 +23,4 @@ class RunOptions:
     jobs: int = 1
     observers: tuple[ObserverMaker, ...] = ()
     temporaries: Temporaries | None = None
+    catalog: tuple[Path, ...] = ()

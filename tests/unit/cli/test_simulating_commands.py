@@ -120,6 +120,58 @@ def test_an_unknown_dialect_of_a_plant_is_wrong_usage(fbgen: Fbgen, scenarios: P
     assert "'basic' is none of tia, step7, iec, twincat, plcopen" in run.err
 
 
+OWN_SERIES = """\
+version: 1
+id: vf-s11x
+like: vf-s11
+title: A series of our own
+protocol: toshiba
+source: a letter of the maker
+link:
+  {command: command_word, setpoint: frequency_setpoint, status: status, trip: trip_code,
+   alarm: alarm, output_frequency: output_frequency, output_current: output_current_held,
+   inv_no: inverter_number, maximum_frequency: maximum_frequency, timeout: communication_timeout}
+times:
+  reply_max: {ms: 20, source: it}
+  boot: {ms: 900, source: it}
+  reset_silence: {ms: 2000, source: it}
+"""
+
+
+def test_scenarios_run_with_a_catalogue_of_ones_own(fbgen: Fbgen, scenarios: Path) -> None:
+    own = scenarios / "own"
+    (own / "drives").mkdir(parents=True)
+    (own / "drives" / "vf-s11x.yaml").write_text(OWN_SERIES, "utf-8")
+    for kind, name in (("gateways", "tospbdp001"), ("sequences", "manual_example")):
+        (own / kind).mkdir()
+        shipped = (ROOT / "catalog" / kind / f"{name}.yaml").read_text("utf-8")
+        changed = shipped.replace("series: [vf-s11", "series: [vf-s11x, vf-s11", 1)
+        assert changed != shipped
+        (own / kind / f"{name}.yaml").write_text(changed, "utf-8")
+    plant = scenarios / "plant.yaml"
+    plant.write_text(plant.read_text("utf-8").replace("series: vf-s11", "series: vf-s11x"), "utf-8")
+    run = fbgen("test", str(scenarios), "--catalog", str(own))
+    assert (run.status, run.err) == (0, "1 passed, 0 failed\n")
+    run = fbgen("test", str(scenarios))
+    assert run.status == 1
+    assert "there is no drive series 'vf-s11x'" in run.err
+    (own / "drives" / "vf-s11x.yaml").write_text(OWN_SERIES + "times: {}\n", "utf-8")
+    run = fbgen("test", str(scenarios), "--catalog", str(own))
+    assert run.status == 1
+    assert run.err.count("error[FB1004]") == 1
+
+
+def test_the_command_that_runs_a_scenario_again_names_the_catalogue(
+    fbgen: Fbgen, scenarios: Path
+) -> None:
+    path = scenarios / "clock.scenario.yaml"
+    path.write_text(path.read_text("utf-8").replace("frequency: 0.0", "frequency: 1.0"), "utf-8")
+    own = scenarios / "own"
+    own.mkdir()
+    run = fbgen("test", str(scenarios), "--catalog", str(own))
+    assert f"--seed 0 --catalog {own.as_posix()}\n" in run.err
+
+
 def test_scenarios_run_in_several_processes(fbgen: Fbgen, scenarios: Path) -> None:
     shutil.copy(scenarios / "clock.scenario.yaml", scenarios / "again.scenario.yaml")
     run = fbgen("test", str(scenarios), "-j", "2")

@@ -8,12 +8,13 @@ What a code block does, by its language:
   each line is a command. A command ends with status 0, or with that of its comment `# status 1`;
 * `sh` shows how a command is written, with names of files that nobody has: its options exist (see
   `test_commands`);
+* `diff NAME` changes the file of that name: its lines stand there once, and are replaced;
 * `python` runs;
 * `yaml` for a server that runs the commands in it (`NAME.yml`): those of fbgen run;
 * everything else is text of its language (see `fragments`).
 
 A page finds what it speaks of and does not show in `scratch/PAGE/`, and those folders of the
-project that it names.
+project that it names; `cp` finds any file of the project.
 """
 
 import doctest
@@ -37,7 +38,7 @@ from tests.unit.documentation.markdown import ROOT, CodeBlock, blocks_of, text_o
 SCRATCH = Path(__file__).parent / "scratch"
 UNREAD = {"sh", "text"}
 """What is neither run nor read here."""
-FOLDERS = ("examples", "tests/scenarios")
+FOLDERS = ("examples",)
 """Folders of the project that pages speak of."""
 ELSEWHERE = {
     "make": "the tests in test_commands hold its targets",
@@ -101,7 +102,9 @@ def follow(page: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     _prepare(page, folder)
     names: dict[str, object] = {"__name__": page}
     for block in blocks_of(page):
-        if block.name:
+        if block.language == "diff":
+            _change(block, folder)
+        elif block.name:
             (folder / block.name).parent.mkdir(parents=True, exist_ok=True)
             Path(folder / block.name).write_text(block.text, encoding="utf-8")
         if block.language == "console":
@@ -112,7 +115,7 @@ def follow(page: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
         elif block.name.endswith(".yml"):
             for line in re.findall(r"^ *- (?:run: )?(fbgen .+)$", block.text, re.MULTILINE):
                 _run(Command(block.place, line, None), capsys)
-        elif block.language not in UNREAD:
+        elif block.language not in {*UNREAD, "diff"}:
             assert problems_of(block.language, block.text) == [], block.place
 
 
@@ -123,6 +126,16 @@ def _prepare(page: str, folder: Path) -> None:
     for name in FOLDERS:
         if name in text_of(page):
             shutil.copytree(ROOT / name, folder / name)
+
+
+def _change(block: CodeBlock, folder: Path) -> None:
+    """Replace the lines of a file that begin with a blank or `-` by those with a blank or `+`."""
+    lines = block.text.splitlines(keepends=True)
+    before, after = ("".join(one[1:] for one in lines if one[0] in kept) for kept in (" -", " +"))
+    path = folder / block.name
+    text = path.read_text(encoding="utf-8")
+    assert text.count(before) == 1, f"{block.place}: {block.name} does not have these lines once"
+    path.write_text(text.replace(before, after), encoding="utf-8")
 
 
 def _run(command: Command, capsys: pytest.CaptureFixture[str]) -> None:
@@ -161,7 +174,11 @@ def _status(words: list[str]) -> int:
         os.chdir(rest[0])
         return 0
     if program == "mkdir":
-        Path(rest[0]).mkdir()
+        Path(rest[-1]).mkdir(parents="-p" in rest)
+        return 0
+    if program == "cp":
+        source = Path(rest[0])
+        shutil.copy(source if source.exists() else ROOT / source, rest[1])
         return 0
     if program == "python":
         runpy.run_path(rest[0], run_name="__main__")

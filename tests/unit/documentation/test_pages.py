@@ -10,7 +10,7 @@ from tests.unit.documentation.markdown import blocks_of, pages, text_of
 from tests.unit.documentation.rehearsal import UNREAD, follow
 
 MESSAGES = "docs/reference/diagnostics/"
-KNOWN = {*DIALECTS, *PROBLEMS, "console", *UNREAD}
+KNOWN = {*DIALECTS, *PROBLEMS, "console", "diff", *UNREAD}
 APART = {
     "docs/reference/scenario-files.md": "tests/unit/scenario/test_scenario_page.py",
     "docs/reference/trace.md": "tests/unit/trace/test_trace_page.py",
