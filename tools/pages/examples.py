@@ -103,7 +103,8 @@ def _written(value: object) -> str:
     text = " ".join(str(value).split())
     if len(text) > 2 * _LONGEST:
         text = text[: 2 * _LONGEST].rpartition(" ")[0] + " ..."
-    is_plain = text and not set(text) & set(",[]{}#&*!|>%@`") and ": " not in text
+    is_number = re.fullmatch(r"\d+(_\d+)+", text)  # for YAML; here it is a name
+    is_plain = text and not is_number and not set(text) & set(",[]{}#&*!|>%@`") and ": " not in text
     return text if is_plain else f'"{text}"'
 
 

@@ -52,6 +52,7 @@ ELSEWHERE = {
     "source": "makes an environment the shell's own",
     "pip": "tests/unit/packaging installs the wheel",
     "dask": "takes a cluster",
+    "cansend": "takes a CAN interface",
 }
 """Commands that are not run from a page, and why."""
 LONG = {
