@@ -18,8 +18,10 @@ def replace_file(path: Path, data: bytes) -> None:
         if path.exists():
             shutil.copymode(path, temporary)
         temporary.replace(path)
-    except BaseException:
+    except BaseException as problem:
         temporary.unlink(missing_ok=True)
+        if isinstance(problem, OSError):  # the temporary name says nothing to a person
+            problem.filename, problem.filename2 = str(path), None
         raise
 
 

@@ -135,6 +135,20 @@ def test_of_process_data_it_tells_what_the_module_can_do(
     assert re.findall(r"^(\d)\. ", text, re.M) == ["1", "2", "3", "4", "5"]
 
 
+@pytest.mark.parametrize(
+    ("language", "who"),
+    [("en", "Each drive at a line: F800"), ("de", "Jeder Antrieb an einer Linie: F800")],
+)
+def test_only_the_drives_of_lines_are_set_to_the_speed_of_the_line(language: str, who: str) -> None:
+    channels = CHANNELS.format(layout="module1").partition("gateways:\n")[2]
+    mixed = TWO_GATEWAYS + channels.replace("north", "west").replace("pump", "mill").replace(
+        "profibus_address: 2", "profibus_address: 9"
+    )
+    assert who in page("tia", language, mixed)
+    assert who not in page("tia", language)
+    assert "F800 = 4" in page("tia", language)
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_only_the_section_of_the_dialect_is_there(language: str) -> None:
     tools = {"tia": "TIA Portal", "step7": "S7-SCL", "twincat": "TwinCAT 3", "iec": "MATIEC"}

@@ -160,6 +160,17 @@ def test_a_folder_that_must_not_be_written_is_fb5021(
     assert "Permission denied" in refused("FB5021", files(a_scl="A\n"), tmp_path / "out")
 
 
+def test_a_file_that_cannot_be_written_is_named_and_not_its_temporary_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def forbidden(self: Path, _: bytes) -> int:
+        raise PermissionError(13, "Permission denied", str(self))
+
+    monkeypatch.setattr(Path, "write_bytes", forbidden)
+    told = refused("FB5021", files(a_scl="A\n"), tmp_path)
+    assert f"{tmp_path / 'a.scl'} cannot be written: Permission denied" in told
+
+
 def test_an_interrupted_write_leaves_every_file_whole_and_can_be_repeated(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
