@@ -29,6 +29,7 @@ from fbgen.catalog.layouts import (
     placed_identifiers,
 )
 from fbgen.catalog.located import Located, origin, validate
+from fbgen.catalog.manuals import Finding, Manual
 from fbgen.catalog.modbus_protocol import ModbusException, ModbusFunction, ModbusProtocol
 from fbgen.catalog.options import Option, OptionValue
 from fbgen.catalog.process_data_gateways import ParameterChannel, ProcessDataGateway
@@ -50,7 +51,7 @@ from fbgen.catalog.steps import (
 )
 from fbgen.catalog.telegram_gateways import StatusCode, TelegramGateway
 from fbgen.catalog.values import parse_word
-from fbgen.catalog.words import BitField, DecodedField, Word
+from fbgen.catalog.words import BitField, DecodedField, Word, WordExample
 from fbgen.catalog.yaml_nodes import Document, load_yaml
 
 __all__ = [
@@ -84,6 +85,8 @@ __all__ = [
     "LedState",
     "Located",
     "OWN_SEQUENCES",
+    "Finding",
+    "Manual",
     "ModbusAccess",
     "ModbusException",
     "ModbusFunction",
@@ -114,6 +117,7 @@ __all__ = [
     "ToshibaService",
     "Trip",
     "Word",
+    "WordExample",
     "WriteStep",
     "access_ways",
     "covers_all",

@@ -1,4 +1,4 @@
-"""The whole catalogue: drives, gateways, protocols and sequences, in layers.
+"""The whole catalogue: drives, gateways, protocols, sequences and manuals, in layers.
 
 The shipped folder is the lowest layer. Folders of the user's own have the same structure; an
 entry with the id of a lower one replaces it, which `Catalog.replaced` tells. Sequences that lie
@@ -21,6 +21,7 @@ from fbgen.catalog.gateways import Gateway
 from fbgen.catalog.kinds import kind_of
 from fbgen.catalog.kinship import relative_of, with_relative
 from fbgen.catalog.located import validate
+from fbgen.catalog.manuals import Manual
 from fbgen.catalog.modbus_protocol import ModbusProtocol
 from fbgen.catalog.process_data_gateways import ProcessDataGateway
 from fbgen.catalog.profibus_gateways import ProfibusGateway
@@ -37,9 +38,15 @@ from fbgen.nearest import nearest
 from fbgen.resources import shipped
 from fbgen.source import Source, Span
 
-Entry = Drive | Gateway | Protocol | Sequence
+Entry = Drive | Gateway | Protocol | Sequence | Manual
 KINDS: Mapping[str, type[Entry]] = MappingProxyType(
-    {"drives": Drive, "gateways": Gateway, "protocols": Protocol, "sequences": Sequence}
+    {
+        "drives": Drive,
+        "gateways": Gateway,
+        "protocols": Protocol,
+        "sequences": Sequence,
+        "manuals": Manual,
+    }
 )
 """Folder name -> model of the files in it."""
 _KINDS_OF: Mapping[str, Mapping[str, type[Gateway] | type[Protocol]]] = MappingProxyType(
@@ -49,7 +56,7 @@ _KINDS_OF: Mapping[str, Mapping[str, type[Gateway] | type[Protocol]]] = MappingP
 OWN_SEQUENCES = "sequences"
 """The folder beside a plant file in which its own sequences lie."""
 
-EntryType = TypeVar("EntryType", Drive, Gateway, Protocol, Sequence)
+EntryType = TypeVar("EntryType", Drive, Gateway, Protocol, Sequence, Manual)
 KindType = TypeVar("KindType", bound=Gateway | Protocol)
 
 
@@ -73,6 +80,7 @@ class Catalog:
     sequences: Mapping[str, Sequence]
     replaced: tuple[Replacement, ...] = ()
     sources: tuple[Source, ...] = ()
+    manuals: Mapping[str, Manual] = field(default_factory=dict)
 
     def drive(self, name: str) -> Drive:
         """The series of an id. Raises DiagnosticError FB1205 with the nearest ids."""
@@ -333,6 +341,7 @@ def _catalog(layers: _Layers) -> Catalog:
         sequences=_typed(layers.entries["sequences"], Sequence),
         replaced=tuple(layers.replaced),
         sources=tuple(layers.sources),
+        manuals=_typed(layers.entries["manuals"], Manual),
     )
 
 

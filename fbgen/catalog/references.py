@@ -26,7 +26,7 @@ def unresolved(catalog: "Catalog", broken: Collection[tuple[str, str]]) -> Itera
     """
     lost = {
         kind: {stem for folder, stem in broken if folder == kind}
-        for kind in ("drives", "protocols")
+        for kind in ("drives", "gateways", "protocols")
     }
     protocols = {*catalog.protocols, *lost["protocols"]}
     series = {*catalog.drives, *lost["drives"]}
@@ -39,6 +39,10 @@ def unresolved(catalog: "Catalog", broken: Collection[tuple[str, str]]) -> Itera
             yield from named_in(gateway, "protocol", gateway.protocol, protocols, "protocol")
         for name in gateway.series:
             yield from named_in(gateway, "series", name, series, "drive series")
+    devices = {*series, *catalog.gateways, *lost["gateways"]}
+    for manual in catalog.manuals.values():
+        for name in manual.devices:
+            yield from named_in(manual, "devices", name, devices, "gateway or drive series")
     for sequence in catalog.sequences.values():
         for name in sequence.series:
             yield from named_in(sequence, "series", name, series, "drive series")

@@ -89,6 +89,13 @@ class DecodedField:
     meaning: str
 
 
+class WordExample(Sourced):
+    """A value of a word that a manual shows, and what it says that it does."""
+
+    value: HexWord
+    title: Text
+
+
 class Word(Sourced):
     """A word with its bit table. `name` is unique within its drive or gateway.
 
@@ -105,6 +112,7 @@ class Word(Sourced):
     needs: BitName | None = None
     overridden_by: tuple[SnakeName, ...] = ()
     remark: Text | None = None
+    examples: tuple[WordExample, ...] = ()
 
     def problems(self) -> Iterable[Diagnostic]:
         """FB1101 overlapping bits or one name twice; FB1103 no source."""
@@ -126,6 +134,20 @@ class Word(Sourced):
                     second.span_of("name"),
                     "",
                     (Note("first here", first.span_of("name")),),
+                )
+
+        yield from self._wrong_examples()
+
+    def _wrong_examples(self) -> Iterable[Diagnostic]:
+        """FB1104: an example with bits that the word does not have."""
+        for example in self.examples:
+            if rest := example.value & ~self.defined:
+                yield Diagnostic(
+                    "FB1104",
+                    f"the example {example.value:04X} sets bits that '{self.name}' does not have "
+                    f"({rest:04X})",
+                    example.span_of("value"),
+                    f"the bits of the word are {self.defined:04X}",
                 )
 
     def source_of(self, field: BitField) -> str:

@@ -20,6 +20,7 @@ class Kind(Enum):
     GATEWAYS = "gateways"
     PROTOCOLS = "protocols"
     SEQUENCES = "sequences"
+    MANUALS = "manuals"
     WORDS = "words"
 
 
@@ -46,7 +47,7 @@ def register(program: typer.Typer) -> None:
 def list_entries(
     kind: Annotated[
         Kind | None,
-        typer.Argument(metavar="KIND", help="drives, gateways, protocols, sequences or words."),
+        typer.Argument(metavar="KIND", help="One kind: drives, manuals, words, ..."),
     ] = None,
     catalog: CatalogOption = None,
     as_json: JsonOption = False,
@@ -136,6 +137,7 @@ def _rows(known: "Catalog") -> list[list[str]]:
             (Kind.GATEWAYS, known.gateways),
             (Kind.PROTOCOLS, known.protocols),
             (Kind.SEQUENCES, known.sequences),
+            (Kind.MANUALS, known.manuals),
         )
         for entry in entries.values()
     ]

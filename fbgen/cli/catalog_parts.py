@@ -14,6 +14,7 @@ from fbgen.nearest import nearest
 def find_entry(catalog: Catalog, name: str) -> Entry:
     """The entry of an id, whatever its kind. Raises DiagnosticError FB9005."""
     entries: dict[str, Entry] = {
+        **catalog.manuals,
         **catalog.sequences,
         **catalog.protocols,
         **catalog.gateways,

@@ -7,6 +7,7 @@ from fbgen.catalog import (
     Condition,
     Drive,
     Gateway,
+    Manual,
     Protocol,
     ReadStep,
     RepeatStep,
@@ -40,6 +41,8 @@ def entry_text(entry: Entry) -> str:
             parts += protocol_text(entry, sources)
         case CommandSequence():
             parts += _sequence(entry, sources)
+        case Manual():
+            parts += _findings(entry, sources)
     return "\n\n".join([*parts, source_list(sources.found)])
 
 
@@ -152,6 +155,15 @@ def _sequence(sequence: CommandSequence, sources: Sources) -> list[str]:
     parts.append(table(["step", "does", "title"], steps))
     if telegrams:
         parts.append(table(["step", "from the PLC", "to the PLC", "source"], telegrams))
+    return parts
+
+
+def _findings(manual: Manual, sources: Sources) -> list[str]:
+    parts = [f"About: {', '.join(manual.devices)}"]
+    for item in manual.findings:
+        head = f"{item.name} ({item.kind.replace('_', ' ')}) {sources.of(item)}"
+        rows = [f"says:  {item.says}", f"taken: {item.taken}", f"why:   {item.why}"]
+        parts.append("\n".join([head, *(paragraph(row) for row in rows)]))
     return parts
 
 

@@ -96,10 +96,12 @@ def _subject(
     from fbgen.cli.handshakes import handshakes
     from fbgen.cli.plc_files import expand
     from fbgen.docs.examples import example_programs
+    from fbgen.docs.limits import NotModelled
     from fbgen.docs.program import read_program
     from fbgen.docs.subject import of_plant, whole_catalogue
     from fbgen.emit.generator import generate
     from fbgen.plant import load_plant
+    from harness.not_modelled import NOT_MODELLED
 
     known = load_catalog(catalog)
     examples_of_known = tuple(example_programs(known, templates))
@@ -110,4 +112,8 @@ def _subject(
         wanted = load_plant(plant, known)
         program = read_program(wanted, generate(wanted, known, templates), expand(sources))
         subject = of_plant(wanted, known, program)
-    return replace(subject, handshakes=tuple(handshakes(examples_of_known, list(subject.gateways))))
+    return replace(
+        subject,
+        handshakes=tuple(handshakes(examples_of_known, list(subject.gateways))),
+        not_modelled=tuple(NotModelled(*one) for one in NOT_MODELLED),
+    )

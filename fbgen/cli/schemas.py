@@ -37,7 +37,7 @@ def schemas(
 
 def schema_texts() -> dict[str, str]:
     """The schemas by file name, each generated from the model that reads such a file."""
-    from fbgen.catalog import Drive, Sequence
+    from fbgen.catalog import Drive, Manual, Sequence
     from fbgen.catalog.file_models import GatewayFile, ProtocolFile
     from fbgen.catalog.schema import schema_text
     from fbgen.cli.check_report import CheckReport
@@ -48,6 +48,7 @@ def schema_texts() -> dict[str, str]:
     models: dict[str, type[BaseModel]] = {
         "catalog-drive": Drive,
         "catalog-gateway": GatewayFile,
+        "catalog-manual": Manual,
         "catalog-protocol": ProtocolFile,
         "catalog-sequence": Sequence,
         "check-report": CheckReport,

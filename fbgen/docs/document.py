@@ -29,11 +29,15 @@ class Strong:
 
 @dataclass(frozen=True, slots=True)
 class Link:
-    """A text that leads to a page, or to an anchor on it. An empty page means this one."""
+    """A text that leads to a page, or to an anchor on it. An empty page means this one.
+
+    `state` is what the tool of the page is to show: `v=C400`. Formats without tools leave it out.
+    """
 
     text: str
     page: str
     anchor: str = ""
+    state: str = ""
 
 
 @dataclass(frozen=True, slots=True)

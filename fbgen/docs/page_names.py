@@ -34,6 +34,11 @@ def block_page(block: str) -> str:
     return f"block-{block}"
 
 
+def manual_page(manual: str) -> str:
+    """The page of a manual."""
+    return manual
+
+
 def comno_link(series: str, comno: ComNo) -> Link:
     """To the row of a ComNo."""
     return Link(comno.hex, comno_page(series), comno_anchor(comno))

@@ -8,6 +8,8 @@ from fbgen.docs.document import Link, Page
 from fbgen.docs.pages.blocks import block_pages
 from fbgen.docs.pages.comnos import comno_pages
 from fbgen.docs.pages.gateways import gateway_pages
+from fbgen.docs.pages.manuals import manual_pages
+from fbgen.docs.pages.not_modelled import not_modelled_pages
 from fbgen.docs.pages.overview import overview_page
 from fbgen.docs.pages.protocols import protocol_pages
 from fbgen.docs.pages.series import series_pages
@@ -48,6 +50,8 @@ def build_site(subject: Subject, version: str) -> Site:
         protocol_pages(subject),
         block_pages(subject, usage),
         usage_pages(subject, usage),
+        manual_pages(subject),
+        not_modelled_pages(subject),
     )
     pages = tuple(chain.from_iterable(parts))
     return Site(subject.title, (overview_page(subject, pages), *pages), version)

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from fbgen.catalog import Catalog, Drive, Gateway, Protocol, Sequence
 from fbgen.dataclass import dataclass
 from fbgen.docs.handshake import Handshake
+from fbgen.docs.limits import NotModelled
 from fbgen.docs.program import PlantProgram
 from fbgen.plant import Plant
 
@@ -14,7 +15,7 @@ class Subject:
     """The entries that get pages, by their ids; `plant` is None for the whole catalogue.
 
     `programs` are those whose blocks get pages: the plant's, or those of examples;
-    `handshakes` is what a run has shown of gateways.
+    `handshakes` is what a run has shown of gateways, `not_modelled` what runs leave out.
     """
 
     title: str
@@ -26,6 +27,7 @@ class Subject:
     plant: Plant | None = None
     programs: tuple[PlantProgram, ...] = ()
     handshakes: tuple[Handshake, ...] = ()
+    not_modelled: tuple[NotModelled, ...] = ()
 
     @property
     def devices(self) -> tuple[Gateway | Drive, ...]:

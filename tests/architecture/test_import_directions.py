@@ -66,6 +66,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "harness.trace": BASE | TEXT | PLANT,
     "harness.report": BASE | {"harness.results", "harness.trace"},
     "harness.installation": BASE | TEXT | PLANT | {"fbgen.cache", "harness.trace"},
+    "harness.not_modelled": set(),
     "harness.durations": {"harness.kernel"},
     "harness.faults": BASE | TEXT | PLANT | {"fbgen.named_modules", "harness.durations"},
     "harness.rules": BASE | TEXT | PLANT | {"fbgen.named_modules"},

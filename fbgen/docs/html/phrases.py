@@ -15,7 +15,8 @@ def phrase_html(phrase: Phrase) -> Markup:
 def address(link: Link) -> str:
     """Where a link leads from any page: all lie in one folder."""
     page = f"{link.page}.html" if link.page else ""
-    return f"{page}#{link.anchor}" if link.anchor else page
+    behind = link.state or link.anchor
+    return f"{page}#{behind}" if behind else page
 
 
 def _part(part: Inline) -> Markup:

@@ -13,6 +13,7 @@ _GROUPS = {
     "ComNos": "All communication numbers with unit, range, default; a converter to words.",
     "Trips and alarms": "Codes, what the panel shows, likely causes.",
     "Blocks": "What each block does, its state diagram, its codes; which block uses which bit.",
+    "Manuals": "Where manuals contradict themselves, the reading taken; what is not modelled.",
     "Protocols": "Frames, commands, errors on the line of the inverters.",
 }
 

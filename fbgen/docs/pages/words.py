@@ -61,6 +61,7 @@ def _page(device: Gateway | Drive, item: Word, subject: Subject, usage: Usage) -
     sections = [
         Section("Decoder", (decoder,), "decoder"),
         Section("Bits", tuple(blocks), "bits"),
+        *_examples(item, sources),
         *sources.sections(),
     ]
     return Page(
@@ -71,6 +72,22 @@ def _page(device: Gateway | Drive, item: Word, subject: Subject, usage: Usage) -
         tuple(sections),
         f"{name} {numbers} {item.title}",
     )
+
+
+def _examples(item: Word, sources: Sources) -> Iterator[Section]:
+    """Values that manuals show, each with a link that puts it into the decoder."""
+    rows = []
+    for example in item.examples:
+        names = [one.field.name for one in item.decode(example.value) if one.value]
+        bits = listed(code(name) for name in names)
+        link = Link(f"{example.value:04X}", "", "decoder", f"v={example.value:04X}")
+        source = sources.of(example.source, example.status)
+        rows.append(Row(((link,), (example.title,), bits, source)))
+    if rows:
+        table = Table(
+            ("Value", "What the manual says", "Bits that are not 0", "Source"), tuple(rows)
+        )
+        yield Section("Worked examples", (table,), "examples")
 
 
 def _cells(device: Gateway | Drive, item: Word) -> list[ComNo]:

@@ -66,6 +66,12 @@ function decoder(place, data) {
   }
 
   change(remembered(state));
+  addEventListener("hashchange", () => {
+    if (!location.hash.startsWith("#v=")) return;
+    change(remembered(state));
+    place.scrollIntoView({ block: "center" });
+    input.focus({ preventScroll: true });
+  });
 }
 
 function meaning(field, value) {

@@ -101,3 +101,12 @@ def test_the_converter_goes_both_ways(shown: Shown) -> None:
     page.locator(".tool select").select_option("0009")
     value.fill("12,5")
     expect(word).to_have_value("007D")
+
+
+def test_an_example_of_the_manual_is_put_into_the_decoder(shown: Shown) -> None:
+    page = shown("vf-as1.command")
+    page.get_by_role("link", name="8600").click()
+    expect(page.get_by_label("Value")).to_have_value("8600")
+    expect(page.get_by_role("button", name="bit 9 reverse")).to_have_attribute(
+        "aria-pressed", "true"
+    )

@@ -73,3 +73,16 @@ def test_the_page_of_a_devicenet_adapter_has_assemblies_and_objects(site: Site) 
     status = row(shown, "assembly-151-status").cells
     assert plain(status[1]) == "0 to 1"
     assert plain(row(shown, "parameter-c102").cells[3]) == "0"
+
+
+def test_worked_examples_lead_into_the_decoder(site: Site) -> None:
+    shown = page(site, "vf-s11.command")
+    link = next(link for link in shown.links() if link.state == "v=C400")
+    assert (link.page, link.anchor) == ("", "decoder")
+
+
+def test_every_finding_in_a_manual_has_a_row_with_its_reason(site: Site) -> None:
+    for manual in CATALOG.manuals.values():
+        for finding in manual.findings:
+            cells = [plain(cell) for cell in row(page(site, manual.id), finding.name).cells]
+            assert cells[1:4] == [finding.says, finding.taken, finding.why]
