@@ -17,7 +17,8 @@ def register(program: typer.Typer) -> None:
             "fbgen decode tospbdp001.status 9F00",
             "fbgen decode vf-s11.command 2#1100_0100_0000_0000",
             "fbgen decode vf-s11.FA00 16#C400 --json",
-            'fbgen decode toshiba "2F 0B 50 FA 00 C4 00 48" --series vf-s11',
+            'fbgen decode tospbdp001.output "E0 00 01 0B 50 FA 00 C4 00"',
+            'fbgen decode toshiba.frame "2F 0B 50 FA 00 C4 00 48" --series vf-s11',
             'fbgen decode modbus "01 03 02 17 70 B6 50" --request "01 03 FD 00 00 01 B5 A6"',
         )
     )(decode)
@@ -29,15 +30,16 @@ def decode(
         typer.Argument(
             metavar="WORD",
             help="Device and word or ComNo: tospbdp001.status, vf-s11.FA00. Or a kind of frame: "
-            "toshiba, toshiba.request, toshiba.reply, modbus, modbus.request, modbus.reply.",
+            "toshiba.frame, toshiba.request, toshiba.reply, modbus.frame. Or the cyclic data of "
+            "a gateway: tospbdp001.output, tospbdp001.input.",
         ),
     ],
     value: Annotated[
         str,
         typer.Argument(
             metavar="VALUE",
-            help="9F00, 16#9F00, 0x9F00, 9F00h, 2#1001_1111_0000_0000 or 10#40704. Of a frame its "
-            'bytes, "2F 0B 50 FA 00 C4 00 48", or its text, "(PFA008400)".',
+            help="9F00, 16#9F00, 0x9F00, 9F00h, 2#1001_1111_0000_0000 or 10#40704. Of a frame or "
+            'of cyclic data the bytes, "2F 0B 50 FA 00 C4 00 48"; an ASCII frame, "(PFA008400)".',
         ),
     ],
     series: SeriesOption = None,
@@ -47,6 +49,7 @@ def decode(
 ) -> None:
     """Show what the bits of a word mean, and where that is written; or what a frame says."""
     from fbgen.catalog import load_catalog, parse_word
+    from fbgen.cli.telegram_reading import cells_of, telegram_kind, telegram_reading
     from fbgen.cli.word_tables import decoded_json, decoded_text
 
     kind = frame_kind(word)
@@ -61,7 +64,19 @@ def decode(
         else:
             result(reading_text(reading))
         return
-    bits = load_catalog(catalog or ()).word(word)
+    known = load_catalog(catalog or ())
+    if "." in word and (telegram := telegram_kind(known, word)) is not None:
+        from fbgen.cli.frame_reading import reading_json, reading_text
+        from fbgen.cli.frames import bytes_of
+
+        cells = cells_of(telegram, series, known)
+        reading = telegram_reading(telegram, bytes_of(value), cells)
+        if as_json:
+            result_json(reading_json(reading))
+        else:
+            result(reading_text(reading))
+        return
+    bits = known.word(word)
     number = parse_word(value)
     if as_json:
         result_json(decoded_json(word, bits, number))

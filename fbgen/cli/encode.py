@@ -19,6 +19,8 @@ def register(program: typer.Typer) -> None:
             "fbgen encode tospbdp001.status status_code=0x1F status_changed",
             "fbgen encode vf-s11.command run --json",
             "fbgen encode toshiba command=P inv_no=11 com_no=FA00 data=C400",
+            "fbgen encode tospbdp001.output control=E000 trigger=1 inv_no=11 cmd=P comno=FA00 "
+            "data=C400",
             "fbgen encode modbus function=06 com_no=frequency_setpoint value=50 --series vf-s11",
         )
     )(encode)
@@ -30,7 +32,8 @@ def encode(
         typer.Argument(
             metavar="WORD",
             help="Device and word or ComNo: vf-s11.command, vf-s11.FA00. Or a kind of frame: "
-            "toshiba.request, toshiba.reply, modbus.request, modbus.reply.",
+            "toshiba.request, toshiba.reply, modbus.request, modbus.reply. Or the cyclic data of a "
+            "gateway: tospbdp001.output, tospbdp001.input.",
         ),
     ],
     bits: Annotated[
@@ -45,6 +48,7 @@ def encode(
 ) -> None:
     """Make a word of named bits, all others are 0; or a frame of its fields."""
     from fbgen.catalog import load_catalog
+    from fbgen.cli.telegram_reading import cells_of, telegram_kind, written_telegram
     from fbgen.cli.word_tables import decoded_json, decoded_text
 
     kind = frame_kind(word)
@@ -59,7 +63,18 @@ def encode(
         else:
             result(reading_text(reading))
         return
-    table = load_catalog(catalog or ()).word(word)
+    known = load_catalog(catalog or ())
+    if "." in word and (telegram := telegram_kind(known, word)) is not None:
+        from fbgen.cli.frame_reading import reading_json, reading_text
+
+        cells = cells_of(telegram, series, known)
+        reading = written_telegram(telegram, bits, cells)
+        if as_json:
+            result_json(reading_json(reading))
+        else:
+            result(reading_text(reading))
+        return
+    table = known.word(word)
     number = table.encode(_values(bits))
     if as_json:
         result_json(decoded_json(word, table, number))

@@ -6,6 +6,8 @@ import typer
 
 PROTOCOLS = ("toshiba", "modbus")
 DIRECTIONS = ("request", "reply")
+EITHER = "frame"
+"""`toshiba.frame` is `toshiba`: a request or a reply."""
 
 SeriesOption = Annotated[
     str | None,
@@ -21,7 +23,7 @@ RequestOption = Annotated[
 
 
 def frame_kind(word: str) -> tuple[str, str | None] | None:
-    """Protocol and direction of `toshiba.request`, `modbus`; None for a word of the catalogue.
+    """Protocol and direction of `toshiba.request`, `modbus`; None for any other word.
 
     Raises DiagnosticError FB9044 for another direction.
     """
@@ -31,6 +33,8 @@ def frame_kind(word: str) -> tuple[str, str | None] | None:
     protocol, dot, direction = word.lower().partition(".")
     if protocol not in PROTOCOLS:
         return None
+    if direction == EITHER:
+        return protocol, None
     if dot and direction not in DIRECTIONS:
         kinds = [f"{protocol}.{way}" for way in DIRECTIONS]
         raise error("FB9044", f"there are no frames '{word}'", help=nearest(word, kinds))

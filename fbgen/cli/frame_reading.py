@@ -18,12 +18,13 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """A frame with what it says. `right` is the same frame with its right check sum."""
+    """A frame with what it says. `right` is the same frame with its right check sum; None where
+    there is none."""
 
     title: str
     direction: str
     frame: bytes
-    right: bytes
+    right: bytes | None
     parts: tuple[Part, ...]
     remarks: tuple[str, ...]
 
@@ -47,8 +48,11 @@ def reading_json(reading: Reading) -> dict[str, object]:
         "title": reading.title,
         "direction": reading.direction,
         "frame": shown(reading.frame),
-        "checksum_right": reading.frame == reading.right,
-        "right_frame": shown(reading.right),
+    }
+    if reading.right is not None:
+        data["checksum_right"] = reading.frame == reading.right
+        data["right_frame"] = shown(reading.right)
+    data |= {
         "fields": [
             {"bytes": shown(part.data), "name": part.name, "meaning": part.text}
             for part in reading.parts

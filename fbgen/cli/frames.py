@@ -21,13 +21,13 @@ def frame_reading(
     frame is no reply to the request.
     """
     if protocol == "modbus":
-        asked = None if request is None else _bytes(request)
-        return modbus_reading(_bytes(text), direction, cells, asked)
+        asked = None if request is None else bytes_of(request)
+        return modbus_reading(bytes_of(text), direction, cells, asked)
     if request is not None:
         raise error(
             "FB9045", "a reply of the Toshiba protocol names its ComNo", help="leave out --request"
         )
-    frame = _ascii(text) if text.lstrip().startswith("(") else _bytes(text)
+    frame = _ascii(text) if text.lstrip().startswith("(") else bytes_of(text)
     return toshiba_reading(frame, direction, cells)
 
 
@@ -45,7 +45,8 @@ def written_frame(
     return toshiba_reading(toshiba_frame(way, given), way, cells)
 
 
-def _bytes(text: str) -> bytes:
+def bytes_of(text: str) -> bytes:
+    """Bytes as people write them: `2F 0B 50`. Raises DiagnosticError FB9040."""
     plain = text.replace("_", " ").replace("0x", "").replace("16#", "")
     try:
         data = bytes.fromhex(plain)

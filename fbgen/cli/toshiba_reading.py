@@ -106,14 +106,19 @@ def _plain(data: bytes) -> str:
 
 
 def _command_part(data: bytes) -> Part:
-    letter = chr(data[0])
+    return Part(data, "CMD", command_text(data[0]))
+
+
+def command_text(code: int) -> str:
+    """What a CMD byte asks for, or says of the inverter that answers."""
+    letter = chr(code)
     known = _COMMANDS.get(letter)
     if known is not None:
-        return Part(data, "CMD", f"{letter}, {known}")
+        return f"{letter}, {known}"
     upper = _COMMANDS.get(letter.upper())
     if upper is None:
-        return Part(data, "CMD", f"{letter}, which is no command")
-    return Part(data, "CMD", f"{letter}, {upper}; the inverter has tripped")
+        return f"{letter}, which is no command" if letter.isprintable() else "no command"
+    return f"{letter}, {upper}; the inverter has tripped"
 
 
 def _binary_parts(frame: bytes, right: bytes, message: Message, cells: CellTexts) -> Iterator[Part]:

@@ -19,6 +19,7 @@ FILES = {
     "catalog-drive": ("catalog/drives/vf-s11.yaml", "catalog/drives/*.yaml"),
     "catalog-gateway": ("catalog/gateways/tospbdp001.yaml", "catalog/gateways/*.yaml"),
     "catalog-protocol": ("catalog/protocols/*.yaml",),
+    "catalog-manual": ("catalog/manuals/*.yaml",),
     "catalog-sequence": ("catalog/sequences/*.yaml",),
     "scenario": ("docs/reference/scenario-files.md", "examples/*/*.scenario.yaml"),
 }

@@ -35,6 +35,11 @@ _KINDS = {
         "`sequences/ID.yaml` of a catalogue or beside a plant file. [Sequences](../sequences.md) "
         "explains the steps.",
     ),
+    "manual": (
+        "catalog-manual",
+        "The file of a manual",
+        "`manuals/ID.yaml` of a catalogue: what is wrong in it, and how it is read.",
+    ),
     "scenario": (
         "scenario",
         "The scenario file",

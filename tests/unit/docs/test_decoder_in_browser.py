@@ -6,6 +6,8 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from fbgen.catalog import load_catalog, parse_word
+from fbgen.cli.cell_texts import CellTexts
+from fbgen.cli.telegram_reading import telegram_kind, written_telegram
 from fbgen.diagnostics import DiagnosticError
 from fbgen.wire import toshiba_binary
 from fbgen.wire.toshiba import Command, Form, Request
@@ -110,3 +112,17 @@ def test_an_example_of_the_manual_is_put_into_the_decoder(shown: Shown) -> None:
     expect(page.get_by_role("button", name="bit 9 reverse")).to_have_attribute(
         "aria-pressed", "true"
     )
+
+
+def test_cyclic_data_are_those_of_the_command_line(shown: Shown) -> None:
+    kind = telegram_kind(CATALOG, "tospbdp001.output")
+    assert kind is not None
+    page = shown("vf-s11.command")
+    for number, trigger, value in ((0, 1, 0xC400), (63, 0xFF, 0x2F2F)):
+        page.locator("[data-part=number]").fill(str(number))
+        page.locator("[data-part=trigger]").fill(f"{trigger:02X}")
+        page.get_by_label("Value").fill(f"{value:04X}")
+        fields = (f"inv_no={number}", f"trigger={trigger:02X}", f"data={value:04X}")
+        written = written_telegram(kind, ("cmd=P", "comno=FA00", *fields), CellTexts())
+        text = written.frame.hex(" ").upper()
+        expect(page.locator("[data-frame=tospbdp001]")).to_have_text(text)
