@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Sequence
 from dataclasses import replace
+from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -14,7 +15,16 @@ from fbgen.cli.output import result, say
 from fbgen.cli.progress import Progress
 
 if TYPE_CHECKING:
+    from fbgen.docs.site import Site
     from fbgen.docs.subject import Subject
+
+
+class Format(Enum):
+    """What pages are written as."""
+
+    HTML = "html"
+    MARKDOWN = "markdown"
+    PDF = "pdf"
 
 
 def register(program: typer.Typer) -> None:
@@ -24,6 +34,8 @@ def register(program: typer.Typer) -> None:
             "fbgen docs -o site",
             "fbgen docs plant.yaml -o site",
             "fbgen docs plant.yaml -o site --sources our_blocks",
+            "fbgen docs plant.yaml -o wiki --format markdown",
+            "fbgen docs plant.yaml -o handbook --format pdf",
             "fbgen docs -o site --catalog our_catalog",
         )
     )(docs)
@@ -45,6 +57,9 @@ def docs(
             help="PLC text of your own, files or folders: what it uses is shown, too.",
         ),
     ] = None,
+    kind: Annotated[
+        Format, typer.Option("--format", help="html, markdown for a wiki, or pdf, a handbook.")
+    ] = Format.HTML,
     catalog: CatalogOption = None,
     templates: Annotated[
         list[Path] | None,
@@ -59,25 +74,27 @@ def docs(
     Every word has a decoder: type a value and see its bits, click bits and see the value and the
     telegram. The blocks are those of the plant, without one those of the example plants; which of
     them uses which bit is taken from their text. The site needs no server and no network; open
-    index.html. A page that was changed by hand is never overwritten without --force, and never
-    removed.
+    index.html. --format markdown has the same for a wiki, --format pdf as a handbook with contents
+    and page numbers; both without what works on the screen only. A page that was changed by hand is
+    never overwritten without --force, and never removed.
     """
     from fbgen import __version__
     from fbgen.docs.folder import write_site
-    from fbgen.docs.html import html_site
     from fbgen.docs.site import build_site
 
     if sources and plant is None:
         raise typer.BadParameter("it needs a PLANT, whose blocks they call", param_hint="--sources")
+    if kind is Format.PDF:
+        _need_reportlab()
     progress = Progress(4, shown=sys.stderr.isatty())
     progress.step("catalogue and blocks")
     subject = _subject(plant, catalog or (), templates or (), sources or ())
     progress.step("pages")
     site = build_site(subject, __version__)
     progress.step("files")
-    files = html_site(site)
+    files = _files(site, kind)
     progress.step(str(folder))
-    found = write_site(files, folder, "html", force=force)
+    found = write_site(files, folder, kind.value, force=force)
     progress.end()
     for name in found.kept:
         say(f"kept: {folder / name} is not a page any more, but was changed by hand")
@@ -85,7 +102,44 @@ def docs(
         f"{len(found.written)} written, {len(found.unchanged)} unchanged, "
         f"{len(found.removed)} removed in {folder}"
     )
-    result(str(folder / "index.html"))
+    result(str(folder / _FIRST[kind]))
+
+
+_FIRST = {
+    Format.HTML: "index.html",
+    Format.MARKDOWN: "index.md",
+    Format.PDF: "handbook.pdf",
+}
+"""The file to begin with."""
+
+
+def _need_reportlab() -> None:
+    """Raises DiagnosticError FB9060 if the library is not there."""
+    from importlib.util import find_spec
+
+    from fbgen.diagnostics import error
+
+    if find_spec("reportlab") is None:
+        raise error(
+            "FB9060",
+            "a handbook needs the package reportlab, which is not there",
+            help="pip install 'fbgen[pdf]'",
+        )
+
+
+def _files(site: "Site", kind: Format) -> dict[str, bytes]:
+    """The pages in a format."""
+    if kind is Format.HTML:
+        from fbgen.docs.html import html_site
+
+        return html_site(site)
+    if kind is Format.MARKDOWN:
+        from fbgen.docs.markdown import markdown_site
+
+        return markdown_site(site)
+    from fbgen.docs.pdf import handbook
+
+    return {_FIRST[kind]: handbook(site)}
 
 
 def _subject(

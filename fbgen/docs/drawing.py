@@ -59,3 +59,15 @@ class Drawing:
     width: float
     height: float
     shapes: tuple[Shape, ...]
+
+
+PRINTED: dict[Colour, str] = {
+    "ink": "#1c2530",
+    "muted": "#566272",
+    "line": "#b9c2cd",
+    "panel": "#ffffff",
+    "accent": "#0b56ad",
+    "fill": "#dcebfb",
+    "warning": "#fdeedd",
+}
+"""The colours on paper, for formats that do not follow day and night."""

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from markupsafe import Markup
 
-from fbgen.docs.drawing import Box, Drawing, Line, Shape
+from fbgen.docs.drawing import PRINTED, Box, Drawing, Line, Shape
 
 
 def svg(drawing: Drawing, title: str) -> Markup:
@@ -13,6 +13,24 @@ def svg(drawing: Drawing, title: str) -> Markup:
     return Markup(
         '<svg class="drawing" role="img" aria-label="{}" viewBox="0 0 {} {}" width="{}">{}</svg>'
     ).format(title, _n(drawing.width), _n(drawing.height), _n(drawing.width), inner)
+
+
+_STYLE = (
+    "svg{font-family:Helvetica,Arial,sans-serif}.line{fill:none}.strong{font-weight:bold}"
+    ".fixed{font-family:monospace}"
+)
+
+
+def svg_file(drawing: Drawing, title: str) -> bytes:
+    """The picture as a file of its own, with the colours of the day on white."""
+    style = _STYLE + "".join(
+        f".s-{name}{{stroke:{value}}}.f-{name}{{fill:{value}}}.t-{name}{{fill:{value}}}"
+        for name, value in PRINTED.items()
+    )
+    head = Markup('<svg xmlns="http://www.w3.org/2000/svg"')
+    whole = svg(drawing, title).replace(Markup("<svg"), head, 1)
+    begin, end = whole.split(">", 1)
+    return f"{begin}><style>{style}</style>{end}\n".encode()
 
 
 def _shape(shape: Shape) -> Iterator[Markup]:
