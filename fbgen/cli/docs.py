@@ -19,6 +19,13 @@ if TYPE_CHECKING:
     from fbgen.docs.subject import Subject
 
 
+class Language(Enum):
+    """What names of things are written in, as far as they are translated."""
+
+    EN = "en"
+    DE = "de"
+
+
 class Format(Enum):
     """What pages are written as."""
 
@@ -34,6 +41,7 @@ def register(program: typer.Typer) -> None:
             "fbgen docs -o site",
             "fbgen docs plant.yaml -o site",
             "fbgen docs plant.yaml -o site --sources our_blocks",
+            "fbgen docs plant.yaml -o site --language de",
             "fbgen docs plant.yaml -o wiki --format markdown",
             "fbgen docs plant.yaml -o handbook --format pdf",
             "fbgen docs -o site --catalog our_catalog",
@@ -60,6 +68,14 @@ def docs(
     kind: Annotated[
         Format, typer.Option("--format", help="html, markdown for a wiki, or pdf, a handbook.")
     ] = Format.HTML,
+    language: Annotated[
+        Language | None,
+        typer.Option(
+            "--language",
+            help="Of titles, trips and comments of blocks; that of the plant file, else en. The "
+            "sentences of the pages themselves are English.",
+        ),
+    ] = None,
     catalog: CatalogOption = None,
     templates: Annotated[
         list[Path] | None,
@@ -88,7 +104,7 @@ def docs(
         _need_reportlab()
     progress = Progress(4, shown=sys.stderr.isatty())
     progress.step("catalogue and blocks")
-    subject = _subject(plant, catalog or (), templates or (), sources or ())
+    subject = _subject(plant, language, catalog or (), templates or (), sources or ())
     progress.step("pages")
     site = build_site(subject, __version__)
     progress.step("files")
@@ -143,9 +159,14 @@ def _files(site: "Site", kind: Format) -> dict[str, bytes]:
 
 
 def _subject(
-    plant: Path | None, catalog: Sequence[Path], templates: Sequence[Path], sources: Sequence[Path]
+    plant: Path | None,
+    language: Language | None,
+    catalog: Sequence[Path],
+    templates: Sequence[Path],
+    sources: Sequence[Path],
 ) -> "Subject":
     """What the site is about, with the blocks that were generated for it."""
+    from fbgen.blocks.texts import texts_in
     from fbgen.catalog import load_catalog, with_own_sequences
     from fbgen.cli.handshakes import handshakes
     from fbgen.cli.plc_files import expand
@@ -154,20 +175,26 @@ def _subject(
     from fbgen.docs.program import read_program
     from fbgen.docs.subject import of_plant, whole_catalogue
     from fbgen.emit.generator import generate
-    from fbgen.plant import load_plant
+    from fbgen.plant import changed, load_plant
     from harness.not_modelled import NOT_MODELLED
 
     known = load_catalog(catalog)
-    examples_of_known = tuple(example_programs(known, templates))
+    spoken = Language.EN if language is None else language
     if plant is None:
-        subject = whole_catalogue(known, examples_of_known)
+        entries = texts_in(spoken.value, templates).in_catalog(known)
+        shown = tuple(example_programs(known, templates, spoken.value))
+        subject = whole_catalogue(entries, shown)
     else:
         known = with_own_sequences(known, plant.parent)
         wanted = load_plant(plant, known)
+        if language is not None:
+            wanted = changed(wanted, known, language=language.value)
         program = read_program(wanted, generate(wanted, known, templates), expand(sources))
-        subject = of_plant(wanted, known, program)
+        entries = texts_in(wanted.language, templates).in_catalog(known)
+        subject = of_plant(wanted, entries, program)
+        shown = tuple(example_programs(known, templates))
     return replace(
         subject,
-        handshakes=tuple(handshakes(examples_of_known, list(subject.gateways))),
+        handshakes=tuple(handshakes(shown, list(subject.gateways))),
         not_modelled=tuple(NotModelled(*one) for one in NOT_MODELLED),
     )

@@ -26,8 +26,8 @@ def octets(data: bytes) -> str:
 
 
 def code(text: str) -> Phrase:
-    """One name or number."""
-    return (Code(text),)
+    """One name or number; nothing where there is none."""
+    return (Code(text),) if text else ()
 
 
 def listed(phrases: Iterable[Phrase]) -> Phrase:

@@ -6,7 +6,16 @@ from collections.abc import Iterable, Iterator
 from fbgen.dataclass import dataclass
 from fbgen.lang import ast
 
-_HEAD = re.compile(r"(Timing|Limits|Facts|Inputs|Outputs|In-outs): (.*)", re.DOTALL)
+_HEAD = re.compile(r"(\w+): (.*)", re.DOTALL)
+_NOTES = {
+    "Timing": "Timing",
+    "Zeit": "Timing",
+    "Zeiten": "Timing",
+    "Limits": "Limits",
+    "Grenzen": "Limits",
+}
+_SOURCES = ("Facts", "Quelle")
+"""How the lines of a head begin, in the languages that blocks are generated in."""
 _DIRECTIONS = {"VAR_INPUT": "in", "VAR_OUTPUT": "out", "VAR_IN_OUT": "in and out"}
 _COMMENTS = (ast.TriviaKind.LINE_COMMENT, ast.TriviaKind.BLOCK_COMMENT)
 
@@ -45,8 +54,8 @@ def read_block(block: ast.Block) -> BlockText:
             parameters += rows
         elif section.keyword == "VAR":
             kept += rows
-    notes = tuple((one[1], one[2]) for one in head if one[1] in ("Timing", "Limits"))
-    facts = tuple(dict.fromkeys(one[2] for one in head if one[1] == "Facts"))
+    notes = tuple((_NOTES[one[1]], one[2]) for one in head if one[1] in _NOTES)
+    facts = tuple(dict.fromkeys(one[2] for one in head if one[1] in _SOURCES))
     first = block.body[0] if block.body else None
     leading = (*block.body_comments, *(first.leading if first is not None else ()))
     return BlockText(

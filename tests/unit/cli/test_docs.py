@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+import pytest
+
 from tests.unit.cli.running import Fbgen
 
 PLANT = str(Path(__file__).parents[3] / "examples" / "pbdp110" / "plant.yaml")
@@ -46,3 +48,30 @@ def test_sources_need_the_plant_that_they_belong_to(fbgen: Fbgen, tmp_path: Path
     run = fbgen("docs", "-o", str(tmp_path), "--sources", str(tmp_path))
     assert run.status == 2
     assert "needs a PLANT" in run.err
+
+
+def test_names_of_things_are_german_where_they_are_translated(fbgen: Fbgen, tmp_path: Path) -> None:
+    assert fbgen("docs", PLANT, "-o", str(tmp_path), "--language", "de").status == 0
+    trips = (tmp_path / "vf-s11-trips.html").read_text("utf-8")
+    assert "Ueberstrom beim Beschleunigen" in trips
+    block = (tmp_path / "block-PBDP_Parameter.html").read_text("utf-8")
+    assert "steigende Flanke" in block
+    assert "<dt>Timing</dt><dd>ein Aufruf je Zyklus" in block
+
+
+def test_a_wiki_and_a_handbook_lie_in_one_folder(fbgen: Fbgen, tmp_path: Path) -> None:
+    wiki = fbgen("docs", PLANT, "-o", str(tmp_path), "--format", "markdown")
+    assert wiki.out == f"{tmp_path / 'index.md'}\n"
+    pdf = fbgen("docs", PLANT, "-o", str(tmp_path), "--format", "pdf")
+    assert pdf.out == f"{tmp_path / 'handbook.pdf'}\n"
+    assert (tmp_path / "handbook.pdf").read_bytes().startswith(b"%PDF-")
+    assert (tmp_path / "usage.md").exists()
+
+
+def test_a_handbook_without_its_library_is_told(
+    fbgen: Fbgen, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    run = fbgen("docs", PLANT, "-o", str(tmp_path), "--format", "pdf")
+    assert run.status == 1
+    assert "FB9060" in run.err

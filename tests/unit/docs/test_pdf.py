@@ -69,7 +69,7 @@ def test_every_sheet_has_its_number_and_every_row_is_there(reader: PdfReader) ->
 def test_a_link_leads_to_the_sheet_of_its_row(reader: PdfReader) -> None:
     notes = [note.get_object() for sheet in reader.pages for note in sheet.get("/Annots", ())]
     (way,) = [note["/Dest"] for note in notes if note["/Dest"][1] == "/XYZ"]
-    sheet = next(one for one in reader.pages if one.indirect_reference == way.raw_get(0))
+    sheet = next(one for one in reader.pages if one.indirect_reference == list.__getitem__(way, 0))
     assert re.search(r"row 3\b", sheet.extract_text())
 
 
