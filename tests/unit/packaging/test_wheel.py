@@ -7,14 +7,14 @@ kept in pytest's cache.
 
 import hashlib
 import json
-import os
-import subprocess
 import sys
 import sysconfig
 import zipfile
 from pathlib import Path
 
 import pytest
+
+from tests.other_pythons import find_python, install, make_environment, python_in, run
 
 ROOT = Path(__file__).parents[3]
 OTHER_PYTHONS = ("3.12", "3.13")
@@ -31,7 +31,7 @@ COMMANDS = [
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("wheel")
-    _run(sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder), cwd=ROOT)
+    run(sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder), cwd=ROOT)
     (built,) = folder.glob("fbgen-*.whl")
     return built
 
@@ -58,10 +58,10 @@ def test_the_wheel_carries_all_that_is_shipped(wheel: Path) -> None:
 
 
 def test_the_installed_wheel_works_outside_the_checkout(wheel: Path, tmp_path: Path) -> None:
-    python = _environment(Path(sys.executable), tmp_path / "env")
+    python = make_environment(Path(sys.executable), tmp_path / "env")
     site = _output(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))")
     (Path(site) / "tests.pth").write_text(sysconfig.get_path("purelib"), encoding="utf-8")
-    _install(python, wheel, "--no-deps")
+    install(python, str(wheel), "--no-deps")
     _try_all(python, tmp_path)
 
 
@@ -69,18 +69,18 @@ def test_the_installed_wheel_works_outside_the_checkout(wheel: Path, tmp_path: P
 def test_the_installed_wheel_works_under_other_pythons(
     wheel: Path, tmp_path: Path, version: str, pytestconfig: pytest.Config
 ) -> None:
-    interpreter = _find_python(version)
+    interpreter = find_python(version)
     if interpreter is None:
         pytest.skip(f"there is no Python {version} on the path")
     assert pytestconfig.cache is not None
     needs = hashlib.sha256((ROOT / "pyproject.toml").read_bytes()).hexdigest()[:12]
     kept = pytestconfig.cache.mkdir(f"python{version}-{needs}")
-    python = _python_in(kept)
+    python = python_in(kept)
     if not python.exists():
-        _environment(interpreter, kept)
-    if _install(python, wheel, check=False) != 0:
+        make_environment(interpreter, kept)
+    if install(python, str(wheel), check=False) != 0:
         pytest.skip(f"PyPI cannot be reached for the dependencies under Python {version}")
-    _install(python, wheel, "--no-deps", "--force-reinstall")
+    install(python, str(wheel), "--no-deps", "--force-reinstall")
     _try_all(python, tmp_path)
 
 
@@ -101,52 +101,5 @@ def _try_all(python: Path, folder: Path) -> None:
     assert demo
 
 
-def _find_python(version: str) -> Path | None:
-    """The first Python of this version on the path that starts; a wrapper may be there for none."""
-    name = f"python{version}" + (".exe" if os.name == "nt" else "")
-    for folder in os.get_exec_path():
-        candidate = Path(folder) / name
-        if candidate.is_file() and _starts(candidate):
-            return candidate
-    return None
-
-
-def _starts(python: Path) -> bool:
-    return subprocess.run([python, "-c", ""], check=False, capture_output=True).returncode == 0
-
-
-def _environment(python: Path, folder: Path) -> Path:
-    _run(python, "-m", "venv", "--without-pip", str(folder))
-    return _python_in(folder)
-
-
-def _python_in(folder: Path) -> Path:
-    return folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-
-
-def _install(python: Path, wheel: Path, *options: str, check: bool = True) -> int:
-    """Install with the pip of the tests, so that no environment needs one of its own."""
-    pip = [sys.executable, "-m", "pip", "--python", str(python)]
-    quiet = ["--quiet", "--disable-pip-version-check", "--no-warn-script-location", "--no-compile"]
-    return _run(*pip, "install", *quiet, *options, str(wheel), check=check).returncode
-
-
 def _output(*command: str | Path, cwd: Path | None = None) -> str:
-    return _run(*command, cwd=cwd).stdout.strip()
-
-
-def _run(
-    *command: str | Path, cwd: Path | None = None, check: bool = True
-) -> subprocess.CompletedProcess[str]:
-    clean = {key: value for key, value in os.environ.items() if not key.startswith("PYTHON")}
-    done = subprocess.run(
-        [str(part) for part in command],
-        check=False,
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-        cwd=cwd,
-        env=clean,
-    )
-    assert done.returncode == 0 or not check, done.stdout + done.stderr
-    return done
+    return run(*command, cwd=cwd).stdout.strip()
