@@ -122,6 +122,26 @@ def test_what_a_gateway_sends_again_unnoticed_is_no_mistake_of_the_plc(tmp_path:
     assert run.installation.spacing["gw1"].too_close, "or it shows nothing"
 
 
+def test_a_telegram_that_the_gateway_sends_late_is_no_reason_to_wait_longer(tmp_path: Path) -> None:
+    """Seed 489 of a campaign: it had been given up, and the next one went out at its usual time."""
+    file = tmp_path / "slow.scenario.yaml"
+    file.write_text(
+        "version: 1\ntitle: A slow gateway\nseed: 489\nrules: [all]\n"
+        f"plant: {(ROOT / 'examples' / 'five_drives' / 'plant.yaml').as_posix()}\n"
+        "variations: [{dialect: step7, plc: s7-300, access: process_image}]\n"
+        "times: {profibus: 1 ms}\n"
+        "drives: {drive2: {reply_time: 12 ms}, drive3: {reply_time: 16 ms}}\nfaults:\n"
+        "- {at: 1.8 s, lasts: 200 ms, inject: gateway_slow, on: gw1, settings: &slow\n"
+        "    {processing_time: 60 ms}}\n"
+        "- {at: 2250 ms, lasts: 400 ms, inject: gateway_slow, on: gw1, settings: *slow}\n"
+        "steps: [{set: {plc.TOS_Plant.gw1.line.emergencyStop: true}}, {wait: 4 s}]\n",
+        "utf-8",
+    )
+    run = prepare(scenario_cases(file)[0], CATALOG)
+    run.run()
+    assert run.installation.spacing["gw1"].too_close, "or it shows nothing"
+
+
 # --- what the rules are made of ---------------------------------------------------------------
 
 RESET, STOP, EEPROM = "01 50 FA 00 E0 00", "01 50 FA 00 C0 00", "01 57 00 09 00 32"
