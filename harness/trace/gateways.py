@@ -37,6 +37,8 @@ class GatewayWatch:
         self._spacing = spacing
         self._writer = writer
         self._before = b""
+        self._state: tuple[object, ...] = ()
+        self._counts: tuple[int, ...] = ()
         self._control_offset = gateway.settings.layout.control_offset
         self._trigger_offset = gateway.settings.layout.trigger_offset
         channels = DeviceChannels(log, gateway.name)
@@ -50,9 +52,10 @@ class GatewayWatch:
         self._code = add("status_code", "status code in the status word", "integer")
         self._count = add("error_count", "counter of faulty telegrams", "integer")
         self._inputs = add("inputs", "bytes to the master", "bytes")
-        self._telegrams = add("telegrams", "telegrams sent to the drives", "integer")
-        self._overwritten = add("overwritten", "telegrams overwritten before", "integer")
-        self._too_close = add("too_close", "telegrams too close to the one before", "integer")
+        telegrams = add("telegrams", "telegrams sent to the drives", "integer")
+        overwritten = add("overwritten", "telegrams overwritten before", "integer")
+        too_close = add("too_close", "telegrams too close to the one before", "integer")
+        self._counters = telegrams, overwritten, too_close
         self._lamps = channels.lamps(gateway.leds._fields)
         gateway.observers.append(self.look)
         self.look()
@@ -60,21 +63,28 @@ class GatewayWatch:
     def look(self) -> None:
         """Note everything as it is now."""
         note, now_ns, gateway = self._log.note, self._kernel.now_ns, self._gateway
-        outputs, status = gateway.slave.outputs, gateway.status.word
-        note(self._powered, now_ns, gateway.powered)
-        note(self._online, now_ns, gateway.slave.online)
-        if outputs != self._before:
+        slave, status, lights = gateway.slave, gateway.status.word, gateway.leds
+        state = gateway.powered, slave.online, status, lights
+        if state != self._state:
+            self._state = state
+            note(self._powered, now_ns, gateway.powered)
+            note(self._online, now_ns, slave.online)
+        if (outputs := slave.outputs) != self._before:
             self._outputs_came(now_ns, outputs)
             self._before = outputs
-        note(self._status, now_ns, status)
-        note(self._code, now_ns, status >> _CODE_SHIFT & _CODE_MASK)
-        note(self._count, now_ns, status & _COUNT_MASK)
-        note(self._inputs, now_ns, gateway.slave.inputs)
-        note(self._telegrams, now_ns, gateway.telegrams)
-        note(self._overwritten, now_ns, gateway.overwritten)
-        note(self._too_close, now_ns, len(self._spacing.too_close))
-        for lamp, light in zip(self._lamps, gateway.leds, strict=True):
-            note(lamp, now_ns, light.value)
+        if state is self._state:
+            note(self._status, now_ns, status)
+            note(self._code, now_ns, status >> _CODE_SHIFT & _CODE_MASK)
+            note(self._count, now_ns, status & _COUNT_MASK)
+        note(self._inputs, now_ns, slave.inputs)
+        counts = gateway.telegrams, gateway.overwritten, len(self._spacing.too_close)
+        if counts != self._counts:
+            self._counts = counts
+            for channel, count in zip(self._counters, counts, strict=True):
+                note(channel, now_ns, count)
+        if state is self._state:
+            for lamp, light in zip(self._lamps, lights, strict=True):
+                note(lamp, now_ns, light.value)
 
     def _outputs_came(self, now_ns: int, outputs: bytes) -> None:
         """Note the outputs, with who wrote them: of several bytes, the first that is another."""

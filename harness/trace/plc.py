@@ -1,6 +1,8 @@
 """What is recorded of the PLC's variables: their values whenever a scan's program is through."""
 
 from collections.abc import Iterable, Mapping
+from itertools import compress, count
+from operator import is_not
 from types import MappingProxyType
 
 from harness.engine.interface import Engine
@@ -45,11 +47,9 @@ class PlcWatch:
                 for number, value in zip(self._numbers, values, strict=True):
                     self._log.note(number, time_ns, value)
             else:
-                for place, value in enumerate(values):
-                    if value is not before[place]:
-                        number = self._numbers[place]
-                        writer = self._writer(place, by)
-                        self._log.note(number, time_ns, value, writer)
+                for place in compress(count(), map(is_not, values, before)):
+                    writer = self._writer(place, by)
+                    self._log.note(self._numbers[place], time_ns, values[place], writer)
 
     def _writer(self, place: int, by: Mapping[str, int | None]) -> int | None:
         if by:

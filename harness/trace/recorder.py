@@ -97,7 +97,7 @@ class Recorder:
 
     def _scanned(self) -> None:
         self._cpu.scanned()
-        self.variables_written()
+        self._plc.look(self._plant.kernel.now_ns)
 
     def variables_written(self, by: Mapping[str, Span | None] = MappingProxyType({})) -> None:
         """Somebody has written variables of the PLC: its program, or who drives the plant.

@@ -31,6 +31,8 @@ from harness.engine.compiled.shapes import Shapes
 from harness.engine.compiled.signatures import signature
 from harness.engine.compiled.statements import write_long
 from harness.engine.compiled.temporaries import read_unfilled
+from harness.engine.compiled.write_notes import writers_of
+from harness.engine.compiled.writers import Writers
 from harness.engine.compiled.written import Written
 from harness.engine.interface import Value
 from harness.engine.layout import S7
@@ -220,8 +222,10 @@ def _function(context: BlockContext, body: Sequence[Statement]) -> Listing:
 # --- classes ------------------------------------------------------------------------------------
 
 
-def _slots(record: Record) -> str:
+def _slots(record: Record, writers: Writers | None) -> str:
     slots = [repr(part.slot) for part in record.parts if not _is_property(part)]
+    if writers is not None:
+        slots += [repr(name) for name in writers.room_in(record)]
     if record.size:
         slots += ["'_memory'", "'_at'"]
     return f"({', '.join(slots)}{',' if len(slots) == 1 else ''})"
@@ -239,7 +243,7 @@ def _class(context: BlockContext, body: Sequence[Statement]) -> Listing:
     listing = procedure.listing
     procedure.line(f"class {record.class_name}:")
     listing.indent = 4
-    procedure.line(f"__slots__ = {_slots(record)}")
+    procedure.line(f"__slots__ = {_slots(record, writers_of(procedure))}")
     if record.size:
         _write_placed_init(context, record, listing)
     else:
@@ -302,21 +306,23 @@ def _write_placed_init(context: BlockContext, record: Record, listing: Listing) 
     listing.indent -= 4
 
 
-def write_structures(model: Model) -> Listing:
+def write_structures(model: Model, writers: Writers | None) -> Listing:
     """The classes of all structures; writing one may discover others."""
     listing = Listing()
     initializer = Initializer(model)
     written = 0
     while written < len(model.structures):
-        _write_structure(listing, model.structures[written], initializer)
+        _write_structure(listing, model.structures[written], initializer, writers)
         written += 1
     return listing
 
 
-def _write_structure(listing: Listing, record: Record, initializer: Initializer) -> None:
+def _write_structure(
+    listing: Listing, record: Record, initializer: Initializer, writers: Writers | None
+) -> None:
     listing.add(f"class {record.class_name}:")
     listing.indent = 4
-    listing.add(f"__slots__ = {_slots(record)}")
+    listing.add(f"__slots__ = {_slots(record, writers)}")
     _write_init(listing, record.parts, initializer)
     listing.add("")
     listing.add("def _assign(self, other):")

@@ -15,6 +15,7 @@ from harness.engine.compiled.cells import ValueCell
 from harness.engine.compiled.code import Listing
 from harness.engine.compiled.generation import clock_of
 from harness.engine.compiled.going_on import going_on
+from harness.engine.compiled.held import held_in
 from harness.engine.compiled.initials import Initializer
 from harness.engine.compiled.instance import CompiledInstance
 from harness.engine.compiled.library.counters import counter_classes
@@ -81,6 +82,8 @@ class CompiledEngine:
             **counter_classes(program.dialect),
             **unmodelled_classes(program),
         }
+        if self.writers is not None:
+            library = self.writers.with_room(library, program.standard_blocks.values())
         translation = translation_of(program, library, environment, limits, probe)
         self._model = translation.model
         self._facts = translation.facts
@@ -129,7 +132,9 @@ class CompiledEngine:
         self._run_unit(translation.structures)
         self._namespace |= self._bytes.unions()
         self._namespace |= self._bytes.blocks()
-        slots = {"__slots__": tuple(part.slot for part in self._model.global_record.parts)}
+        record = self._model.global_record
+        room = () if self.writers is None else self.writers.room_in(record)
+        slots = {"__slots__": (*(part.slot for part in record.parts), *room)}
         everything: object = type("Globals", (), slots)()
         self._namespace[GLOBALS] = everything
         self._run_unit(translation.globals)
@@ -463,7 +468,8 @@ class CompiledEngine:
         self._restore(self._initial, remanent_too=not warm)
         self._start_instances(retains=not warm)
         if self.writers is not None:
-            self.writers.forget()
+            roots = [(self._model.global_record, self._globals), *self.programs.values()]
+            self.writers.forget(held_in(self._model, roots))
 
     def _start_instances(self, *, retains: bool) -> None:
         """FB_init of all instances that the program itself has."""

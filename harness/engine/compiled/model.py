@@ -29,6 +29,8 @@ from harness.engine.layout import layout_of
 GLOBALS = "_globals"
 """The object with the global variables that are single values."""
 
+BESIDE = "_by_"
+"""In front of the name of an attribute: the one in which stands who wrote it."""
 STUB_SLOT = "_stub"
 """The slot with the Python object of a stubbed block, which is no part of the program's state."""
 
@@ -238,7 +240,8 @@ def _standard_record(block: StandardBlock, python_class: type) -> Record:
     ]
     known = {part.slot for part in parts}
     slots = [slot for base in python_class.__mro__ for slot in getattr(base, "__slots__", ())]
-    hidden = tuple(slot for slot in slots if slot not in known and slot != STUB_SLOT)
+    known.add(STUB_SLOT)
+    hidden = tuple(slot for slot in slots if slot not in known and not slot.startswith(BESIDE))
     following = FOLLOWING if hasattr(python_class, "_now") else frozenset()
     return replace(_record(block.name, parts, block, hidden), following=following)
 

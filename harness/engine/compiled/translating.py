@@ -28,11 +28,25 @@ def translated(
     facts = Facts(program, kind.call_depth)
     with room_for_generation():
         facts.counts_loops = may_exceed(program, facts, kind.loop_passes)
+        writers = probe.writers if probe is not None else None
+        if writers is not None:
+            writers.in_tables = _has_bytes(shapes)
         blocks = tuple(_blocks(facts, shapes, probe))
     variables = _globals(model)
     # The structures come last, because writing blocks and globals discovers them.
-    structures = _unit("<structures>", Written(write_structures(model), {}, {}))
+    structures = _unit("<structures>", Written(write_structures(model, writers), {}, {}))
     return Translation(model, facts, shapes, blocks, structures, variables)
+
+
+def _has_bytes(shapes: Shapes) -> bool:
+    """Whether something lies in bytes, where no note fits beside it."""
+    program = shapes.model.program
+    return (
+        bool(program.byte_memory)
+        or any(record.size for record in shapes.model.block_records)
+        or any(kind.is_union for kind in program.structures.values())
+        or any(shapes.frame(block).size for block in program.bodies)
+    )
 
 
 def _blocks(facts: Facts, shapes: Shapes, probe: Probe | None) -> Iterator[Unit]:

@@ -119,17 +119,16 @@ def passed_entry(procedure: Procedure, text: str) -> str:
     if writers is None:
         return ""
     owner, _, slot = text.rpartition(".")
-    table = _table(procedure, writers, slot)
-    return f"({table}.pop(id({owner}), None) or {entry_text(procedure, writers)})"
+    return f"(_taken_from({owner}, {slot!r}) or {entry_text(procedure, writers)})"
 
 
 def _note_whole(procedure: Procedure, writers: Writers, text: str, kind: Type, entry: str) -> str:
     shape = shape_of(kind, procedure.context.model)
     if not isinstance(shape, Elements | int) and _is_flat(shape):
         name = procedure.temporary()
-        procedure.line(f"{name} = id({text})")
-        tables = (_table(procedure, writers, slot) for slot, _ in shape)
-        return " = ".join((*(f"{table}[{name}]" for table in tables), entry))
+        procedure.line(f"{name} = {text}")
+        places = (_place_of_entry(procedure, writers, name, slot) for slot, _ in shape)
+        return " = ".join((*places, entry))
     return f"_wrote_whole({text}, {procedure.context.table('shape', shape)}, {entry})"
 
 
@@ -148,7 +147,15 @@ def _note(procedure: Procedure, writers: Writers, text: str, entry: str) -> str:
         return ""  # a local of Python's
     if slot == "value":
         return f"_wrote_cell({owner}, {entry})"
-    return f"{_table(procedure, writers, slot)}[id({owner})] = {entry}"
+    return f"{_place_of_entry(procedure, writers, owner, slot)} = {entry}"
+
+
+def _place_of_entry(procedure: Procedure, writers: Writers, owner: str, slot: str) -> str:
+    """Where the entry of an attribute stands. A frame holds what nobody asks for from outside."""
+    beside = None if owner == "frame" else writers.beside(slot)
+    if beside is not None:
+        return f"{owner}.{beside}"
+    return f"{_table(procedure, writers, slot)}[id({owner})]"
 
 
 def _known_entry(procedure: Procedure, writers: Writers, text: str, other: str) -> str:
@@ -159,6 +166,8 @@ def _known_entry(procedure: Procedure, writers: Writers, text: str, other: str) 
     owner, _, slot = text.rpartition(".")
     if not owner or slot == "value":
         return other
+    if (beside := writers.beside(slot)) is not None and owner != "frame":
+        return f"(getattr({owner}, {beside!r}, None) or {other})"
     return f"{_table(procedure, writers, slot)}.get(id({owner}), {other})"
 
 

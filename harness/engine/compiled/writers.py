@@ -1,16 +1,18 @@
 """Who wrote what: the statement that was the last to write each variable, and each output byte.
 
-The tables go by the Python object that holds a variable, and so tell instances apart. An entry is
-the number of a statement and the instance whose code it is, None for a block without one.
+An entry is the number of a statement and the instance whose code it is, None for a block without
+one. It stands beside the variable, in an attribute of the same Python object; where there is no
+room for one it stands in a table, which goes by that object. Both tell instances apart.
 `write_notes` makes the generated code fill them.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple, TypeAlias
 
-from fbgen.lang.checked import Block
+from fbgen.lang.checked import Block, StandardBlock
 from fbgen.source import Span
 from harness.engine.compiled.cells import AttributeCell, ElementCell
+from harness.engine.compiled.model import BESIDE, Record, is_scalar
 
 Entry: TypeAlias = tuple[int, Any]
 """The number of a statement, and the instance that ran it."""
@@ -39,16 +41,26 @@ class Writers:
 
     `statements` are those that entries number. `outputs` has the entry of each byte of the outputs
     by its address, `records` those of the bytes of a module by its LADDR. `instances` are the paths
-    of instances by their `id`, once somebody has asked for one.
+    of instances by their `id`, once somebody has asked for one. `in_tables` tells that all entries
+    stand in tables: some variables of the program lie in bytes.
     """
 
-    __slots__ = ("_numbers", "_tables", "instances", "outputs", "records", "statements")
+    __slots__ = (
+        "_numbers",
+        "_tables",
+        "in_tables",
+        "instances",
+        "outputs",
+        "records",
+        "statements",
+    )
 
     def __init__(self) -> None:
         self.statements: list[Writing] = []
         self.outputs: dict[int, Entry] = {}
         self.records: dict[int, list[Entry]] = {}
         self.instances: dict[int, str] = {}
+        self.in_tables = True
         self._numbers: dict[tuple[int, int, Block], int] = {}
         self._tables: dict[str, dict[Any, Entry]] = {}
 
@@ -56,16 +68,48 @@ class Writers:
         """The last writer of an attribute, or of an element of a list; None if nobody wrote it."""
         if isinstance(key, int):
             return self.elements.get((id(owner), key))
+        if (beside := self.beside(key)) is not None:
+            found: Entry | None = getattr(owner, beside, None)
+            return found
         return self.table(key).get(id(owner))
 
-    def forget(self) -> None:
-        """All variables have their initial values again: nobody has written them."""
+    def forget(self, held: Iterable[tuple[Record, Any]]) -> None:
+        """All variables have their initial values again: nobody has written them.
+
+        `held` are the objects that hold them.
+        """
+        for record, owner in held if not self.in_tables else ():
+            for beside in self.room_in(record):
+                setattr(owner, beside, None)
         for table in self._tables.values():
             table.clear()
         self.outputs.clear()
         self.records.clear()
 
+    def with_room(
+        self, library: Mapping[str, type], blocks: Iterable[StandardBlock]
+    ) -> dict[str, type]:
+        """The classes of the library, those of these blocks with attributes for entries."""
+        room = {
+            block.name: tuple(BESIDE + one.name for one in block.variables if is_scalar(one.type))
+            for block in blocks
+        }
+        return {
+            name: type(name, (kind,), {"__slots__": room[name]}) if name in room else kind
+            for name, kind in library.items()
+        }
+
     # --- for the generated code ---------------------------------------------------------------
+
+    def beside(self, slot: str) -> str | None:
+        """The attribute with the entry of this one; None if that stands in a table."""
+        return None if self.in_tables else BESIDE + slot
+
+    def room_in(self, record: Record) -> Iterator[str]:
+        """The attributes that objects of a record have for entries."""
+        for part in record.parts:
+            if is_scalar(part.type) and (beside := self.beside(part.slot)) is not None:
+                yield beside
 
     @property
     def names(self) -> dict[str, object]:
@@ -76,6 +120,7 @@ class Writers:
             "_wrote_elements": self.wrote_elements,
             "_wrote_outputs": self.wrote_outputs,
             "_wrote_record": self.wrote_record,
+            "_taken_from": self.taken_from,
         }
 
     def number(self, span: Span, block: Block) -> int:
@@ -107,9 +152,25 @@ class Writers:
         elif not isinstance(shape, int):
             for slot, inner in shape:
                 if isinstance(inner, int):
-                    self.table(slot)[id(data)] = entry
+                    self._note(data, slot, entry)
                 else:
                     self.wrote_whole(getattr(data, slot), inner, entry)
+
+    def _note(self, owner: Any, slot: str, entry: Entry) -> None:
+        beside = self.beside(slot)
+        if beside is None:
+            self.table(slot)[id(owner)] = entry
+        else:
+            setattr(owner, beside, entry)
+
+    def taken_from(self, owner: Any, slot: str) -> Entry | None:
+        """The entry of an attribute, which then has none."""
+        beside = self.beside(slot)
+        if beside is None:
+            return self.table(slot).pop(id(owner), None)
+        found: Entry | None = getattr(owner, beside, None)
+        setattr(owner, beside, None)
+        return found
 
     def wrote_elements(
         self, data: list[Any], position: int, count: int, shape: Shape, entry: Entry
@@ -124,7 +185,7 @@ class Writers:
     def wrote_cell(self, cell: Any, entry: Entry) -> None:
         """The `value` of an object was written: a field of that name, or what a cell refers to."""
         if isinstance(cell, AttributeCell):
-            self.table(cell.name)[id(cell.owner)] = entry
+            self._note(cell.owner, cell.name, entry)
         elif isinstance(cell, ElementCell):
             self.elements[id(cell.elements), cell.position] = entry
         else:
@@ -150,6 +211,6 @@ class Writers:
         elif not isinstance(shape, int):
             for slot, inner in shape:
                 if isinstance(inner, int):
-                    yield from [self.table(slot).get(id(data))] * inner
+                    yield from [self.of(data, slot)] * inner
                 else:
                     yield from self._bytes(getattr(data, slot), inner)
