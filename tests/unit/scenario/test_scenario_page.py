@@ -71,6 +71,7 @@ def test_every_path_is_explained_and_none_that_there_is_not() -> None:
         if path.split(".")[0] in roots and ":" not in path
     }
     wanted = {"cpu.mode", "cpu.scans", "bus.mode", "plc.*", "gateway.*.led.*", "block.*"}
+    wanted |= {"drive.*.terminal.*"}
     wanted |= {f"gateway.*.{item}" for item in GATEWAY_ITEMS}
     wanted |= {"gateway.*.input.*", "gateway.*.*.online", "gateway.*.diagnosis"}
     wanted |= {f"drive.*.{item}" for item in DRIVE_ITEMS}
