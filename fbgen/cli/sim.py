@@ -31,7 +31,6 @@ def register(program: typer.Typer) -> None:
         name="sim",
         epilog=examples("fbgen sim drive --pty", "fbgen sim gateway --port /dev/ttyUSB0"),
     )
-    sim_drive.add_to(commands)
 
 
 @commands.callback()
@@ -236,3 +235,6 @@ def _serve(served: "ServedGateways", port: "Port") -> None:
         display.end()
     segment = served.segment
     say(f"{segment.requests} telegrams, {segment.answers} answers, {segment.skipped} bytes skipped")
+
+
+sim_drive.add_to(commands)

@@ -28,17 +28,28 @@ def _templates() -> dict[str, str]:
     return {path.name.partition(".")[0]: path.read_text(encoding="utf-8") for path in paths}
 
 
+PUT_TOGETHER = {
+    0x8410: "TIP_Telegram",
+    0x8421: "MB_Telegram",
+    0x8500: "PBDP_Parameter",
+    0x8564: "PBDP_Parameter",
+}
+"""Who puts codes together from what a drive or a gateway has said, by the first of them."""
+
+
 def _blocks(item: StatusCodes) -> list[str]:
     """The blocks in whose template a code stands; those that pass on another's do not count.
 
-    0000 is in the words of all of them, and 85xx is put together from what the gateway says.
+    0000 is in the words of all of them.
     """
     if item.codes == (0,):
         return []
-    wanted = ["8500"] if item.codes[0] >= 0x8500 else item.text.split(", ")
-    family = {("lines",): "TOS_", ("channels",): "PBDP_"}.get(item.having, "")
+    if item.codes[0] in PUT_TOGETHER:
+        return [PUT_TOGETHER[item.codes[0]]]
+    of_channels = {"channels", "parameters"} & set(item.having)
     return [
         name
         for name, text in _templates().items()
-        if name.startswith(family) and any(re.search(rf"16#{code}\b", text) for code in wanted)
+        if not item.having or name.startswith("PBDP_") == bool(of_channels)
+        if any(re.search(rf"16#{code}\b", text) for code in item.text.split(", "))
     ]
