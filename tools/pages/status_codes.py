@@ -28,6 +28,14 @@ def _templates() -> dict[str, str]:
     return {path.name.partition(".")[0]: path.read_text(encoding="utf-8") for path in paths}
 
 
+FAMILIES = {
+    "lines": ("TOS_",),
+    "serial": ("TIP_", "MB_"),
+    "channels": ("PBDP_",),
+    "parameters": ("PBDP_",),
+    "sequences": ("TOS_Seq",),
+}
+"""How the names of the blocks begin that a plant must have for a code."""
 PUT_TOGETHER = {
     0x8410: "TIP_Telegram",
     0x8421: "MB_Telegram",
@@ -46,10 +54,10 @@ def _blocks(item: StatusCodes) -> list[str]:
         return []
     if item.codes[0] in PUT_TOGETHER:
         return [PUT_TOGETHER[item.codes[0]]]
-    of_channels = {"channels", "parameters"} & set(item.having)
+    families = tuple(prefix for one in item.having for prefix in FAMILIES[one]) or ("",)
     return [
         name
         for name, text in _templates().items()
-        if not item.having or name.startswith("PBDP_") == bool(of_channels)
-        if any(re.search(rf"16#{code}\b", text) for code in item.text.split(", "))
+        if name.startswith(families)
+        and any(re.search(rf"16#{code}\b", text) for code in item.text.split(", "))
     ]
