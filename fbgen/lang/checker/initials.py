@@ -18,6 +18,7 @@ from fbgen.lang.checker.literals import ERRONEOUS
 from fbgen.lang.checker.not_run import cannot_run
 from fbgen.lang.checker.pointers import has_addresses
 from fbgen.lang.checker.stamps import stamp_initial
+from fbgen.lang.checker.start_values import OpenArray, OpenStruct, Started, closed
 from fbgen.lang.types import (
     DTL,
     ArrayInitial,
@@ -212,19 +213,22 @@ class Initials:
     # --- start values of data blocks: one assignment for each part ---------------------------
 
     def assign(
-        self, ctx: Context, node: ast.Assignment, kind: Type, base: Initial | None
+        self, ctx: Context, nodes: Sequence[ast.Assignment], kind: Type, base: Initial | None
     ) -> Initial | None:
-        """The initial value `base` of a data block with one start value set."""
-        path = _path(node.target)
-        if path is None or node.operator != ":=":
-            ctx.findings.error(
-                "FB4057",
-                "a data block's BEGIN part takes start values only",
-                node.span,
-                "write member := value;",
-            )
-            return base
-        return self._set(ctx, path, kind, base, node.value)
+        """The initial value `base` of a data block with all start values set."""
+        value: Started = base
+        for node in nodes:
+            path = _path(node.target)
+            if path is None or node.operator != ":=":
+                ctx.findings.error(
+                    "FB4057",
+                    "a data block's BEGIN part takes start values only",
+                    node.span,
+                    "write member := value;",
+                )
+            else:
+                value = self._set(ctx, path, kind, value, node.value)
+        return closed(value)
 
     def _part_of(self, kind: Type, name: str) -> tuple[str, Type, Initial | None] | None:
         """The part with this name, whatever its case, of what a structure or instance holds."""
@@ -241,11 +245,11 @@ class Initials:
         ctx: Context,
         path: Sequence[ast.Name | ast.Member | ast.Index],
         kind: Type,
-        base: Initial | None,
+        base: Started,
         value: ast.Expression,
-    ) -> Initial | None:
+    ) -> Started:
         if not path:
-            return self.check(ctx, value, kind, base)
+            return self.check(ctx, value, kind, closed(base))
         if kind == ERRONEOUS:
             return base
         step = path[0]
@@ -254,11 +258,11 @@ class Initials:
         found = self._part_of(kind, step.name)
         if found is not None:
             name, part, initial = found
-            named = dict(base.fields) if isinstance(base, StructInitial) else {}
-            inner = self._set(ctx, path[1:], part, named.get(name, initial), value)
+            changed = base if isinstance(base, OpenStruct) else OpenStruct(base)
+            inner = self._set(ctx, path[1:], part, changed.named.get(name, initial), value)
             if inner is not None:
-                named[name] = inner
-            return StructInitial(tuple(named.items()))
+                changed.named[name] = inner
+            return changed
         if self._library.is_incomplete(kind):
             return base
         ctx.findings.error(
@@ -274,9 +278,9 @@ class Initials:
         ctx: Context,
         path: Sequence[ast.Name | ast.Member | ast.Index],
         kind: Type,
-        base: Initial | None,
+        base: Started,
         value: ast.Expression,
-    ) -> Initial | None:
+    ) -> Started:
         step = path[0]
         assert isinstance(step, ast.Index)
         if not isinstance(kind, ArrayType) or len(step.indices) != len(kind.bounds):
@@ -301,11 +305,10 @@ class Initials:
                 )
                 return base
             flat = flat * (last - first + 1) + index - first
-        items: list[Initial | None] = [None] * kind.count
-        if isinstance(base, ArrayInitial):
-            items = list(base.items)
-        items[flat] = self._set(ctx, path[1:], kind.element, items[flat], value)
-        return ArrayInitial(tuple(items))
+        changed = base if isinstance(base, OpenArray) else OpenArray(base, kind.count)
+        inner = changed.items[flat]
+        changed.items[flat] = self._set(ctx, path[1:], kind.element, inner, value)
+        return changed
 
 
 def _bare(node: ast.Expression) -> ast.Expression:

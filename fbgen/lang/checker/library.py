@@ -199,8 +199,7 @@ class Library:
                 declarations += section.declarations
             kind = self.types.structure(ctx, tuple(declarations), node.name.name)
         if kind != ERRONEOUS:
-            for assignment in node.assignments:
-                initial = self._initials.assign(ctx, assignment, kind, initial)
+            initial = self._initials.assign(ctx, node.assignments, kind, initial)
         remanent = self._is_remanent(node)
         return Variable(
             node.name.span, node.name.name, VariableKind.GLOBAL, kind, initial, remanent

@@ -246,3 +246,36 @@ def test_large_arrays_are_refused_before_they_fill_the_memory() -> None:
     assert [one.code for one in errors_of(text)] == ["FB4052"]
     text = in_program("x : ARRAY[0..9] OF INT := [2000000000(1)];", "x[0] := 1;")
     assert [one.code for one in errors_of(text)] == ["FB4057"]
+
+
+def test_each_start_value_of_a_data_block_changes_one_part() -> None:
+    """Also inside of elements of an array, over what the type and earlier ones say; the initial
+    values of the type stay as they are."""
+    lines = (
+        "frames[2].data[1] := 7; frames[2].inner.a := 8; frames[2].inner.b := 1.5; "
+        "frames[1].inv := 9;"
+    )
+    text = (
+        f"{UDT}\n"
+        'DATA_BLOCK "one" STRUCT frames : ARRAY[1..2] OF "typeFrame"; END_STRUCT; '
+        f"BEGIN {lines} frames[2].data[1] := 6; END_DATA_BLOCK\n"
+        'DATA_BLOCK "other" "typeFrame" BEGIN inner.a := 4; data[3] := 3; END_DATA_BLOCK\n'
+        'DATA_BLOCK "plain" "typeFrame" BEGIN END_DATA_BLOCK\n'
+    )
+    found = program_of(text, "tia").globals
+    values = {name: found[name].initial for name in ("one", "other", "plain")}
+    frames = StructInitial(
+        (
+            ("data", ArrayInitial((1, 6, 255, None))),
+            ("inner", StructInitial((("a", 8), ("b", 1.5)))),
+        )
+    )
+    first = StructInitial((("inv", 9),))
+    assert values["one"] == StructInitial((("frames", ArrayInitial((first, frames))),))
+    assert values["plain"] is None
+    assert values["other"] == StructInitial(
+        (
+            ("inner", StructInitial((("a", 4),))),
+            ("data", ArrayInitial((1, 255, 255, 3))),
+        )
+    )
