@@ -15,6 +15,7 @@ from fbgen.cli.coverage_report import CoverageOption, FailUnderOption, coverage_
 from fbgen.cli.dialects import PlantDialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.failure_annotations import AnnotationsOption, AnnotationWriter, CodeHost
+from fbgen.cli.hardware import HardwarePortOption, RealOption, YesOption, hardware_writer
 from fbgen.cli.html_report import HtmlOption, HtmlWriter, asked_for
 from fbgen.cli.junit_report import JunitOption, JunitWriter
 from fbgen.cli.layers import CatalogOption, JsonOption
@@ -55,6 +56,7 @@ def register(program: typer.Typer) -> None:
             "fbgen test scenarios --html report.html",
             "fbgen test scenarios --trace runs.jsonl --vcd waves",
             "fbgen test scenarios --coverage coverage.html --fail-under statement=90,branch=80",
+            "fbgen test start.scenario.yaml --port COM3 --real pump     in real time",
         ),
     )(run_scenarios)
 
@@ -101,44 +103,49 @@ def run_scenarios(
     vcd: VcdOption = None,
     coverage: CoverageOption = None,
     fail_under: FailUnderOption = "",
+    port: HardwarePortOption = None,
+    real: RealOption = None,
+    yes: YesOption = False,
     as_json: JsonOption = False,
 ) -> None:
     """Run scenario files on simulated plants.
 
     Each generates its plant, reads that text, simulates the plant, does its steps and checks what
-    they expect. The same seed gives the same run, with however many processes. Exit status 1 if a
-    scenario fails, 130 after Ctrl-C.
+    they expect. The same seed gives the same run, with however many processes. With --port, real
+    inverters take the place of simulated ones. Exit status 1 if a scenario fails, 130 after Ctrl-C.
     """
     from harness.scenario import RunOptions, run_paths
 
     if as_json and annotations is CodeHost.GITHUB:
         raise typer.BadParameter("--json and --annotations github both print on standard output")
-    asked: list[ReportWriter | None] = [
-        JunitWriter(junit) if junit else None,
-        HtmlWriter(html, asked_for(seed, select, dialect, temporaries)) if html else None,
-        AnnotationWriter(annotations) if annotations else None,
-        coverage_writer(coverage, fail_under, prints=not as_json),
-    ]
-    writers = [*(writer for writer in asked if writer is not None), *trace_writers(trace, vcd)]
-    observers = tuple(dict.fromkeys(one for writer in writers for one in writer.observers))
-    session = _Session()
-    # Reports are written although nobody reads the terminal any more, as behind `| head`.
-    with going_on_unread() if writers else nullcontext(Unread()) as unread:
-        done = run_paths(
-            paths or [Path()],
-            RunOptions(
-                *(seed, select, dialect, jobs, observers, temporaries, tuple(catalog or ())),
-            ),
-            planned=session.planned,
-            finished=session.counted if as_json else session.shown,
-        )
-        if not done.results and not done.interrupted:
-            raise _nothing_selected(select)
-        findings = [found for writer in writers for found in _written(writer, done)]
-        if as_json:
-            result_json({"scenarios": [scenario.as_json() for scenario in done.results]})
-        report(findings)
-        say(session.summary(done))
+    with hardware_writer(port, real, jobs, yes=yes) as hardware:
+        asked: list[ReportWriter | None] = [
+            hardware,
+            JunitWriter(junit) if junit else None,
+            HtmlWriter(html, asked_for(seed, select, dialect, temporaries)) if html else None,
+            AnnotationWriter(annotations) if annotations else None,
+            coverage_writer(coverage, fail_under, prints=not as_json),
+        ]
+        writers = [*(writer for writer in asked if writer is not None), *trace_writers(trace, vcd)]
+        observers = tuple(dict.fromkeys(one for writer in writers for one in writer.observers))
+        session = _Session()
+        # Reports are written although nobody reads the terminal any more, as behind `| head`.
+        with going_on_unread() if writers else nullcontext(Unread()) as unread:
+            done = run_paths(
+                paths or [Path()],
+                RunOptions(
+                    *(seed, select, dialect, jobs, observers, temporaries, tuple(catalog or ())),
+                ),
+                planned=session.planned,
+                finished=session.counted if as_json else session.shown,
+            )
+            if not done.results and not done.interrupted:
+                raise _nothing_selected(select)
+            findings = [found for writer in writers for found in _written(writer, done)]
+            if as_json:
+                result_json({"scenarios": [scenario.as_json() for scenario in done.results]})
+            report(findings)
+            say(session.summary(done))
     if done.interrupted:
         raise typer.Exit(INTERRUPTED)
     if findings or not done.passed:

@@ -24,6 +24,7 @@ from harness.serial.options import OptionServer
 from harness.serial.pace import Pace
 from harness.serial.ports import Port, SerialPort, has_speed, profibus_port, serial_port
 from harness.serial.pseudo_terminal import PseudoTerminal
+from harness.serial.real_drives import RealDrives, RealTime
 from harness.serial.recording import Recording
 from harness.serial.replaying import DriveReplay, Exchange, MasterReplay
 from harness.serial.serving import Server
@@ -51,6 +52,8 @@ __all__ = [
     "Pace",
     "Port",
     "PseudoTerminal",
+    "RealDrives",
+    "RealTime",
     "Recording",
     "SerialPort",
     "ServedDrives",

@@ -83,7 +83,7 @@ class Asking:
                 continue
             now_ns = self._clock_ns()
             self.told("heard", data, now_ns - begin_ns)
-            data, echo = _without(data, echo)
+            data, echo = without_echo(data, echo)
             for frame in self._splitter.feed(data, now_ns):
                 if answered and _answers(self._protocol, request, frame):
                     return Heard(frame.data, tuple(others), rest, now_ns - begin_ns)
@@ -106,20 +106,25 @@ class Asking:
 
     def _probe(self) -> None:
         """Find out whether the adapter gives back what is sent."""
-        self._port.write(_PROBE)
-        end_ns = self._clock_ns() + _PROBE_NS
-        heard = b""
-        while not heard and (left_ns := end_ns - self._clock_ns()) > 0:
-            heard = self._port.read(left_ns / NS_PER_S)
-        self.echoes = heard == _PROBE
+        self.echoes = echoes(self._port, self._clock_ns)
         self._drain()
+
+
+def echoes(port: Port, clock_ns: Callable[[], int] = monotonic_ns) -> bool:
+    """Whether an adapter gives back what is sent. Nothing may be on its way."""
+    port.write(_PROBE)
+    end_ns = clock_ns() + _PROBE_NS
+    heard = b""
+    while not heard and (left_ns := end_ns - clock_ns()) > 0:
+        heard = port.read(left_ns / NS_PER_S)
+    return heard == _PROBE
 
 
 def _answers(protocol: LineProtocol, request: bytes, frame: LineFrame) -> bool:
     return frame.direction == "reply" and protocol.answers(request, frame.data)
 
 
-def _without(data: bytes, echo: bytes) -> tuple[bytes, bytes]:
+def without_echo(data: bytes, echo: bytes) -> tuple[bytes, bytes]:
     """What is left of `data` behind the echo, and what is left of the echo to come."""
     size = min(len(data), len(echo))
     if data[:size] != echo[:size]:

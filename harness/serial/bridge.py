@@ -12,11 +12,15 @@ before cannot be taken back, as it could not on a wire that is already being rea
 
 from harness.kernel import Kernel
 from harness.line import Line, Reception, Role, SerialFormat, Transmission
+from harness.serial.asking import without_echo
 from harness.serial.ports import Port
 
 
 class LineBridge:
-    """Carries bytes between a port and a line. `received` and `sent` count those of the port."""
+    """Carries bytes between a port and a line. `received` and `sent` count those of the port.
+
+    `echoes` says that the adapter gives back what is sent: that is taken off what comes.
+    """
 
     def __init__(
         self,
@@ -27,10 +31,13 @@ class LineBridge:
         characters: SerialFormat,
         *,
         byte_times: bool,
+        echoes: bool = False,
     ) -> None:
         self._kernel = kernel
         self._port = port
         self._byte_times = byte_times
+        self._echoes = echoes
+        self._echo = b""
         self._busy_until_ns = kernel.now_ns
         self.received = self.sent = 0
         self.node = line.attach(self, role, characters)
@@ -40,6 +47,9 @@ class LineBridge:
 
     def take(self, data: bytes) -> None:
         """Bytes have come from the port, all of them up to now."""
+        data, self._echo = without_echo(data, self._echo)
+        if not data:
+            return
         self.received += len(data)
         if self._byte_times:
             self.node.transmit(data)
@@ -70,4 +80,6 @@ class LineBridge:
             data = bytes(byte for byte, mark in zip(data, heard.marks, strict=True) if not mark)
         if data:
             self.sent += len(data)
+            if self._echoes:
+                self._echo = data
             self._port.write(data)

@@ -83,7 +83,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | TEXT
     | PLANT
     | {"fbgen.cache", "harness.durations", "harness.faults", "harness.results", "harness.rules"}
-    | {"harness.trace", "harness.trial"},
+    | {"harness.serial", "harness.trace", "harness.trial"},
     "harness.verify": BASE
     | TEXT
     | PLANT

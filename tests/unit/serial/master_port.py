@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from harness.kernel import NS_PER_MS, NS_PER_S
+from harness.kernel import NS_PER_S
 from tests.unit.serial.virtual_port import ServedLine
 
 
@@ -35,12 +35,14 @@ class MasterPort:
 
     def read(self, wait_s: float = 0.01) -> bytes:
         port = self._line.port
-        end_ns = port.now_ns + round(wait_s * NS_PER_S)
-        while port.now_ns < end_ns and not self._waiting:
+        end_ns = port.limit_ns = port.now_ns + round(wait_s * NS_PER_S)
+        while True:
             self._line.server.step()
             self._waiting += b"".join(self._change(data) for _, data in port.written)
             port.written.clear()
-        port.now_ns += NS_PER_MS
+            if port.now_ns >= end_ns or self._waiting:
+                break
+        port.limit_ns = None
         found, self._waiting = self._waiting, b""
         return found
 

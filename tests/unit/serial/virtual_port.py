@@ -17,7 +17,10 @@ SETTING = LineSetting("toshiba", 19_200, Parity.EVEN)
 
 
 class VirtualPort:
-    """Bytes by the clock; `written` has what the devices sent, with its instant."""
+    """Bytes by the clock; `written` has what the devices sent, with its instant.
+
+    Nobody waits beyond `limit_ns`.
+    """
 
     name = "virtual"
 
@@ -26,6 +29,7 @@ class VirtualPort:
         self.script: list[tuple[int, bytes]] = []
         self.written: list[tuple[int, bytes]] = []
         self.gone: Exception | None = None
+        self.limit_ns: int | None = None
 
     def clock(self) -> int:
         return self.now_ns
@@ -34,6 +38,8 @@ class VirtualPort:
         if self.gone is not None:
             raise self.gone
         until_ns = self.now_ns + max(1, round(wait_s * NS_PER_S))
+        if self.limit_ns is not None:
+            until_ns = max(self.now_ns, min(until_ns, self.limit_ns))
         if self.script and self.script[0][0] <= until_ns:
             at_ns, data = self.script.pop(0)
             self.now_ns = max(self.now_ns, at_ns)
