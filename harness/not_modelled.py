@@ -41,6 +41,21 @@ NOT_MODELLED: tuple[tuple[str, str, str], ...] = (
         "Those of the catalogue, marked as unverified, or those of the plant file.",
     ),
     (
+        "DeviceNet",
+        "Bit-strobed and multicast connections, heartbeat messages, quick connect, offline groups.",
+        "The predefined set with explicit, polled, change of state and cyclic connections.",
+    ),
+    (
+        "DeviceNet",
+        "Stuff bits, error frames and repeats of CAN, missing acknowledgement of a lonely node.",
+        "A bus with bit rate and arbitration; bus-off on demand, not from a real interface.",
+    ),
+    (
+        "DEV003Z",
+        "What the lost pages of its manual say: error codes, some codes of selections, times.",
+        "What CIP, the options of other series or we ourselves have, marked as unverified.",
+    ),
+    (
         "Line of the inverters",
         "Voltages, reflections, bias and termination.",
         "Byte times, parity, collisions; faults add noise, lose, double and delay bytes.",

@@ -322,8 +322,13 @@ class DeviceNetSlave:
         if deferred and not self.io_established:
             self._delete(EXPLICIT)
         if carried:
-            self._application.communication_lost()
+            self._lost(instance)
         self.changed()
+
+    def _lost(self, instance: int) -> None:
+        """A connection is lost: it counts if it carried commands, or if no I/O is left."""
+        if instance == POLLED or not self.io_established:
+            self._application.communication_lost()
 
     def _timed_out(self, connection: Connection) -> None:
         if connection.instance == EXPLICIT:
@@ -331,7 +336,7 @@ class DeviceNetSlave:
                 connection.state = ConnectionState.DEFERRED_DELETE
             else:
                 self._delete(EXPLICIT)
-        self._application.communication_lost()
+        self._lost(connection.instance)
         self.changed()
 
     # I/O
@@ -374,7 +379,7 @@ class DeviceNetSlave:
         for event in self._events:
             self._kernel.cancel(event)
         self._events.clear()
-        lost = self.io_established
+        lost = self.established
         for connection in self.connections.values():
             connection.end()
         if self.producer is not None:

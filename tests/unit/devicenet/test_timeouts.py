@@ -2,7 +2,9 @@
 
 import pytest
 
+from fbgen.wire.devicenet import Choice
 from fbgen.wire.devicenet_ids import Group2, group_2
+from harness.fieldbus.devicenet import ConnectionState
 from harness.gateways.dev003z import State
 from tests.unit.devicenet.bench import C203, MAC, Bench, bench, words
 
@@ -163,3 +165,36 @@ def test_without_supply_nothing_follows_later() -> None:
     made.drive.power_on()
     made.run(5000)
     assert not made.drive.tripped
+
+
+def test_a_tool_that_goes_away_stops_nothing_while_io_goes_on() -> None:
+    made = bench(C203[21], parameters={"timeout_action": 4})
+    made.connect(Choice.POLLED | Choice.CHANGE_OF_STATE, rate_ms=0)
+    made.keep_polling(RUN, 50)
+    assert made.set(5, 1, 9, words(10)) == 0
+    assert made.set(5, 4, 9, words(10)) == 0
+    made.keep_polling(RUN, 12_000)
+    assert made.option.node.connections[4].state is ConnectionState.TIMED_OUT
+    assert 1 not in made.option.node.connections
+    assert made.drive.running
+
+
+@pytest.mark.parametrize("left", [0, Choice.CHANGE_OF_STATE])
+def test_polls_that_stay_away_count_whatever_else_goes_on(left: int) -> None:
+    made = bench(C203[21], parameters={"timeout_action": 4})
+    made.connect(Choice.POLLED | left, rate_ms=0)
+    made.set(5, 2, 9, words(50))
+    made.keep_polling(RUN, 50)
+    made.run(250)
+    assert made.drive.trip_display == "Err8"
+
+
+def test_a_drive_that_explicit_messages_command_is_stopped_when_they_stay_away() -> None:
+    made = bench(parameters={"timeout_action": 4})
+    made.allocate(1)
+    made.set(5, 1, 9, words(100))
+    made.set(0x29, 1, 5, b"\x01")
+    made.set(0x29, 1, 3, b"\x01")
+    assert made.drive.running
+    made.run(405)
+    assert made.drive.trip_display == "Err8"
