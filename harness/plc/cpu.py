@@ -164,6 +164,7 @@ class Cpu(HardwareAccess):
         self.markers[keep:] = bytes(len(self.markers) - keep)
         self._begin()
         for module in self.serial_ports:
+            module.power_on()
             module.cpu_started()
         self._restart = restart
         engine.reset(warm=restart is Restart.WARM)

@@ -7,6 +7,7 @@ from harness.plc.serial.configuring import PortConfig, ReceiveConfig, SendConfig
 from harness.plc.serial.cp34x import PReceive, PSend
 from harness.plc.serial.freeport import ReceiveP2p, ReceiveReset, SendP2p
 from harness.plc.serial.jobs import PortInstruction
+from harness.plc.serial.modbus_master import ModbusCommLoad, ModbusMaster
 from harness.plc.serial.ports import SerialPorts
 
 _FREEPORT: dict[str, type[PortInstruction]] = {
@@ -16,6 +17,10 @@ _FREEPORT: dict[str, type[PortInstruction]] = {
     "PORT_CONFIG": PortConfig,
     "SEND_CONFIG": SendConfig,
     "RECEIVE_CONFIG": ReceiveConfig,
+    "MB_COMM_LOAD": ModbusCommLoad,
+    "MODBUS_COMM_LOAD": ModbusCommLoad,
+    "MB_MASTER": ModbusMaster,
+    "MODBUS_MASTER": ModbusMaster,
 }
 _OF_CP_34X: dict[str, type[PortInstruction]] = {
     "P_SND_RK": PSend,

@@ -32,6 +32,17 @@ class SendJob:
         return self.status != 0 or (self.end_ns is not None and self.end_ns <= now_ns)
 
 
+class ModbusSettings:
+    """What Modbus_Comm_Load has set, and which master has a request under way."""
+
+    __slots__ = ("master", "reply_ms", "retries")
+
+    def __init__(self, reply_ms: int, retries: int) -> None:
+        self.reply_ms = reply_ms
+        self.retries = retries
+        self.master: object | None = None
+
+
 class SerialModule:
     """One module with one port, supplied by the CPU.
 
@@ -42,7 +53,7 @@ class SerialModule:
     __slots__ = (
         *("_job", "_kernel", "_messages", "_reader", "_response", "_timer", "buffer_bytes"),
         *("buffered_messages", "conditions", "configured", "epoch", "failed", "idle_bits"),
-        *("line", "lost_messages", "name", "port", "powered", "transfer_ns"),
+        *("line", "lost_messages", "modbus", "name", "port", "powered", "transfer_ns"),
     )
 
     def __init__(
@@ -64,6 +75,7 @@ class SerialModule:
         self.transfer_ns = 2 * NS_PER_MS
         self.idle_bits = 0
         self.epoch = self.lost_messages = 0
+        self.modbus: ModbusSettings | None = None
         self.powered = True
         self.failed = False
         self._messages: deque[Message] = deque()
@@ -77,6 +89,8 @@ class SerialModule:
     def cpu_started(self) -> None:
         """STOP to RUN: the instances of the program begin anew; what was received stays."""
         self.epoch += 1
+        if self.modbus is not None:
+            self.modbus.master = None
 
     def cpu_stopped(self) -> None:
         """RUN to STOP: what is being sent ends in the middle of a character."""
@@ -90,6 +104,7 @@ class SerialModule:
         self.clear()
         self.port.format, self.conditions = self.configured
         self.idle_bits = 0
+        self.modbus = None
         self._reader = self._new_reader()
 
     def power_on(self) -> None:
