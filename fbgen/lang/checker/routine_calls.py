@@ -32,7 +32,6 @@ from fbgen.lang.checker.numbered import number_named
 from fbgen.lang.checker.places import is_place, root_variable
 from fbgen.lang.checker.routines import Direction, Parameter, Routine, routine_named
 from fbgen.lang.checker.routines.hardware_parameters import HARDWARE_PARAMETERS
-from fbgen.lang.checker.routines.point_to_point import MASTERS, TIE
 from fbgen.lang.checker.routines.signature import ANYTHING, NUMBER, SAME, WHOLE
 from fbgen.lang.checker.standard_blocks import standard_block
 from fbgen.lang.checker.targets import check_target
@@ -174,16 +173,11 @@ def unmodelled_instance_call(
 
 
 def _add_remembered(ctx: Context, place: Place, block: StandardBlock, found: _Arguments) -> None:
-    """The inputs that the call leaves out and that the text sets as members of an instance.
-
-    `MB_DB` of a MODBUS master is set by the call of another block.
-    """
+    """The inputs that the call leaves out and that the text sets as members of an instance."""
     given = {name.casefold() for name, _ in found.inputs}
     for variable in block.variables:
         key = variable.name.casefold()
         written = ctx.library.assigned_members().get(key)
-        if block.name in MASTERS and variable.name == TIE:
-            written = TIE
         if variable.kind is VariableKind.INPUT and key not in given and written is not None:
             value = FieldRef(place.span, place, variable.name, variable.type)
             found.add_input(written, value)

@@ -14,7 +14,7 @@ from fbgen.lang.checker.routines.hardware_blocks import (
     HARDWARE_BLOCKS,
     WORDS,
 )
-from fbgen.lang.checker.routines.point_to_point import POINT_TO_POINT
+from fbgen.lang.checker.routines.point_to_point import POINT_TO_POINT, TIE
 from fbgen.lang.checker.routines.signature import Direction, Parameter, read_signature
 from fbgen.lang.walk import walk
 from fbgen.source import Source, Span
@@ -68,13 +68,17 @@ def closed_parameters(name: str) -> tuple[Parameter, ...]:
 
 
 def assigned_members(files: Sequence[ast.File]) -> dict[str, str]:
-    """All members that the text assigns (`inst.REQ := TRUE`) as written, by casefolded name."""
-    return {
+    """All members that the text assigns (`inst.REQ := TRUE`) as written, by casefolded name.
+
+    And the one that the call of another block writes.
+    """
+    assigned = {
         node.target.name.casefold(): node.target.name
         for file in files
         for node in walk(file)
         if isinstance(node, ast.Assignment | ast.Chained) and isinstance(node.target, ast.Member)
     }
+    return {TIE.casefold(): TIE, **assigned}
 
 
 @cache

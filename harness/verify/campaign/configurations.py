@@ -84,7 +84,7 @@ def draw_program(
     wilder = dict(entry)
     if random.random() < 0.5:
         wilder["cycle_time_ms"] = float(random.choice(_CYCLES_MS))
-    switches = _switches(catalog, plan.gateways[0])
+    switches = _switches(catalog, plan.gateways[0]) if plan.gateways else []
     if random.random() < 0.5 and switches:
         option = random.choice(switches)
         positions = (True, False) if option.type == "flag" else tuple(option.choices)

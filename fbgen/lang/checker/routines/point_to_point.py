@@ -15,9 +15,8 @@ _BLOCK = "R BOOL, LADDR INT, DB_NO INT, DBB_NO INT"
 _REMOTE = "R_CPU_NO INT, R_TYP CHAR, R_NO INT, R_OFFSET INT, R_CF_BYT INT, R_CF_BIT INT"
 _LOCAL = "L_TYP => CHAR, L_NO => INT, L_OFFSET => INT, L_CF_BYT => INT, L_CF_BIT => INT, LEN => INT"
 
-MASTERS = ("MB_MASTER", "MODBUS_MASTER")
 TIE = "MB_DB"
-"""The static variable of a master that the call of its load writes."""
+"""The static variable of a MODBUS master that the call of its load writes."""
 
 POINT_TO_POINT: dict[str, str] = {
     "SEND_P2P": f"{_PORT}, BUFFER <> AREA, LENGTH UINT, {_DONE}",
@@ -44,7 +43,7 @@ POINT_TO_POINT: dict[str, str] = {
         " RETRIES . WORD, MODE . USINT, LINE_PRE . USINT, STOP_BITS . USINT",
     ),
     **dict.fromkeys(
-        MASTERS,
+        ("MB_MASTER", "MODBUS_MASTER"),
         "REQ BOOL, MB_ADDR UINT, MODE USINT, DATA_ADDR UDINT, DATA_LEN UINT, DATA_PTR <> AREA,"
         " DONE => BOOL, BUSY => BOOL, ERROR => BOOL, STATUS => WORD, MB_DB . WORD",
     ),
