@@ -6,6 +6,7 @@ why. `--update-golden` writes golden files anew instead of comparing with them. 
 one that begins empty with each run: what is tested is made by this code, once for all processes.
 Python's cycle collector looks less often, as it does in a command of fbgen: ten thousand collected
 tests are alive until the end, and looking through them again and again took an eighth of a run.
+Random examples have no time limit: how fast a machine is says nothing about what is right.
 """
 
 import gc
@@ -17,6 +18,7 @@ from collections import Counter
 from collections.abc import Callable, Generator, Iterator
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from tests.fact_marks import FACTS
 
@@ -24,6 +26,9 @@ if "PYTEST_XDIST_WORKER" not in os.environ:
     os.environ["FBGEN_CACHE"] = tempfile.mkdtemp(prefix="fbgen-tests-")
 _NEW_OBJECTS = 100_000
 """How many objects come into being before Python looks for garbage among them."""
+
+settings.register_profile("fbgen", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("fbgen")
 
 _REQUIRE_ALL = os.environ.get("FBGEN_REQUIRE_ALL") == "1"
 

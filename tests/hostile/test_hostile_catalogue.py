@@ -127,7 +127,7 @@ def test_texts_of_a_sequence_stay_in_comments(
 
 
 @given(text=st.text(min_size=1, max_size=60).filter(str.strip))
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 def test_whatever_the_text_the_code_stays(
     text: str, tmp_path_factory: pytest.TempPathFactory, harmless: dict[str, str]
 ) -> None:

@@ -98,7 +98,7 @@ END_FUNCTION_BLOCK
 """
 
 
-@settings(max_examples=200, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=200, suppress_health_check=[HealthCheck.too_slow])
 @given(_declarations, st.lists(_statements, max_size=4), st.sampled_from(["iec", "tia"]))
 def test_any_text_gives_a_program_or_errors(
     declarations: str, statements: list[str], dialect: str
@@ -111,7 +111,7 @@ def test_any_text_gives_a_program_or_errors(
     assert all(one.help and one.span is not None for one in findings)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(st.data())
 def test_any_piece_cut_out_of_a_text_gives_a_program_or_errors(data: st.DataObject) -> None:
     start = data.draw(st.integers(0, len(_REST)))

@@ -35,7 +35,7 @@ WAYS = [
     ("twincat", "step7"),
 ]
 REFUSALS = {"FB3050", "FB3051", "FB3052", "FB3053"}
-QUICK = settings(max_examples=15, deadline=None, suppress_health_check=list(HealthCheck))
+QUICK = settings(max_examples=15, suppress_health_check=list(HealthCheck))
 SWEEP = settings(QUICK, max_examples=600)
 
 

@@ -99,7 +99,7 @@ def test_the_undamaged_file_gets_as_far_as_its_telegrams(file: Path) -> None:
     assert set(outcome(file)) == {"FB8006"}
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(
     edits=st.lists(
         st.tuples(st.integers(0, len(TEXT)), st.integers(0, 12), TOKENS), min_size=1, max_size=3
@@ -120,7 +120,7 @@ def test_a_damaged_scenario_is_run_or_refused(
         assert code.startswith("FB")
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(number=st.sampled_from(LINES), value=st.sampled_from(VALUES))
 def test_a_wrong_value_in_any_line_is_run_or_refused(file: Path, number: int, value: str) -> None:
     lines = TEXT.splitlines()

@@ -179,7 +179,7 @@ class Connections(RuleBasedStateMachine):
         assert {item.identifier for item in self.made.frames} <= OWN
 
 
-Connections.TestCase.settings = settings(max_examples=100, stateful_step_count=20, deadline=None)
+Connections.TestCase.settings = settings(max_examples=100, stateful_step_count=20)
 TestConnections = Connections.TestCase
 
 
@@ -215,7 +215,7 @@ REQUESTS = st.builds(
     frames=st.lists(st.one_of(FRAMES, REQUESTS, REQUESTS), max_size=40),
     connected=st.booleans(),
 )
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_any_frames_are_answered_as_devicenet_has_it_or_ignored(
     c203: int, frames: list[Frame], connected: bool
 ) -> None:
@@ -232,7 +232,7 @@ def test_any_frames_are_answered_as_devicenet_has_it_or_ignored(
 
 
 @given(data=st.binary(max_size=7), c203=st.sampled_from([1, 3]))
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_a_poll_of_a_wrong_length_never_runs_the_drive(data: bytes, c203: int) -> None:
     made = bench(c203)
     made.connect()

@@ -266,4 +266,4 @@ class AnyMaster(RuleBasedStateMachine):
 
 
 TestAnyMaster = AnyMaster.TestCase
-TestAnyMaster.settings = settings(max_examples=25, stateful_step_count=40, deadline=None)
+TestAnyMaster.settings = settings(max_examples=25, stateful_step_count=40)

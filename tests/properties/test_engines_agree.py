@@ -67,7 +67,7 @@ def compare(dialect: str, data: st.DataObject, steps: list[Scan]) -> None:
     assert history("compiled", program, steps) == history("reference", program, steps)
 
 
-QUICK = settings(max_examples=25, deadline=None, suppress_health_check=list(HealthCheck))
+QUICK = settings(max_examples=25, suppress_health_check=list(HealthCheck))
 SWEEP = settings(QUICK, max_examples=1000)
 
 

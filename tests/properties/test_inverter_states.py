@@ -168,7 +168,7 @@ class InverterMachine(RuleBasedStateMachine):
         assert self.drive.communication.protocol == ("modbus" if self.modbus else "toshiba")
 
 
-InverterMachine.TestCase.settings = settings(max_examples=25, stateful_step_count=30, deadline=None)
+InverterMachine.TestCase.settings = settings(max_examples=25, stateful_step_count=30)
 test_inverter_remembers_and_answers_as_the_model = pytest.mark.filterwarnings("error")(
     InverterMachine.TestCase
 )

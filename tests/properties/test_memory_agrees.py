@@ -137,7 +137,7 @@ def history(engine_name: str, program: Program, inputs: list[int]) -> list[str]:
     return seen
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(statements(), st.lists(st.integers(0, (1 << 32) - 1), min_size=1, max_size=3))
 def test_both_engines_see_the_same_memory(body: str, inputs: list[int]) -> None:
     text = f"{DECLARATIONS}{body}END_FUNCTION_BLOCK\n"

@@ -58,7 +58,7 @@ def test_any_mix_of_tokens(pieces: list[str], dialect: str) -> None:
     _read("".join(pieces), dialect)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(
     st.sampled_from(range(len(_PIECES))),
     st.lists(

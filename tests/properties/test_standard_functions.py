@@ -26,7 +26,7 @@ from harness.engine.variables import plain
 
 CASES = cases()
 DIALECTS = ("tia", "iec")
-FEW = settings(max_examples=6, deadline=None, suppress_health_check=list(HealthCheck))
+FEW = settings(max_examples=6, suppress_health_check=list(HealthCheck))
 MANY = settings(FEW, max_examples=400)
 ENGINES = ("compiled", "reference")
 

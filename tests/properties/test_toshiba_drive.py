@@ -96,7 +96,7 @@ def play(
     return drives, recorder
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(plans, st.integers(0, 3), st.sampled_from(Topology), chosen)
 def test_inverter_stays_within_its_ranges_whatever_it_hears(
     plan: list[tuple[bytes, int]], seed: int, topology: Topology, of: tuple[Drive, bool]
@@ -112,7 +112,7 @@ def test_inverter_stays_within_its_ranges_whatever_it_hears(
         assert not (drive.tripped and drive.running)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(plans, st.integers(0, 3), st.sampled_from(Topology), chosen)
 def test_same_seed_gives_the_same_trace_and_state(
     plan: list[tuple[bytes, int]], seed: int, topology: Topology, of: tuple[Drive, bool]

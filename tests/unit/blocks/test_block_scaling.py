@@ -64,7 +64,7 @@ def test_a_set_point_is_limited_and_what_is_no_number_stops(
 
 @pytest.mark.parametrize("engine", sorted(ENGINES))
 @given(word=st.integers(0, 0xFFFF))
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 def test_a_word_comes_back_from_hz_unchanged(engine: str, word: int) -> None:
     program = loaded(ALL_SEQUENCES, engine)
     hz = program.call("TOS_WordToHz", value=word)
@@ -77,7 +77,7 @@ def test_a_word_comes_back_from_hz_unchanged(engine: str, word: int) -> None:
     hz=st.floats(width=32),
     largest=st.floats(width=32),
 )
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 def test_no_set_point_is_above_the_limit_of_the_drive(
     engine: str, hz: float, largest: float
 ) -> None:

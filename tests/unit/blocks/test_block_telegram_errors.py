@@ -346,7 +346,7 @@ CYCLE = st.tuples(STEP, st.none() | REPLY, st.sampled_from([0x1F00, 0x9F00, 0x00
 
 @pytest.mark.parametrize("engine", sorted(ENGINES))
 @given(cycles=st.lists(CYCLE, min_size=1, max_size=60))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_whatever_happens_the_rules_of_plcopen_hold(
     engine: str, cycles: list[tuple[dict[str, int], tuple[int, ...] | None, int]]
 ) -> None:
