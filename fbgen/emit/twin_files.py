@@ -2,7 +2,8 @@
 
 The text is that of the model with the words exchanged. The origins of a line are those that stand
 in the text's own source where the model's line has its. Where a line was broken, which value stands
-in which piece is told by the words in it, so there it is worked out anew.
+in which piece is told by the words in it: there it is worked out anew unless each value stands in
+the same pieces as in the model.
 """
 
 from collections.abc import Iterable, Sequence
@@ -14,19 +15,31 @@ from fbgen.emit.generated import GeneratedFile
 from fbgen.emit.twins import Twin
 from fbgen.lang import ast
 from fbgen.lang.printer import LineOrigins, print_generated
-from fbgen.lang.printer.line_origins import line_origins
-from fbgen.source import Span
+from fbgen.lang.printer.line_origins import line_origins, values_in
+from fbgen.source import Source, Span
+
+
+@dataclass(frozen=True, slots=True)
+class _Broken:
+    """Lines `start` to `end` that were made from one place, where the values in that stand in the
+    source, and which of them stands in which line."""
+
+    start: int
+    end: int
+    place: Span
+    values: Sequence[tuple[int, int]]
+    inside: Sequence[bool]
 
 
 @dataclass(frozen=True, slots=True)
 class _Pattern:
     """The text of a model in pieces, its different line origins, which of them each line has, and
-    where lines begin that were made from one place together: first line, how many, the place."""
+    what was broken into several lines."""
 
     pieces: Sequence[str]
     origins: Sequence[LineOrigins]
     of_line: Sequence[int]
-    broken: Sequence[tuple[int, int, Span]]
+    broken: Sequence[_Broken]
 
 
 class TwinFiles:
@@ -59,14 +72,15 @@ class TwinFiles:
 def _pattern(file: ast.File) -> _Pattern:
     printed = print_generated(file)
     known = {origins: number for number, origins in enumerate(dict.fromkeys(printed.origins))}
+    lines = printed.text.split("\n")
     starts = accumulate(printed.together, initial=0)
-    broken = [
-        (start, count, place)
-        for start, count in zip(starts, printed.together, strict=False)
-        if count > 1
-        and (place := printed.places[start]) is not None
-        and not all(one.is_template for line in printed.origins[start:][:count] for one in line)
-    ]
+    broken = []
+    for start, count in zip(starts, printed.together, strict=False):
+        place = printed.places[start]
+        if count > 1 and place is not None and (values := values_in(place)):
+            end = start + count
+            inside = _inside(file.source, values, lines[start:end])
+            broken.append(_Broken(start, end, place, values, inside))
     return _Pattern(
         pieces_of(printed.text),
         list(known),
@@ -75,12 +89,20 @@ def _pattern(file: ast.File) -> _Pattern:
     )
 
 
+def _inside(source: Source, values: Sequence[tuple[int, int]], lines: Sequence[str]) -> list[bool]:
+    """Whether the text of each value stands in each of the lines."""
+    texts = [source.text[start:end] for start, end in values]
+    return [text in line for text in texts for line in lines]
+
+
 def _origins(pattern: _Pattern, twin: Twin, text: str) -> tuple[LineOrigins, ...]:
     source = twin.unit.source
     own = [tuple([twin.origins[origin] for origin in origins]) for origins in pattern.origins]
     found = [own[number] for number in pattern.of_line]
     lines = text.split("\n")
-    for start, count, place in pattern.broken:
-        end = start + count
-        found[start:end] = line_origins(lines[start:end], Span(source, place.start, place.end))
+    for one in pattern.broken:
+        pieces = lines[one.start : one.end]
+        if _inside(source, one.values, pieces) != one.inside:
+            place = Span(source, one.place.start, one.place.end)
+            found[one.start : one.end] = line_origins(pieces, place)
     return tuple(found)

@@ -36,7 +36,7 @@ def line_origins(lines: Sequence[str], place: Span | None) -> list[LineOrigins]:
         return [() for _ in lines]
     if len(lines) == 1:
         return [of_one_line(place)]
-    pieces = list(_pieces(place))
+    pieces = [(place.source.text[start:end], origin) for start, end, origin in _pieces(place)]
     values = [(text, origin) for text, origin in pieces if not origin.is_template]
     found: list[LineOrigins] = []
     for line, home in zip(lines, _homes(lines, pieces), strict=True):
@@ -47,6 +47,11 @@ def line_origins(lines: Sequence[str], place: Span | None) -> list[LineOrigins]:
         )
         found.append(_unique((*home, *inside)))
     return found
+
+
+def values_in(place: Span) -> list[tuple[int, int]]:
+    """Where the values in a place stand."""
+    return [(start, end) for start, end, origin in _pieces(place) if not origin.is_template]
 
 
 def of_one_line(place: Span | None) -> LineOrigins:
@@ -72,9 +77,9 @@ def of_one_line(place: Span | None) -> LineOrigins:
     return _unique((*first, *values)) if values else first
 
 
-def _pieces(place: Span) -> Iterator[tuple[str, Origin]]:
-    """Each piece of the place with its text; in front of them the line of the template that the
-    first one stands in."""
+def _pieces(place: Span) -> Iterator[tuple[int, int, Origin]]:
+    """Where each piece of the place stands; in front of them the line of the template that the
+    first one stands in, as an empty piece."""
     source = place.source
     origins = source.origins
     at = max(0, bisect_right(source.origin_offsets, place.start) - 1)
@@ -82,7 +87,7 @@ def _pieces(place: Span) -> Iterator[tuple[str, Origin]]:
     while back >= 0:
         origin = origins[back][1]
         if origin is not None and origin.is_template:
-            yield "", origin
+            yield place.start, place.start, origin
             break
         back -= 1
     while at < len(origins) and (origins[at][0] < place.end or at == back):
@@ -90,7 +95,7 @@ def _pieces(place: Span) -> Iterator[tuple[str, Origin]]:
         end = origins[at + 1][0] if at + 1 < len(origins) else len(source.text)
         at += 1
         if origin is not None:
-            yield source.text[max(start, place.start) : min(end, max(place.end, start))], origin
+            yield max(start, place.start), min(end, max(place.end, start)), origin
 
 
 def _homes(lines: Sequence[str], pieces: Sequence[tuple[str, Origin]]) -> Iterator[LineOrigins]:

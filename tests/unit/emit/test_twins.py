@@ -194,6 +194,19 @@ def test_names_that_are_not_the_gateways_own_are_looked_up_for_each(tmp_path: Pa
     assert twins_of(plant_text(ALIKE[0], ALIKE[2]), tmp_path) == {"TOS_ConsistentIo_gw3"}
 
 
+def test_a_value_that_stands_in_a_name_of_one_gateway_only_is_found_where_it_belongs(
+    tmp_path: Path,
+) -> None:
+    """The retries are 2: no digit of `fan11`, but one of `fan21`."""
+    own_template(
+        tmp_path,
+        "parts/unit.jinja",
+        "timeout := #params.line.timeout, params",
+        "timeout := #params.line.timeout + T#{{ unit.retries }}ms, params",
+    )
+    assert "TOS_Gateway_gw2" in twins_of(plant_text(*ALIKE), tmp_path)
+
+
 def test_a_word_is_exchanged_everywhere_or_the_texts_are_not_alike() -> None:
     assert exchange({("a1", "a2"), ("x", "x")}) == {"a1": "a2"}
     assert exchange({("a1", "a2"), ("a1", "a1")}) is None
