@@ -136,7 +136,7 @@ def serial_port(name: str, characters: SerialFormat) -> SerialPort:
             timeout=0,
             exclusive=True,
         )
-    except (OSError, ValueError) as problem:
+    except (OSError, ValueError, OverflowError) as problem:
         raise _not_opened(name, characters, problem) from problem
     return SerialPort(name, device)
 

@@ -20,6 +20,7 @@ FORMAT = "fbgen line traffic"
 VERSION = 1
 _NS_PER_US = 1000
 _DIRECTIONS = get_args(Direction)
+_UNREADABLE = (KeyError, ValueError, TypeError, OverflowError)
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,8 +64,7 @@ def write_frame(file: IO[str], frame: LineFrame) -> None:
 def read_traffic(path: Path) -> Traffic:
     """The content of a file.
 
-    Raises DiagnosticError FB9054 at the first line that is wrong, FB9002 for a file that cannot be
-    read.
+    Raises DiagnosticError as `traffic_of`, and FB9002 for a file that cannot be read.
     """
     try:
         text = path.read_text("utf-8")
@@ -73,7 +73,12 @@ def read_traffic(path: Path) -> Traffic:
         raise error(
             "FB9002", f"{path.as_posix()} cannot be read: {reason}", None, "check the path"
         ) from None
-    return _Reader(Source(path.as_posix(), text)).traffic()
+    return traffic_of(Source(path.as_posix(), text))
+
+
+def traffic_of(source: Source) -> Traffic:
+    """What a text says. Raises DiagnosticError FB9054 at the first line that is wrong."""
+    return _Reader(source).traffic()
 
 
 class _Reader:
@@ -90,7 +95,7 @@ class _Reader:
         try:
             parity = Parity[str(head["parity"]).upper()]
             setting = LineSetting(str(head["protocol"]), int(head["baud"]), parity)
-        except (KeyError, ValueError, TypeError):
+        except _UNREADABLE:
             raise self._wrong(at, 1, "the head does not say speed, parity and protocol") from None
         if setting.protocol not in LINE_PROTOCOLS or setting.baud <= 0:
             raise self._wrong(at, 1, "the head has a protocol or speed that there is not")
@@ -106,7 +111,7 @@ class _Reader:
             if line.strip():
                 try:
                     data = json.loads(line)
-                except ValueError:
+                except (ValueError, RecursionError):
                     data = None
                 if not isinstance(data, dict):
                     raise self._wrong(at, len(line.rstrip()), "this is no JSON object")
@@ -118,7 +123,7 @@ class _Reader:
             start_ns, end_ns = (int(line[key]) * _NS_PER_US for key in ("t_us", "end_us"))
             data = bytes.fromhex(line["bytes"])
             direction = line["direction"]
-        except (KeyError, ValueError, TypeError):
+        except _UNREADABLE:
             raise self._wrong(at, 1, "this line says no frame") from None
         if direction not in _DIRECTIONS or not data or not 0 <= start_ns <= end_ns:
             raise self._wrong(at, 1, "this line says no frame")

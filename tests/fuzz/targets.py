@@ -17,6 +17,7 @@ from fbgen.wire.gsd import read_gsd
 from fbgen.wire.modbus import seal
 from fbgen.wire.modbus_lengths import reply_length, request_length
 from harness.scenario.model import Scenario
+from harness.serial.traffic import traffic_of
 from tests.frames import ASCII_CHECKED, MODBUS, TOSHIBA_BINARY
 
 _ROOT = Path(__file__).parents[2]
@@ -65,6 +66,13 @@ def _files(*patterns: str) -> list[bytes]:
     return [path.read_bytes() for pattern in patterns for path in sorted(_ROOT.glob(pattern))]
 
 
+_TRAFFIC = b"""\
+{"format": "fbgen line traffic", "version": 1, "protocol": "toshiba", "baud": 9600, "parity": "odd"}
+{"t_us": 0, "end_us": 3125, "direction": "request", "bytes": "2F 0B 52 FD 01 8A"}
+{"t_us": 20000, "end_us": 25000, "direction": "reply", "bytes": "2F 0B 52 FD 01 60 00 EA"}
+"""
+
+
 def targets() -> Mapping[str, Target]:
     """All targets by name."""
     texts = _files("tests/golden/manual_example_gsd10.tia.txt", "tests/unit/bad/FB[34]*.scl")
@@ -86,6 +94,7 @@ def targets() -> Mapping[str, Target]:
             lambda data: validate(load_yaml(Source("fuzz.yaml", _text(data))), Scenario),
             _files("tests/scenarios/*.scenario.yaml"),
         ),
+        "line traffic": Target(lambda data: traffic_of(Source("a", _text(data))), [_TRAFFIC]),
         "gsd": Target(
             lambda data: read_gsd(data, "fuzz.gsd"),
             _files("examples/*/*.gsd", "tests/unit/wire/*.gsd", "tests/unit/bad/FB13*.gsd"),

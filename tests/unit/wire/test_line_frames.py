@@ -1,10 +1,12 @@
 """Frames out of what somebody hears who only listens, both directions mixed."""
 
+from random import Random
+
 import pytest
 
 from fbgen.wire import toshiba_binary
 from fbgen.wire.line_frames import NS_PER_MS, FrameSplitter, LineFrame
-from fbgen.wire.line_protocols import LINE_PROTOCOLS
+from fbgen.wire.line_protocols import LINE_PROTOCOLS, LineProtocol
 from fbgen.wire.modbus import seal
 from fbgen.wire.toshiba import Command, Request
 from tests.vectors.reading import entries
@@ -127,3 +129,26 @@ def test_where_only_one_direction_can_be_heard_the_other_is_unknown() -> None:
     assert heard(FrameSplitter(TOSHIBA, "reply"), (0, VALUE), (20, READ)) == [
         *(("reply", VALUE), ("unknown", READ))
     ]
+
+
+@pytest.mark.parametrize("protocol", [TOSHIBA, MODBUS], ids=lambda item: item.name)
+def test_every_byte_that_was_heard_is_told_once_and_in_order(protocol: LineProtocol) -> None:
+    random = Random(7)
+    known = [bytes.fromhex(text) for text in (READ, VALUE, WRITE, "01 03 FD 00 00 01 B5 A6")]
+    for _ in range(200):
+        pieces = [random.choice([*known, random.randbytes(5)]) for _ in range(6)]
+        stream = bytearray(b"".join(pieces))
+        if random.random() < 0.5:
+            stream[random.randrange(len(stream))] ^= 1 << random.randrange(8)
+        splitter = FrameSplitter(protocol)
+        found: list[LineFrame] = []
+        now_ns, at = 0, 0
+        while at < len(stream):
+            size = random.randrange(1, 12)
+            now_ns += random.choice((1, 20, 90, 400)) * NS_PER_MS
+            found += splitter.feed(bytes(stream[at : at + size]), now_ns)
+            at += size
+        found += splitter.flush()
+        assert b"".join(frame.data for frame in found) == bytes(stream)
+        assert all(frame.start_ns <= frame.end_ns for frame in found)
+        assert splitter.idle
