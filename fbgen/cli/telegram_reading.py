@@ -126,7 +126,7 @@ def _parts(
         if field.pad:
             text = "means nothing"
         elif word is not None and field.length == 2:
-            text = _set_bits(word, value)
+            text = set_bits(word, value)
         elif field.name == "inv_no":
             text = address_text(value)
         elif field.name == "cmd":
@@ -145,7 +145,8 @@ def _number(fields: Sequence[CyclicField], data: bytes, names: Sequence[str]) ->
     return None if found is None else int.from_bytes(data[found.offset : found.end])
 
 
-def _set_bits(word: Word, value: int) -> str:
+def set_bits(word: Word, value: int) -> str:
+    """The bits of a word that are 1 by their names, and wider fields with their values."""
     shown_bits = [
         item.field.name if item.field.maximum == 1 else f"{item.field.name}={item.value:X}"
         for item in word.decode(value)
