@@ -107,7 +107,7 @@ def _section(command: _Command) -> str:
     usage = " ".join([command.name, *map(_in_usage, arguments), "[OPTIONS]" if options else ""])
     parts = [f"## {command.name}", "\n\n".join(map(_text, command.paragraphs))]
     parts.append(f"```text\n{usage.strip()}\n```")
-    if rows := [f"| `{_value(one)}` | {_cell(one.info.help or '')} |" for one in arguments]:
+    if rows := [f"| `{_name(one)}` | {_cell(one.info.help or '')} |" for one in arguments]:
         parts.append("| argument | meaning |\n|---|---|\n" + "\n".join(rows))
     if rows := [_option_row(one) for one in options]:
         head = "| option | meaning | default |\n|---|---|---|\n"
@@ -131,13 +131,18 @@ def _option_row(option: _Parameter) -> str:
     spelled = given or [f"--{option.name.replace('_', '-')}"]
     names = ", ".join(f"`{name}`" for name in spelled)
     is_flag = bool in (option.kind, *get_args(option.kind))
-    takes = "" if is_flag else f" `{_value(option)}`".replace("|", "\\|")
+    takes = "" if is_flag else f" `{_name(option)}`"
     meaning = (option.info.help or "").rstrip(".")
     if _is_many(option.kind) and "several times" not in meaning:
         meaning += "; may be given several times"
     known = not is_flag and option.default not in (inspect.Parameter.empty, None, "")
     default = f"`{getattr(option.default, 'value', option.default)}`" if known else ""
     return f"| {names}{takes} | {_cell(meaning)} | {default} |"
+
+
+def _name(parameter: _Parameter) -> str:
+    """How it stands in a table."""
+    return _value(parameter).replace("|", "\\|")
 
 
 def _value(parameter: _Parameter) -> str:

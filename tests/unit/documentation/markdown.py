@@ -54,20 +54,21 @@ def blocks_of(page: str) -> tuple[CodeBlock, ...]:
     return tuple(found)
 
 
-def _prose(page: str) -> str:
+def prose(page: str) -> str:
+    """A page without its code blocks and comments."""
     return _COMMENT.sub("", _FENCE.sub("", text_of(page)))
 
 
 def links_of(page: str) -> list[str]:
     """The targets of the links of a page."""
-    return _LINK.findall(re.sub(r"`[^`\n]*`", "", _prose(page)))
+    return _LINK.findall(re.sub(r"`[^`\n]*`", "", prose(page)))
 
 
 @cache
 def anchors_of(page: str) -> frozenset[str]:
     """What the headings of a page are called in a link."""
     names: set[str] = set()
-    for heading in re.findall(r"^#+ +(.+?) *$", _prose(page), re.MULTILINE):
+    for heading in re.findall(r"^#+ +(.+?) *$", prose(page), re.MULTILINE):
         plain = re.sub(r"\[([^\]]+)\]\([^)]*\)", r"\1", heading).lower()
         name = re.sub(r"[^\w\- ]", "", plain).replace(" ", "-")
         same = sum(known == name or known.startswith(f"{name}-") for known in names)

@@ -1,8 +1,9 @@
 """Links of all pages lead somewhere, and the index leads to every page."""
 
+import re
 from pathlib import Path
 
-from tests.unit.documentation.markdown import ROOT, anchors_of, links_of, pages, text_of
+from tests.unit.documentation.markdown import ROOT, anchors_of, links_of, pages, prose, text_of
 
 INDEX = "docs/README.md"
 
@@ -55,6 +56,18 @@ def test_the_readme_leads_to_the_index() -> None:
 
 def test_every_page_begins_with_its_title() -> None:
     assert [page for page in pages() if not text_of(page).startswith("# ")] == []
+
+
+def test_every_row_of_a_table_has_as_many_cells_as_its_head() -> None:
+    odd = []
+    for page in pages():
+        cells = 0
+        for line in prose(page).splitlines():
+            here = len(re.findall(r"(?<!\\)\|", line)) if line.startswith("|") else 0
+            if here and cells and here != cells:
+                odd.append(f"{page}: {line}")
+            cells = here
+    assert odd == []
 
 
 def test_no_file_is_left_in_the_scratch_folders_of_pages_that_are_gone() -> None:
