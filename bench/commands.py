@@ -40,6 +40,11 @@ def figures() -> Iterator[Figure]:
         ):
             best = min(_seconds(("test", _SCENARIO), cache) for cache in caches)
             yield Figure(f"fbgen test, one small scenario, {what}", best, best / turn, limit)
+        sites = [("docs", "-o", f"{folder}/site_{run}") for run in range(_RUNS)]
+        best = min(_seconds(arguments, "off") for arguments in sites)
+        size = sum(path.stat().st_size for path in Path(folder, "site_0").iterdir())
+        title = f"fbgen docs, whole catalogue, {size / 1_000_000:.1f} MB"
+        yield Figure(title, best, best / turn, "at most 3 s, 5 MB")
         for gateways, limit in ((10, ""), (50, ""), (100, "at most 3 s")):
             plant = Path(folder) / f"plant_{gateways}.yaml"
             plant.write_text(plant_text(gateways), encoding="utf-8")

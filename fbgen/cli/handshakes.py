@@ -26,8 +26,8 @@ def handshakes(programs: Iterable["PlantProgram"], gateways: Sequence[str]) -> I
 
     waiting = list(gateways)
     for program in programs:
-        entry = program.plant.gateways[0]
-        if entry.type not in waiting:
+        entry = next(iter(program.plant.gateways), None)
+        if entry is None or entry.type not in waiting:
             continue
         waiting.remove(entry.type)
         path = shipped("examples") / program.plant.name / "plant.yaml"

@@ -25,9 +25,8 @@ class PlantProgram:
     @property
     def devices(self) -> frozenset[str]:
         """Its types of gateways and series of inverters."""
-        gateways = self.plant.gateways
-        series = {drive.series for gateway in gateways for drive in gateway.drives}
-        return frozenset(series | {gateway.type for gateway in gateways})
+        series = {drive.series for drive in self.plant.drives}
+        return frozenset(series | {gateway.type for gateway in self.plant.gateways})
 
     @property
     def canonical(self) -> CanonicalProgram:

@@ -256,11 +256,11 @@ def _lamps(gateway: Gateway, sources: Sources) -> Section:
             rows.append(Row(((str(led.number),), (led.title,), (), ("unused",), (), ())))
         for state in led.states:
             light = state.light.replace("_", " ")
-            normal = "normal" if state.normal else ""
+            normal = "yes" if state.normal else ""
             cells: tuple[Phrase, ...] = (
                 *((str(led.number),), (led.title,), (light,), (state.meaning,), (normal,)),
                 sources.of(state.source, state.status),
             )
             rows.append(Row(cells, f"led-{led.name}-{state.name}"))
-    columns = ("Lamp", "Name", "Light", "Meaning", "", "Source")
+    columns = ("Lamp", "Name", "Light", "Meaning", "Normal", "Source")
     return Section("Lamps", (Table(columns, tuple(rows)),), "lamps")

@@ -26,8 +26,7 @@ function decoder(place, data) {
     const button = element("button", {
       type: "button", class: field ? "" : "unnamed", title: field ? `${field.name}: ${field.title}` : "no document gives it a meaning",
       onclick: () => change(state.value ^ (1 << bit)),
-    }, `${bit}`, element("b", { text: "0" }));
-    button.setAttribute("aria-label", `bit ${bit}${field ? ` ${field.name}` : ""}`);
+    }, element("span", { class: "unseen", text: "bit " }), `${bit}`, element("span", { class: "unseen", text: field ? ` ${field.name}` : "" }), element("b", { text: "0", "aria-hidden": "true" }));
     buttons[bit] = button;
     bits.append(button);
   }

@@ -81,7 +81,10 @@ def test_no_number_of_a_telegram_is_missed(subject: Subject, usage: Usage) -> No
 
 def test_a_bit_is_set_asked_for_and_never_used(usage: Usage) -> None:
     coast = usage.of(BitItem("vf-s11", "command", "coast_stop"))
-    assert [(use.block, use.does) for use in coast] == [("TOS_Drive", "sets")]
+    assert [(use.block, use.does) for use in coast] == [
+        ("TOS_Drive", "sets"),
+        ("TIP_Drive", "sets"),
+    ]
     running = usage.of(BitItem("vf-s11", "status", "running"))
     assert {use.does for use in running} == {"reads"}
     assert usage.of(BitItem("vf-s11", "command", "pi_control_off")) == ()
@@ -103,7 +106,8 @@ def test_a_word_that_a_sequence_sends_counts_bit_by_bit(usage: Usage) -> None:
 
 
 def test_bits_from_a_value_that_is_worked_out_are_told(usage: Usage) -> None:
-    assert [one.block for one in usage.worked_out("vf-s11", "command")] == ["TOS_Drive"]
+    found = usage.worked_out("vf-s11", "command")
+    assert [one.block for one in found] == ["TOS_Drive", "TIP_Drive"]
     assert usage.worked_out("tospbdp001", "status") == ()
 
 
