@@ -7,9 +7,9 @@ from fbgen.catalog import Catalog
 from fbgen.wire.devicenet import Frame
 from harness.drives import Inverter, InverterSettings
 from harness.gateways.dev003z import Dev003z, Dev003zSettings
-from harness.kernel import Kernel
+from harness.kernel import NS_PER_S, Kernel
 from harness.line import Line
-from harness.serial.can_interfaces import CanInterface
+from harness.serial.can_interfaces import TICK_S, CanInterface
 from harness.serial.can_log import CanLog
 
 
@@ -60,13 +60,21 @@ class OptionServer:
             self.step()
 
     def step(self) -> None:
-        """Wait for a frame, but not long; let time pass; answer."""
-        frame = self._port.read()
-        self.kernel.run_until(self._clock_ns() - self._offset_ns)
+        """Wait for a frame, but not longer than something is due; let time pass; answer."""
+        frame = self._port.read(self._patience_s())
+        self.kernel.run_until(self._now_ns())
         if frame is not None:
             self.received += 1
             self._note(frame, received=True)
             self.option.receive(frame)
+
+    def _now_ns(self) -> int:
+        return self._clock_ns() - self._offset_ns
+
+    def _patience_s(self) -> float:
+        """How long to wait for a frame: until something is due, so that no answer is late."""
+        due_s = (self.kernel.quiet_until_ns() - self._now_ns()) / NS_PER_S
+        return min(max(due_s, 0.0), TICK_S)
 
     def _send(self, frame: Frame) -> None:
         self.sent += 1

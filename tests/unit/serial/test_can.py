@@ -38,8 +38,10 @@ class Heard:
     def __init__(self, *frames: Frame) -> None:
         self.come = list(frames)
         self.sent: list[Frame] = []
+        self.waits: list[float] = []
 
     def read(self, wait_s: float = 0.0) -> Frame | None:
+        self.waits.append(wait_s)
         return self.come.pop(0) if self.come else None
 
     def write(self, frame: Frame) -> None:
@@ -193,6 +195,24 @@ def test_a_log_of_a_simulated_bus_has_its_times(tmp_path: Path) -> None:
         read = list(reader)
     assert [len(item.data) for item in read] == [4, 8]
     assert read[1].timestamp - read[0].timestamp == pytest.approx(0.010064, abs=2e-6)
+
+
+def test_it_waits_no_longer_than_something_is_due() -> None:
+    clock = Clock()
+    port = Heard()
+    server = served(port, clock)
+    online(server, clock)
+    port.come.append(Frame(0x42E, bytes.fromhex("00 4B 03 01 01 00")))
+    server.step()
+    sent = len(port.sent)
+    clock.ns += NS_PER_MS // 4
+    server.step()
+    assert port.waits[-1] == pytest.approx(0.00075), "the answer is due after a millisecond"
+    clock.ns += NS_PER_MS
+    server.step()
+    assert len(port.sent) == sent + 1
+    server.step()
+    assert port.waits[-1] == pytest.approx(0.005)
 
 
 def test_a_log_needs_a_format_and_a_place(tmp_path: Path) -> None:
