@@ -12,7 +12,7 @@ from random import Random
 from fbgen.catalog import Catalog, TelegramGateway
 from fbgen.catalog.options import Option
 from fbgen.diagnostics import DiagnosticError
-from fbgen.plant import Plant, PlantGateway
+from fbgen.plant import Plant, PlantGateway, SerialLine
 from harness.kernel import NS_PER_MS, NS_PER_US
 from harness.scenario.model import Variation
 from harness.scenario.plant_changes import varied_plant
@@ -64,6 +64,11 @@ def telegram_gateways(plan: Plant, catalog: Catalog) -> list[PlantGateway]:
     return [
         item for item in plan.gateways if isinstance(catalog.gateway(item.type), TelegramGateway)
     ]
+
+
+def asked_units(plan: Plant, catalog: Catalog) -> list[PlantGateway | SerialLine]:
+    """Gateways and serial lines whose drives are asked by telegrams."""
+    return [*telegram_gateways(plan, catalog), *plan.serial]
 
 
 def is_allowed(plan: Plant, entry: Entry, catalog: Catalog) -> bool:

@@ -10,13 +10,14 @@ from random import Random
 
 from fbgen.catalog import Catalog
 from fbgen.dataclass import dataclass
-from fbgen.plant import Plant, PlantDrive
+from fbgen.plant import Plant, PlantDrive, PlantGateway
 from harness.kernel import NS_PER_MS, NS_PER_S
 from harness.scenario.model import Variation
 from harness.scenario.plant_changes import varied_plant
 from harness.verify.campaign.configurations import (
     SEEDS_PER_PROGRAM,
     TRIGGERS,
+    asked_units,
     draw_program,
     draw_start,
     telegram_gateways,
@@ -89,15 +90,16 @@ def _work(random: Random, plan: Plant, catalog: Catalog, sequences: Sequence[str
     """What the PLC is asked for meanwhile, and where its triggers begin."""
     steps: list[Entry] = []
     lines = telegram_gateways(plan, catalog)
-    for gateway in lines:
-        count = f"plc.TOS_Gateway_{gateway.name}_DB.instLine.instTelegram.instTrigger.statCount"
+    for line in lines:
+        count = f"plc.TOS_Gateway_{line.name}_DB.instLine.instTelegram.instTrigger.statCount"
         steps.append({"set": {count: random.choice(TRIGGERS)}})
-    drives = [(gateway, drive) for gateway in plan.gateways for drive in gateway.drives]
+    asked_by_telegrams = asked_units(plan, catalog)
+    drives = [(gateway, drive) for gateway in plan.units for drive in gateway.drives]
     left_ns = BEGIN_NS + LAST_NS + NS_PER_S
     for _ in range(_ACTIONS):
         pause_ns = random.randrange(left_ns // _ACTIONS * 2) + NS_PER_MS
         gateway, drive = random.choice(drives)
-        if gateway in lines:
+        if gateway in asked_by_telegrams:
             asked = _asked(random, gateway.name, drive, sequences)
         elif random.random() < _JOBS_SHARE:
             asked = asked_in_parameter_channel(random, gateway.name, drive)
@@ -143,21 +145,21 @@ def _recovery(
     """Nothing is asked for, drives are reset, more than once: a reset may be lost. Then all must be
     well: everything answers and stands, and no alarm is left of the line or of a drive."""
     round_time = written_time(round(patience * _ROUND_NS))
-    lines = [f"plc.TOS_Plant.{gateway.name}.line" for gateway in plan.gateways]
+    lines = [f"plc.TOS_Plant.{gateway.name}.line" for gateway in plan.units]
     drives = [
         f"plc.TOS_Plant.{gateway.name}.{drive.name}"
-        for gateway in plan.gateways
+        for gateway in plan.units
         for drive in gateway.drives
     ]
     controls = [f"{drive}.control" for drive in drives]
-    on_lines = telegram_gateways(plan, catalog)
+    on_lines = asked_units(plan, catalog)
     executes = {
         f"plc.TOS_Plant.{gateway.name}.{drive.name}.{name}.execute": False
         for gateway in on_lines
         for drive in gateway.drives
         for name in sequences
     }
-    for gateway in plan.gateways:
+    for gateway in plan.units:
         if gateway not in on_lines:
             for drive in gateway.drives:
                 executes |= {f"plc.TOS_Plant.{gateway.name}.{drive.name}.parameter.execute": False}
@@ -175,10 +177,10 @@ def _recovery(
             {"wait": round_time},
         ]
     well: Entry = {}
-    for gateway in plan.gateways:
+    for gateway in plan.units:
         for drive in gateway.drives:
             base = f"plc.TOS_Plant.{gateway.name}.{drive.name}"
-            if gateway not in on_lines:
+            if isinstance(gateway, PlantGateway) and gateway not in on_lines:
                 well |= well_at_an_interface(plan, gateway, drive, catalog)
             elif gateway.status_poll:
                 well |= {f"{base}.polled.valid": True, f"{base}.polled.lost": False}
