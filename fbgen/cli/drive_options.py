@@ -59,7 +59,10 @@ def named_drives(
 
 
 def drives_to_serve(
-    drives: Sequence[NamedDrive], settings: Sequence[str], reply_time: "ReplyTime | None"
+    drives: Sequence[NamedDrive],
+    settings: Sequence[str],
+    reply_time: "ReplyTime | None",
+    wired: str | None,
 ) -> "list[DriveToServe]":
     """The same with the parameters of `--set [DRIVE.]COMNO=VALUE`.
 
@@ -95,6 +98,7 @@ def drives_to_serve(
         DriveToServe(
             *(item.name, item.series, item.inv_no, parameters[item.name]),
             reply_time=reply_time or ReplyTime(),
+            port=wired,
         )
         for item in drives
     ]

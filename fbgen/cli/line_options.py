@@ -48,6 +48,7 @@ def asked_setting(
     protocol: ProtocolName | None,
     baud: int | None,
     parity: ParityName | None,
+    wired: str | None = None,
 ) -> "LineSetting":
     """The setting that these options ask for. Raises DiagnosticError FB9035."""
     from harness.line import Parity
@@ -58,4 +59,5 @@ def asked_setting(
         None if protocol is None else protocol.value,
         baud,
         None if parity is None else Parity[parity.name],
+        wired,
     )

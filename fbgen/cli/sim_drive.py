@@ -62,6 +62,14 @@ def drive(
     protocol: ProtocolOption = None,
     baud: BaudOption = None,
     parity: ParityOption = None,
+    wired: Annotated[
+        str | None,
+        typer.Option(
+            "--wired",
+            metavar="NAME",
+            help="Port of a series with several: four_wire; else its first.",
+        ),
+    ] = None,
     settings: Annotated[
         list[str] | None,
         typer.Option(
@@ -108,8 +116,8 @@ def drive(
 
     check_port(port, pty, "the drives")
     chosen = named_drives(drives or (), series, inv_no, load_catalog(catalog or ()))
-    wanted = drives_to_serve(chosen, settings or (), _reply_time(reply_time))
-    setting = asked_setting([item.series for item in wanted], protocol, baud, parity)
+    wanted = drives_to_serve(chosen, settings or (), _reply_time(reply_time), wired)
+    setting = asked_setting([item.series for item in wanted], protocol, baud, parity, wired)
     opened = PseudoTerminal() if port is None else serial_port(port, setting.from_drives)
     try:
         served = serve_drives(

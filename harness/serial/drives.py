@@ -6,6 +6,7 @@ from dataclasses import field
 from fbgen.catalog import Drive, SerialPort
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, error
+from fbgen.nearest import nearest
 from fbgen.wire.line_protocols import LINE_PROTOCOLS, LineProtocol
 from harness.drives import Inverter, InverterSettings, ReplyTime
 from harness.installation.holds import Hold, Holds
@@ -23,13 +24,17 @@ MASTER_STOP_BITS, DRIVE_STOP_BITS = 1, 2
 
 @dataclass(frozen=True, slots=True)
 class DriveToServe:
-    """One inverter: its name, its number, and what differs from a new one, by ComNo or name."""
+    """One inverter: its name, its number, and what differs from a new one, by ComNo or name.
+
+    `port` is the one that is wired, of a series that has several; None for the first.
+    """
 
     name: str
     series: Drive
     inv_no: int
     parameters: Mapping[str, float] = field(default_factory=dict)
     reply_time: ReplyTime = field(default_factory=ReplyTime)
+    port: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,31 +83,39 @@ class ServedDrives:
 
 
 def line_setting(
-    drives: Sequence[Drive], protocol: str | None, baud: int | None, parity: Parity | None
+    drives: Sequence[Drive],
+    protocol: str | None,
+    baud: int | None,
+    parity: Parity | None,
+    wired: str | None = None,
 ) -> LineSetting:
     """The setting of a line with inverters of these series.
 
-    It is what is asked for, else what a new inverter of the first series has.
+    It is what is asked for, else what a new inverter of the first series has. `wired` is as in
+    `DriveToServe`.
 
     Raises DiagnosticError FB9035 for what one of the series does not have.
     """
     series = drives[0]
-    port = serial_port_of(series)
+    port = serial_port_of(series, wired)
     rate = series.baud_rates(port).get(series.comno(port.baud_rate).default_word, 9_600)
     kind = series.parities(port).get(series.comno(port.parity).default_word, "even")
     setting = LineSetting(protocol or series.protocol, baud or rate, parity or Parity[kind.upper()])
     found = [
         problem
         for one in {item.id: item for item in drives}.values()
-        for problem in _problems(one, setting)
+        for problem in _problems(one, setting, wired)
     ]
     if found:
         raise DiagnosticError(found)
     return setting
 
 
-def serial_port_of(series: Drive) -> SerialPort:
-    """The serial port of a series that a line is connected to. Raises DiagnosticError FB9035."""
+def serial_port_of(series: Drive, wired: str | None = None) -> SerialPort:
+    """The port of a series that a line is connected to, by its name; None for the first.
+
+    Raises DiagnosticError FB9035 if there is none.
+    """
     ports = series.communication.ports if series.communication is not None else ()
     if not ports:
         raise error(
@@ -111,7 +124,13 @@ def serial_port_of(series: Drive) -> SerialPort:
             series.span,
             "add communication: with ports:, as vf-s11.yaml has it",
         )
-    return ports[0]
+    found = next((port for port in ports if wired in (None, port.name)), None)
+    if found is None:
+        names = [port.name for port in ports]
+        raise error(
+            "FB9035", f"'{series.id}' has no port '{wired}'", None, nearest(wired or "", names)
+        )
+    return found
 
 
 def serve_drives(
@@ -127,7 +146,7 @@ def serve_drives(
     Raises DiagnosticError of `Inverter` for what a series or its simulation does not have.
     """
     kernel = Kernel(seed)
-    wires = [serial_port_of(item.series).wires for item in drives]
+    wires = [serial_port_of(item.series, item.port).wires for item in drives]
     line = Line(kernel, Topology.TWO_WIRE if 2 in wires else Topology.FOUR_WIRE)
     bridge = LineBridge(
         *(kernel, line, port, Role.MASTER, setting.from_master), byte_times=byte_times
@@ -148,7 +167,7 @@ def protocol_of(setting: LineSetting) -> LineProtocol:
 
 def _settings(item: DriveToServe, setting: LineSetting) -> InverterSettings:
     series = item.series
-    port = serial_port_of(series)
+    port = serial_port_of(series, item.port)
     rates, parities = series.baud_rates(port), series.parities(port)
     parameters: dict[str, float] = {
         port.baud_rate: _value_of(rates, setting.baud),
@@ -161,6 +180,7 @@ def _settings(item: DriveToServe, setting: LineSetting) -> InverterSettings:
         name=item.name,
         parameters=parameters | dict(item.parameters),
         reply_time=item.reply_time,
+        port=port.name,
     )
 
 
@@ -168,8 +188,8 @@ def _value_of(meanings: Mapping[int, object], wanted: object) -> int:
     return next(value for value, meaning in meanings.items() if meaning == wanted)
 
 
-def _problems(series: Drive, setting: LineSetting) -> Iterator[Diagnostic]:
-    port = serial_port_of(series)
+def _problems(series: Drive, setting: LineSetting, wired: str | None) -> Iterator[Diagnostic]:
+    port = serial_port_of(series, wired)
     rates, parities = series.baud_rates(port), series.parities(port)
     parity = setting.parity.name.lower()
     for what, wanted, known in (

@@ -47,6 +47,7 @@ linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux makes pse
         ("--pty --set max_frequenc=60", "FB1105", "max_frequenc"),
         ("--pty --set max_frequency=6000", "FB7101", "does not take 6000"),
         ("--pty --baud 1234", "FB9035", "does not have the speed 1234"),
+        ("--pty --wired rs232", "FB9035", "'vf-s11' has no port 'rs232'"),
         ("--pty --reply-time 12", "FB9035", "--reply-time"),
         ("--pty --control /nowhere/control", "FB9036", "/nowhere/control"),
     ],

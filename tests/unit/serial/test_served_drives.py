@@ -180,3 +180,22 @@ def test_folders_of_terminals_are_known(tmp_path: Path) -> None:
         with closing(serial_port(str(link), SETTING.from_master)) as opened:
             opened.write(b"\x2f")
             assert port.read(1.0) == b"\x2f"
+
+
+@pytest.mark.parametrize(
+    ("wired", "topology"),
+    [(None, Topology.TWO_WIRE), ("two_wire", Topology.TWO_WIRE), ("four_wire", Topology.FOUR_WIRE)],
+)
+def test_of_a_series_with_two_ports_one_is_wired(wired: str | None, topology: Topology) -> None:
+    series = load_catalog().drive("vf-as1")
+    port = VirtualPort()
+    setting = line_setting([series], None, 9_600, Parity.EVEN, wired)
+    drive = DriveToServe("a", series, 3, port=wired)
+    served = serve_drives([drive], setting, port, byte_times=True)
+    assert served.line.topology is topology
+    server = DriveServer(served, port, port.clock)
+    port.script.append((port.now_ns + 50_000_000, bytes.fromhex("2F 03 52 FD 01 82")))
+    for _ in range(40):
+        server.step()
+    assert [data.hex(" ").upper() for _, data in port.written] == ["2F 03 52 FD 01 60 00 E2"]
+    assert served.log.answered == {"a": 1}
