@@ -10,6 +10,7 @@ import yaml
 from fbgen.cli.schemas import schema_texts
 from tests.unit.documentation.fragments import Loader, without_required
 from tests.unit.documentation.markdown import text_of
+from tools.pages.meanings import MEANINGS, SOME
 
 _ROW = re.compile(r"^\| `(\w+)` \| .*? \| [^|]*? \| `(.+?)` \| ", re.MULTILINE)
 KINDS = {
@@ -19,6 +20,7 @@ KINDS = {
     "protocol": "catalog-protocol",
     "sequence": "catalog-sequence",
     "scenario": "scenario",
+    "manual": "catalog-manual",
 }
 
 
@@ -28,6 +30,16 @@ def _definitions(kind: str) -> dict[str, dict[str, object]]:
     whole = json.loads(text, object_hook=without_required)
     definitions: dict[str, dict[str, object]] = whole.pop("$defs")
     return {**definitions, whole.get("title", kind): whole}
+
+
+def test_every_meaning_is_of_a_key_that_there_is() -> None:
+    keys: set[str] = set()
+    for kind in KINDS:
+        for title, schema in _definitions(kind).items():
+            properties = schema.get("properties", {})
+            assert isinstance(properties, dict)
+            keys |= {*properties, *(f"{title}.{key}" for key in properties)}
+    assert sorted({*MEANINGS, *SOME} - keys) == []
 
 
 def test_every_example_is_one() -> None:
