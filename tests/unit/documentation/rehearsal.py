@@ -56,6 +56,7 @@ ELSEWHERE = {
 }
 """Commands that are not run from a page, and why."""
 LONG = {
+    "docs": "draws handshakes of simulated runs; tests/unit/docs makes the pages",
     "sim": "serves until Ctrl-C; tests/unit/serial starts it",
     "record": "listens until Ctrl-C; tests/unit/cli/test_record_and_replay",
     "replay": "takes a recording and a port; tests/unit/cli/test_record_and_replay",
