@@ -16,6 +16,7 @@ from fbgen.catalog.communication import (
     SerialPort,
     ToshibaService,
 )
+from fbgen.catalog.connectors import Connector, Pin
 from fbgen.catalog.devicenet_gateways import Assembly, AssemblyPair, DeviceNetGateway
 from fbgen.catalog.drives import ComNo, Drive, TerminalFunction, Trip
 from fbgen.catalog.gateways import Gateway, Led, LedState
@@ -71,6 +72,7 @@ __all__ = [
     "BranchStep",
     "CheckStep",
     "Condition",
+    "Connector",
     "RepeatStep",
     "WaitStep",
     "Document",
@@ -96,6 +98,7 @@ __all__ = [
     "OptionValue",
     "Parameter",
     "ParameterChannel",
+    "Pin",
     "PlacedIdentifier",
     "ProcessDataGateway",
     "Protocol",

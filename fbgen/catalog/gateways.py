@@ -8,6 +8,7 @@ DeviceNet (`devicenet_gateways`).
 from collections.abc import Iterable
 from typing import Literal
 
+from fbgen.catalog.connectors import Connector
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
 from fbgen.catalog.options import Option
@@ -53,6 +54,7 @@ class Gateway(Sourced):
     leds: tuple[Led, ...]
     options: tuple[Option, ...]
     switches: tuple[Switch, ...] = ()
+    connectors: tuple[Connector, ...] = ()
 
     def word(self, name: str) -> Word:
         """The word of a name. Raises DiagnosticError FB1201 with the nearest names."""
@@ -68,6 +70,7 @@ class Gateway(Sourced):
         yield from no_duplicates(self.words, "name", lambda item: item.name, "word")
         yield from no_duplicates(self.options, "id", lambda item: item.id, "option")
         yield from no_duplicates(self.leds, "name", lambda item: item.name, "LED")
+        yield from no_duplicates(self.connectors, "name", lambda item: item.name, "connector")
 
 
 def unknown_name(

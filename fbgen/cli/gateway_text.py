@@ -40,6 +40,7 @@ def gateway_text(gateway: Gateway, sources: Sources) -> list[str]:
         table(["word", "source", "title"], words),
         *_of_the_kind(gateway, sources),
         table(["LED", "name", "light (* normal)", "source", "meaning"], lamps),
+        *_connectors(gateway, sources),
         *switches_text(gateway.switches, sources),
         *options_text(gateway.options, sources),
     ]
@@ -137,6 +138,16 @@ def _process_data(gateway: ProcessDataGateway, sources: Sources) -> list[str]:
 _PROCESS_DATA_TIMES = (
     *("processing", "reply_timeout", "parameter_min", "parameter_max", "heartbeat"),
 )
+
+
+def _connectors(gateway: Gateway, sources: Sources) -> list[str]:
+    """The connectors in one table, pin by pin."""
+    rows = [
+        [connector.name, item.pin, item.wire or "", sources.of(connector), item.signal]
+        for connector in gateway.connectors
+        for item in connector.pins
+    ]
+    return [table(["connector", "pin", "wire", "source", "signal"], rows)] if rows else []
 
 
 def switches_text(switches: tuple[Switch, ...], sources: Sources) -> list[str]:

@@ -33,6 +33,7 @@ from fbgen.docs.pages.device_parts import (
     word_table,
 )
 from fbgen.docs.pages.devicenet import devicenet_sections, node_facts
+from fbgen.docs.pages.plant_gateways import in_this_plant
 from fbgen.docs.sources import Sources
 from fbgen.docs.subject import Subject
 from fbgen.docs.texts import code, octets
@@ -59,6 +60,7 @@ def _gateway(gateway: Gateway, subject: Subject) -> Page:
     ]
     if isinstance(gateway, ProfibusGateway):
         sections += [_layout(gateway, layout, sources) for layout in gateway.layouts]
+    sections += in_this_plant(gateway, subject)
     if isinstance(gateway, DeviceNetGateway):
         sections += devicenet_sections(gateway, sources)
     sections += _handshake(gateway, subject)
@@ -67,6 +69,8 @@ def _gateway(gateway: Gateway, subject: Subject) -> Page:
     if isinstance(gateway, ProcessDataGateway):
         sections += _parameter_channel(gateway, sources)
     sections += [_lamps(gateway, sources), times_section(gateway, sources)]
+    if gateway.connectors:
+        sections.append(_wiring(gateway, sources))
     if gateway.switches:
         sections.append(switches_section(gateway.switches, sources))
     sections += [options_section(gateway.options, sources), *sources.sections()]
@@ -247,6 +251,18 @@ def _parameter_channel(gateway: ProcessDataGateway, sources: Sources) -> Iterato
         ),
         "parameter-channel",
     )
+
+
+def _wiring(gateway: Gateway, sources: Sources) -> Section:
+    blocks: list[Block] = []
+    for connector in gateway.connectors:
+        rows = tuple(
+            Row((code(item.pin), (item.signal,), (item.wire or "",))) for item in connector.pins
+        )
+        blocks.append(Table(("Pin", "Signal", "Wire"), rows, connector.title))
+        note: Phrase = (connector.remark or "Pins that are not named are not connected.", " ")
+        blocks.append(Paragraph((*note, *sources.of(connector.source, connector.status))))
+    return Section("Wiring", tuple(blocks), "wiring")
 
 
 def _lamps(gateway: Gateway, sources: Sources) -> Section:

@@ -75,3 +75,15 @@ def test_a_handbook_without_its_library_is_told(
     run = fbgen("docs", PLANT, "-o", str(tmp_path), "--format", "pdf")
     assert run.status == 1
     assert "FB9060" in run.err
+
+
+def test_a_gateway_of_the_plant_has_its_addresses_slot_by_slot(
+    fbgen: Fbgen, tmp_path: Path
+) -> None:
+    plant = Path(PLANT).parents[1] / "manual_example" / "plant.yaml"
+    run = fbgen("docs", str(plant), "-o", str(tmp_path), "--format", "markdown")
+    assert run.status == 0
+    text = (tmp_path / "tospbdp001.md").read_text("utf-8")
+    rows = [line for line in text.splitlines() if "QB" in line]
+    assert rows[0].startswith("| 1 | `30` | `QB256` |")
+    assert "| 6 | `70` | `QB261 to QB262` | `IB260 to IB261` |" in text

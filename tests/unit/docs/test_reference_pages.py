@@ -86,3 +86,10 @@ def test_every_finding_in_a_manual_has_a_row_with_its_reason(site: Site) -> None
         for finding in manual.findings:
             cells = [plain(cell) for cell in row(page(site, manual.id), finding.name).cells]
             assert cells[1:4] == [finding.says, finding.taken, finding.why]
+
+
+def test_wiring_of_the_gateway_has_the_pins_of_its_manual(site: Site) -> None:
+    section = next(one for one in page(site, "tospbdp001").sections if one.anchor == "wiring")
+    tables = [block for block in section.blocks if isinstance(block, Table)]
+    pins = {plain(row.cells[0]): plain(row.cells[1]) for row in tables[0].rows}
+    assert (pins["3"], pins["8"]) == ("B-line (+)", "A-line (-)")
