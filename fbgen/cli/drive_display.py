@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 _SHOWN_EVERY_S = 0.25
 _QUIET_S = 0.03
 """Drawing takes some milliseconds: it waits for a while in which nothing is due."""
+_SHORT_S = 0.002
+"""To look at thirty drives takes less."""
 _PATIENCE_S = 1.0
 _FRAMES = 6
 
@@ -40,7 +42,9 @@ class LineDisplay:
             served.log.told.append(self._frame)
 
     def look(self, idle_s: float) -> None:
-        """Tell what has changed."""
+        """Tell what has changed, unless something is just about to happen."""
+        if idle_s < _SHORT_S:
+            return
         for state in self._states():
             text = _doing(state)
             if self._known.get(state.name) != text:

@@ -173,7 +173,7 @@ def test_of_several_inverters_all_are_asked_and_the_silent_one_is_told(
     fbgen: Fbgen, line: Serving
 ) -> None:
     line.drives["vf2"].power_off()
-    run = talk(fbgen, line, "read 1-3 status --timeout 60ms")
+    run = talk(fbgen, line, "read 1-3 status --timeout 1s")
     assert run.status == 1
     assert [row[0] for row in run.out.splitlines()] == ["1", "3"]
     assert "FB9051]: inverter 2 does not answer" in run.err
@@ -190,17 +190,20 @@ def test_what_is_for_all_is_not_answered(fbgen: Fbgen, line: Serving) -> None:
 @linux
 def test_a_damaged_reply_and_one_of_another_are_told_apart(fbgen: Fbgen, line: Serving) -> None:
     line.drives["vf2"].communication.reply_number = 3
-    run = talk(fbgen, line, "read 2 status --timeout 60ms")
+    run = talk(fbgen, line, "read 2 status --timeout 500ms")
     assert "inverter 2 does not answer, something else does" in run.err
     line.drives["vf2"].communication.reply_number = None
     line.served.line.slave_pair.interference.bit_errors.probability = 0.2
-    run = talk(fbgen, line, "read 2 status --timeout 60ms")
+    run = talk(fbgen, line, "read 2 status --timeout 500ms")
     assert run.status == 1
     assert "FB9051" in run.err
 
 
 @linux
-def test_a_scan_finds_the_inverters(fbgen: Fbgen, line: Serving) -> None:
+def test_a_scan_finds_the_inverters(
+    fbgen: Fbgen, line: Serving, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("fbgen.cli.talk_scan._TIMEOUT_NS", 500_000_000)
     run = talk(fbgen, line, "scan --numbers 1-2,5")
     assert run.status == 0
     assert run.out.splitlines() == [f"INV-NO {number}: {line.port}" for number in (1, 2)]
