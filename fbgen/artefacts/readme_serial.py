@@ -79,6 +79,7 @@ def serial_row(line: SerialLine, lists: PlantLists) -> dict[str, str]:
         "baud": str(line.baud),
         "parity": lists.texts(line.parity),
         "wires": str(line.wires),
+        "timeout": str(serial_times(plant, line, lists.catalog).drive_timeout_s),
     }
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from fbgen.artefacts.view import PlantLists
+from fbgen.blocks.serial_times import serial_times
 from fbgen.catalog import Drive, Setting
 from fbgen.plant import SerialLine, port_of
 
@@ -19,12 +20,18 @@ def serial_settings(lists: PlantLists, line: SerialLine, series: Drive) -> Itera
         (port.baud_rate, _code(series.baud_rates(port), line.baud), as_line),
         (port.parity, _code(series.parities(port), line.parity), as_line),
     ]
+    heard = serial_times(lists.plant, line, lists.catalog).drive_timeout_s
+    as_polled = lists.in_words(
+        "longer than the line takes to ask all drives; a shorter one trips them",
+        "länger, als die Linie braucht, alle Antriebe zu fragen; eine kürzere schaltet sie ab",
+    )
+    own.append((port.timeout, float(heard), as_polled))
     if port.protocol is not None:
         chosen = _code(dict(port.protocols), line.family)
         own.append((port.protocol, chosen, as_line))
     for name, value, why in own:
         yield Setting.model_construct(comno=name, value=value, why=why, source=port.source)
-    of_port = {name for name, _, _ in own} | {"baud_rate", "parity"}
+    of_port = {name for name, _, _ in own} | {"baud_rate", "parity", series.link.timeout}
     for setting in series.settings:
         if setting.comno not in of_port:
             yield setting

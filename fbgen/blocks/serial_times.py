@@ -40,6 +40,12 @@ class SerialTimes:
     read_ms: float
     round_ms: float
 
+    @property
+    def drive_timeout_s(self) -> int:
+        """F803 of the drives: longer than half as much again as a round of the poll, and a telegram
+        that is repeated to the end. Nobody else speaks on the line, so a shorter one trips them."""
+        return ceil((1.5 * self.round_ms + self.telegram_ms) / 1000)
+
 
 def serial_times(plant: Plant, line: SerialLine, catalog: Catalog) -> SerialTimes:
     """The times of one line."""

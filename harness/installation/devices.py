@@ -8,6 +8,7 @@ Those at a PBDP-110 have FH and the highest speed, as its manual advises (3), an
 from collections.abc import Mapping
 from dataclasses import replace
 
+from fbgen.blocks.serial_times import serial_times
 from fbgen.catalog import Catalog, Drive, OptionValue, ProcessDataGateway
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
@@ -88,11 +89,12 @@ def build_devices(
     for serial in plan.serial:
         line = lines[serial.name] = line_of(kernel, serial)
         modules[serial.name] = module_of(kernel, serial, line)
+        heard_s = serial_times(plan, serial, catalog).drive_timeout_s
         for item in serial.drives:
             series = catalog.drive(item.series)
             port = port_at(serial, series)
             own = conditions.get(item.name, DriveConditions())
-            as_set = on_serial_line(serial, item, series, port)
+            as_set = on_serial_line(serial, item, series, port, heard_s)
             own = replace(own, parameters={**as_set, **own.parameters}, port=port.name)
             drives[item.name] = _drive(kernel, series, item, line, own)
     return FieldDevices(gateways, interfaces, lines, drives, spacing, modules)

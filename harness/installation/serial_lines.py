@@ -1,7 +1,7 @@
 """The serial lines of a plant: communication modules, inverters straight on the line.
 
 The module is set as the generated README says; the inverters as the parameter sheets say: rate,
-parity and protocol of the line, their numbers, a communication time-out of 1 s.
+parity and protocol of the line, their numbers, a communication time-out above a round of the poll.
 """
 
 from collections.abc import Mapping
@@ -12,7 +12,6 @@ from harness.kernel import Kernel
 from harness.line import Line, Parity, SerialFormat, Topology
 from harness.plc.serial import ReceiveConditions, SerialModule
 
-TIMEOUT_S = 1
 _PARITIES = {"none": Parity.NONE, "even": Parity.EVEN, "odd": Parity.ODD}
 _GAP_BITS = 44
 
@@ -36,14 +35,14 @@ def port_at(entry: SerialLine, series: Drive) -> SerialPort:
 
 
 def on_serial_line(
-    entry: SerialLine, drive: PlantDrive, series: Drive, port: SerialPort
+    entry: SerialLine, drive: PlantDrive, series: Drive, port: SerialPort, timeout_s: int
 ) -> Mapping[str, float]:
     """What is set at an inverter on the line."""
     parameters: dict[str, float] = {
         port.baud_rate: _code(series.baud_rates(port), entry.baud),
         port.parity: _code(series.parities(port), entry.parity),
         port.inv_no: drive.inv_no,
-        port.timeout: TIMEOUT_S,
+        port.timeout: timeout_s,
     }
     if port.protocol is not None:
         parameters[port.protocol] = _code(dict(port.protocols), entry.family)
