@@ -182,8 +182,9 @@ def _subject(
     spoken = Language.EN if language is None else language
     if plant is None:
         entries = texts_in(spoken.value, templates).in_catalog(known)
-        shown = tuple(example_programs(known, templates, spoken.value))
-        subject = whole_catalogue(entries, shown)
+        programs = tuple(example_programs(known, templates, spoken.value))
+        shown = iter(programs)
+        subject = whole_catalogue(entries, programs)
     else:
         known = with_own_sequences(known, plant.parent)
         wanted = load_plant(plant, known)
@@ -192,7 +193,7 @@ def _subject(
         program = read_program(wanted, generate(wanted, known, templates), expand(sources))
         entries = texts_in(wanted.language, templates).in_catalog(known)
         subject = of_plant(wanted, entries, program)
-        shown = tuple(example_programs(known, templates))
+        shown = example_programs(known, templates)
     return replace(
         subject,
         handshakes=tuple(handshakes(shown, list(subject.gateways))),

@@ -26,6 +26,8 @@ def handshakes(programs: Iterable["PlantProgram"], gateways: Sequence[str]) -> I
 
     waiting = list(gateways)
     for program in programs:
+        if not waiting:
+            return
         entry = next(iter(program.plant.gateways), None)
         if entry is None or entry.type not in waiting:
             continue
