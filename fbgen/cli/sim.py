@@ -176,6 +176,9 @@ def _plant(
         help_ = "give --can INTERFACE:CHANNEL" if on_can else nearest(wanted, _EXAMPLES)
         raise error("FB9034", f"there is no gateway '{wanted}' to serve here", None, help_)
     plan = load_plant(path or shipped("examples") / _EXAMPLES[wanted] / "plant.yaml", known)
+    if not plan.gateways:
+        what = "all its drives are on serial lines: fbgen sim drive serves drives"
+        raise error("FB9034", f"the plant '{plan.name}' has no gateway to serve", None, what)
     if layout is None and address is None:
         return plan
     if len(plan.gateways) != 1:

@@ -47,6 +47,12 @@ def test_a_type_that_is_not_there_names_the_nearest_one(fbgen: Fbgen) -> None:
     assert "tospbdp001" in run.err
 
 
+def test_a_plant_without_gateways_has_none_to_serve(fbgen: Fbgen) -> None:
+    plant = EXAMPLE.parents[1] / "serial" / "plant.yaml"
+    run = fbgen("sim", "gateway", "--pty", plant.as_posix())
+    assert (run.status, run.err.count("FB9034")) == (1, 1)
+
+
 @pytest.mark.parametrize(("option", "value"), [("--address", "126"), ("--layout", "gsd11")])
 def test_what_the_gateway_cannot_have_is_refused_as_in_a_plant_file(
     fbgen: Fbgen, option: str, value: str
