@@ -45,3 +45,11 @@ def test_no_wrong_value_in_a_minute_of_noise(example: str) -> None:
     wrong, errors = _wrong_values(example, 60)
     assert wrong == 0
     assert errors > 20
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("example", ["serial", "modbus"])
+def test_no_wrong_value_in_an_hour_of_noise(example: str) -> None:
+    wrong, errors = _wrong_values(example, 3600)
+    assert wrong == 0
+    assert errors > 1200
