@@ -170,19 +170,35 @@ def test_the_classes_are_those_of_the_manual_with_their_attributes() -> None:
 
 
 @pytest.mark.parametrize(
-    ("row", "class_name", "attributes"),
+    ("class_name", "attributes"),
     [
-        ("dev.ident", "identity", {"product_name": 7, "serial_number": 6, "state": 8}),
-        ("dev.dn", "devicenet", {"bus_off_interrupt": 3, "bus_off_counter": 4, "allocation": 5}),
-        ("dev.motor", "motor_data", {"motor_type": 3, "rated_current": 6}),
-        ("dev.conn", "connection", {"expected_packet_rate": 9, "produced_connection_path": 14}),
+        pytest.param(
+            "identity",
+            {"product_name": 7, "serial_number": 6, "state": 8},
+            marks=pytest.mark.fact("dev.ident"),
+        ),
+        pytest.param(
+            "devicenet",
+            {"bus_off_interrupt": 3, "bus_off_counter": 4, "allocation": 5},
+            marks=pytest.mark.fact("dev.dn"),
+        ),
+        pytest.param(
+            "motor_data",
+            {"motor_type": 3, "rated_current": 6},
+            marks=pytest.mark.fact("dev.motor"),
+        ),
+        pytest.param(
+            "connection",
+            {"expected_packet_rate": 9, "produced_connection_path": 14},
+            marks=pytest.mark.fact("dev.conn"),
+        ),
     ],
 )
 def test_attributes_have_the_numbers_of_the_manual(
-    row: str, class_name: str, attributes: dict[str, int]
+    class_name: str, attributes: dict[str, int]
 ) -> None:
     found = GATEWAY.object(class_name)
-    assert {name: found.attribute(name).id for name in attributes} == attributes, row
+    assert {name: found.attribute(name).id for name in attributes} == attributes
 
 
 def test_what_the_text_at_hand_has_lost_is_unverified() -> None:

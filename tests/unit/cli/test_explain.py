@@ -31,7 +31,7 @@ def test_a_generated_line_is_explained(fbgen: Fbgen, tmp_path: Path) -> None:
     run = fbgen("explain", f"{block}:{number}")
     assert (run.status, run.err) == (0, "")
     assert run.out.startswith(f"{block}:{number}\n    {lines[number - 1].strip()}\n")
-    assert "template   templates/blocks/TOS_Gateway.scl.jinja:" in run.out
+    assert "template   templates/parts/unit.jinja:" in run.out
     assert f"drive drive11\n           {EXAMPLE.as_posix()}:" in run.out
     data = json.loads(fbgen("explain", f"{block}:{number}", "--json").out)
     assert data["text"] == lines[number - 1]

@@ -84,7 +84,7 @@ def test_mistakes_say_what_to_do(pytester: pytest.Pytester, text: str, message: 
 
 def test_the_example_of_the_page_passes(pytester: pytest.Pytester) -> None:
     page = (ROOT / "docs" / "reference" / "pytest-plugin.md").read_text("utf-8")
-    (example,) = re.findall(r"^```python\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    (example,) = re.findall(r"^```python[^\n]*\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
     (pytester.path / "tank.scl").write_text(TANK, "utf-8")
     shutil.copy(PLANT, pytester.path / "plant.yaml")
     ran(pytester, example).assert_outcomes(passed=2)
