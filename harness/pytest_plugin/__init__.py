@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from harness.engine.loading import LoadedProgram
     from harness.installation import Installation
     from harness.line import Line
-    from harness.pytest_plugin.faults import InjectedFaults
+    from harness.pytest_plugin.injected_faults import InjectedFaults
 
 SEED = "--fbgen-seed"
 COVERAGE = "--fbgen-coverage"
@@ -111,6 +111,6 @@ def drive(plant: "Installation") -> "Inverter":
 @pytest.fixture
 def faults(plant: "Installation") -> "InjectedFaults":
     """Faults of the plant: `faults.inject("line_noise", on="gw1", bit_error_rate=0.1)`."""
-    from harness.pytest_plugin.faults import InjectedFaults  # noqa: PLC0415 - only where needed
+    from harness.pytest_plugin.injected_faults import InjectedFaults  # noqa: PLC0415 - only where needed
 
     return InjectedFaults(plant)

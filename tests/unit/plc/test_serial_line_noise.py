@@ -11,7 +11,7 @@ import pytest
 
 from harness.installation import PlantSetup, plant
 from harness.kernel import NS_PER_MS, NS_PER_S
-from harness.pytest_plugin.faults import InjectedFaults
+from harness.pytest_plugin.injected_faults import InjectedFaults
 
 _VALUES = ("tripCode", "tripped", "statusWord", "frequency", "current")
 _EXAMPLES = Path(__file__).parents[3] / "examples"
