@@ -1,8 +1,8 @@
 """Every generated block has scenarios that show it, and these depend on it.
 
 A scenario names the blocks that it shows by tags: the block's name in snake case, without the name
-of its gateway (`tos_consistent_io` for `TOS_ConsistentIo_gw1`). That it really shows them is seen
-by taking the statements out of the block: then one of its variations has to fail.
+of its gateway or line (`tos_consistent_io` for `TOS_ConsistentIo_gw1`). That it really shows them
+is seen by taking the statements out of the block: then one of its variations has to fail.
 """
 
 import re
@@ -22,15 +22,15 @@ from harness.scenario import ScenarioCase, find_scenarios, run_case, scenario_ca
 ROOT = Path(__file__).parents[1]
 FILES = find_scenarios([ROOT / "tests" / "scenarios", ROOT / "examples"])
 CATALOG = load_catalog()
-OF_A_BLOCK = re.compile(r"(?:tos|pbdp)_\w+|ob\d+")
-PER_GATEWAY = re.compile(r"_gw\d+$")
+OF_A_BLOCK = re.compile(r"(?:tos|pbdp|tip|mb)_\w+|ob\d+")
+PER_UNIT = re.compile(r"_(?:gw|line)\d+$")
 PAGE = ROOT / "docs" / "reference" / "scenario-files.md"
 ACCESS_WAYS = {"per_identifier", "dpxx_dat", "process_image"}
 
 
 def tag_of(block: str) -> str:
     """`tos_consistent_io` for `TOS_ConsistentIo_gw1`."""
-    words = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", PER_GATEWAY.sub("", block))
+    words = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", PER_UNIT.sub("", block))
     return words.casefold()
 
 
@@ -48,6 +48,11 @@ def process_data() -> Plant:
     return plant.model_copy(update={"gateways": (gateway,)})
 
 
+def serial(example: str) -> Plant:
+    """A serial line of the PLC, by the Toshiba protocol or MODBUS."""
+    return load_plant(ROOT / "examples" / example / "plant.yaml", CATALOG)
+
+
 def blocks_of(program: Program) -> dict[str, Block]:
     """The blocks with statements that were generated, by their tags."""
     return {
@@ -60,7 +65,13 @@ def blocks_of(program: Program) -> dict[str, Block]:
 @cache
 def generated_tags() -> frozenset[str]:
     """The tags of all blocks that are generated, for lines and for process data."""
-    plants = (everything("s7-1500"), everything("s7-400"), process_data())
+    plants = (
+        everything("s7-1500"),
+        everything("s7-400"),
+        process_data(),
+        serial("serial"),
+        serial("modbus"),
+    )
     return frozenset(tag for plan in plants for tag in blocks_of(generated_program(plan, CATALOG)))
 
 
@@ -85,6 +96,7 @@ def test_the_tag_of_a_block_is_its_name() -> None:
     assert tag_of("TOS_Seq_start_forward") == "tos_seq_start_forward"
     assert tag_of("PBDP_TripText_vf_s11") == "pbdp_trip_text_vf_s11"
     assert tag_of("OB122") == "ob122"
+    assert tag_of("TIP_Port_line1") == "tip_port"
 
 
 def test_every_generated_block_has_a_scenario() -> None:
