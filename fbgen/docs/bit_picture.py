@@ -5,6 +5,7 @@ from fbgen.docs.drawing import Box, Drawing, Label, Line, Shape
 
 _CELL, _TOP, _HEIGHT, _STEP = 38.0, 8.0, 26.0, 15.0
 _LEFT = 8.0
+_LETTER = 7.0
 
 
 def bit_picture(word: Word) -> Drawing:
@@ -20,7 +21,13 @@ def bit_picture(word: Word) -> Drawing:
     for index, field in enumerate(fields):
         y = bottom + _STEP * (index + 1)
         shapes += _name(field, y, bottom)
-    return Drawing(_LEFT * 2 + _CELL * 16 + 150, bottom + _STEP * (len(fields) + 1), tuple(shapes))
+    longest = max((len(_text(field)) for field in fields), default=0)
+    width = _LEFT * 2 + _CELL * 16 + 10 + _LETTER * longest
+    return Drawing(width, bottom + _STEP * (len(fields) + 1), tuple(shapes))
+
+
+def _text(field: BitField) -> str:
+    return f"{field.bit} {field.name}"
 
 
 def _number(bit: int, defined: bool) -> Label:
@@ -37,7 +44,7 @@ def _name(field: BitField, y: float, bottom: float) -> list[Shape]:
         shapes.append(Line(((left + 2, bottom + 3), (right - 2, bottom + 3)), "accent", 2))
     end = _LEFT + _CELL * 16 + 6
     shapes.append(Line(((x, bottom + 3), (x, y - 4), (end, y - 4)), "line"))
-    shapes.append(Label(end + 4, y, f"{field.bit} {field.name}", 11, colour="ink", fixed=True))
+    shapes.append(Label(end + 4, y, _text(field), 11, colour="ink", fixed=True))
     return shapes
 
 

@@ -3,13 +3,34 @@
 from collections.abc import Iterator
 
 from fbgen.catalog import Drive
-from fbgen.docs.document import Code, Link, Page, Phrase, Row, Section, Table
+from fbgen.docs.document import Bullets, Code, Link, Page, Phrase, Row, Section, Table
 from fbgen.docs.page_names import comno_link, device_page, trip_anchor, trip_page, word_page
 from fbgen.docs.sources import Sources
 from fbgen.docs.subject import Subject
 from fbgen.docs.texts import code
 
 GROUP = "Trips and alarms"
+_BLOCKS: tuple[Phrase, ...] = (
+    (
+        *("The blocks of a drive do the same at every trip: ", Code("state.tripped"), " comes, "),
+        *(Code("state.trip"), " and the alarm list say it in the words of the table above."),
+    ),
+    (
+        *("The run is over: ", Code("state.inhibited"), " stays until ", Code("run"), " has been "),
+        "FALSE once behind the trip, so no drive starts again by itself.",
+    ),
+    (
+        *(
+            "A rising edge of ",
+            Code("control.reset"),
+            " resets it, with enable TRUE. The inverter ",
+        ),
+        "does not answer that and restarts: nothing is sent to it for the time of a reset, "
+        "then the network takes its commands again and set-point and command are sent anew.",
+    ),
+    ("Telegrams to a tripped drive are answered as before, and the poll goes on.",),
+    ("Nothing is reset without being asked for. The cause has to be gone before.",),
+)
 
 
 def trip_pages(subject: Subject) -> Iterator[Page]:
@@ -53,5 +74,9 @@ def _page(series: Drive) -> Page:
         ".",
     )
     table = Table(("Code", "Panel", "Meaning", "Likely cause", "Source"), rows)
-    sections = (Section("Trips", (table,), "trips"), *sources.sections())
+    sections = (
+        Section("Trips", (table,), "trips"),
+        Section("What the blocks do", (Bullets(_BLOCKS),), "blocks"),
+        *sources.sections(),
+    )
     return Page(trip_page(series.id), f"Trips of {series.id}", GROUP, lead, sections)

@@ -129,7 +129,7 @@ def _bit_table(device: Gateway | Drive, item: Word, sources: Sources, usage: Usa
         cells: list[Phrase] = [
             code(str(field.bit)),
             code(field.name),
-            spaced((field.title,), _acts(field)),
+            _meaning(field),
             low,
             high,
             sources.of(item.source_of(field), item.status_of(field)),
@@ -162,6 +162,12 @@ def _meanings(field: BitField) -> tuple[Phrase, Phrase]:
         if value
     ]
     return (low,) if low else (), listed(others)
+
+
+def _meaning(field: BitField) -> Phrase:
+    """The title, and behind it in sentences what else there is to know."""
+    acts = _acts(field)
+    return spaced((f"{field.title}.",), acts) if acts else (field.title,)
 
 
 def _acts(field: BitField) -> Phrase:
