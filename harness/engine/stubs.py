@@ -18,10 +18,11 @@ Stub = Callable[..., object]
 class StubState:
     """What one instance of a stubbed block has in Python: the object that is called."""
 
-    __slots__ = ("_action", "_made_by", "_model")
+    __slots__ = ("_action", "_made_by", "_model", "_modelled_by")
 
     def __init__(self) -> None:
         self._made_by: Stub | None = None
+        self._modelled_by: ModelFactory | None = None
         self._model: BlockModel | None = None
         self._action: Stub | None = None
 
@@ -34,9 +35,9 @@ class StubState:
         return self._action
 
     def model_of(self, factory: ModelFactory) -> BlockModel:
-        """What stands for this instance in the controller."""
-        if self._model is None:
-            self._model = factory()
+        """What stands for this instance in the controller: another controller has another."""
+        if self._modelled_by is not factory or self._model is None:
+            self._modelled_by, self._model = factory, factory()
         return self._model
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from fbgen.source import Source
-from harness.engine.interface import Value
+from harness.engine.interface import EngineFactory, Value
 from harness.engine.loading import engine_named, read_program
 from harness.fieldbus import DpMaster
 from harness.kernel import NS_PER_MS, Kernel
@@ -40,6 +40,7 @@ class SerialRig:
         family: CpuFamily = CpuFamily.S7_1500,
         dialect: str = "tia",
         conditions: ReceiveConditions | None = None,
+        load: EngineFactory | None = None,
     ) -> None:
         self.kernel = Kernel(1)
         self.line = Line(self.kernel, Topology.FOUR_WIRE)
@@ -49,7 +50,7 @@ class SerialRig:
         self.module = SerialModule(self.kernel, self.line, GATEWAY_FORMAT, conditions, "cm")
         self.cpu.serial_ports.plug(PORT, self.module)
         program = read_program([Source("test.scl", text)], dialect)
-        self.cpu.load(program, engine_named(engine, None))
+        self.cpu.load(program, load or engine_named(engine, None))
         self.cpu.start()
 
     def run_ms(self, time_ms: float) -> None:

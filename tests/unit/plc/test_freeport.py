@@ -5,6 +5,10 @@ STATUS as TIA Portal Information System, "Freeport communication", says.
 
 import pytest
 
+from fbgen.lang.checked import Program
+from harness.engine.compiled.replaceable import ReplaceableEngine
+from harness.engine.environment import Environment
+from harness.engine.interface import Limits
 from harness.line import Parity
 from harness.plc.serial import ReceiveConditions
 from tests.unit.plc.serial_rig import ENGINES, SerialRig
@@ -69,6 +73,24 @@ def test_a_request_goes_out_and_its_reply_comes_in(engine: str) -> None:
     assert (rig["sent"], rig["failed"], rig["sendStatus"]) == (1, 0, 0)
     assert (rig["news"], rig["errors"], rig["status"], rig["got"]) == (1, 0, 0x0096, 8)
     assert bytes(rig["in"][:8]) == REPLY
+
+
+def test_an_engine_that_goes_to_another_cpu_sends_there() -> None:
+    engines: list[ReplaceableEngine] = []
+
+    def load(program: Program, environment: Environment, limits: Limits) -> ReplaceableEngine:
+        if engines:
+            engines[0].move_to(environment)
+        else:
+            engines.append(ReplaceableEngine(program, environment, limits))
+        return engines[0]
+
+    for _ in range(2):
+        rig = SerialRig(PROGRAM, load=load)
+        rig["send"] = True
+        rig.run_ms(60)
+        assert rig.peer.heard == [_REQUEST]
+        assert (rig["sent"], rig["failed"]) == (1, 0)
 
 
 @pytest.mark.parametrize("engine", ENGINES)
