@@ -20,7 +20,7 @@ from fbgen.blocks.texts import ENGLISH, Texts
 from fbgen.catalog import Catalog, ProcessDataGateway, origin
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
-from fbgen.plant import Plant, PlantGateway, gsd_warnings
+from fbgen.plant import DeviceNetNetwork, Plant, PlantGateway, gsd_warnings
 
 _TIMER = "{InstructionName := 'TON_TIME'; LibVersion := '1.0'} : TON_TIME"
 _CLASSIC_TIMER = ": TON"
@@ -58,6 +58,8 @@ def plan_blocks(plant: Plant, catalog: Catalog, texts: Texts = ENGLISH) -> Block
 
     Raises DiagnosticError for what cannot be generated.
     """
+    if plant.devicenet:
+        raise DiagnosticError(map(_without_blocks, plant.devicenet))
     known = [catalog.sequence(name) for name in plant.sequences]
     lines, channels = _by_kind(plant, catalog)
     found = [*name_conflicts(plant, known)]
@@ -90,6 +92,16 @@ def plan_blocks(plant: Plant, catalog: Catalog, texts: Texts = ENGLISH) -> Block
     of_families = (found for family in families for found in family.warnings)
     warnings = (*of_families, *gsd_warnings(plant, catalog))
     return BlockPlan(tuple(specs), context, warnings)
+
+
+def _without_blocks(network: DeviceNetNetwork) -> Diagnostic:
+    return Diagnostic(
+        "FB2054",
+        f"there are no blocks for DeviceNet yet, and so none for '{network.name}'",
+        network.span,
+        "test a program of your own against it, by scenarios with sources:; to generate blocks for "
+        "what else the plant has, take the network out",
+    )
 
 
 def _once(specs: Iterable[BlockSpec]) -> list[BlockSpec]:

@@ -4,6 +4,8 @@ from fbgen.plant.changing import changed, in_dialect, problems_of
 from fbgen.plant.commented import write_commented_plant
 from fbgen.plant.commented_sequence import OWN_SEQUENCE_FILE, write_own_sequence
 from fbgen.plant.cpus import CPUS, Cpu, cpus_of
+from fbgen.plant.devicenet import DeviceNetConnection, DeviceNetDrive, DeviceNetNetwork
+from fbgen.plant.devicenet_checks import ACTIVE_LENGTH, assemblies_of
 from fbgen.plant.drive import PlantDrive
 from fbgen.plant.families import (
     FAMILIES,
@@ -30,6 +32,11 @@ from fbgen.plant.serial_checks import buffer_numbers, module_of, place_of, port_
 from fbgen.plant.serial_line import SerialLine
 
 __all__ = [
+    "ACTIVE_LENGTH",
+    "DeviceNetConnection",
+    "DeviceNetDrive",
+    "DeviceNetNetwork",
+    "assemblies_of",
     "BlockNumbers",
     "CPUS",
     "Cpu",

@@ -1,23 +1,23 @@
 """What can be wrong in a plant although every single field is right."""
 
 from collections.abc import Callable, Iterable, Iterator
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 from fbgen.catalog import (
     Catalog,
     Drive,
     Layout,
     Located,
-    Option,
-    OptionValue,
     ProcessDataGateway,
     ProfibusGateway,
 )
-from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
+from fbgen.diagnostics import Diagnostic, Note
 from fbgen.nearest import nearest
 from fbgen.plant import serial_checks
 from fbgen.plant.connections import process_data_gateway, telegram_gateway
 from fbgen.plant.cpus import CPUS, cpus_of
+from fbgen.plant.devicenet_checks import ACTIVE_LENGTH, assemblies_of, option_of
+from fbgen.plant.drive_checks import chosen_options, maximum_frequency, unknown_series
 from fbgen.plant.families import FAMILIES, FILE_LAYOUTS, Family
 from fbgen.plant.gsd_checks import gsd_problems
 from fbgen.plant.modules import layout_of
@@ -26,9 +26,13 @@ from fbgen.plant.prefix import prefix_problems
 from fbgen.plant.reach import not_a_way, refusal
 
 if TYPE_CHECKING:
+    from fbgen.plant.devicenet import DeviceNetDrive, DeviceNetNetwork
     from fbgen.plant.drive import PlantDrive
     from fbgen.plant.plant import BlockNumbers, Plant, PlantGateway
     from fbgen.plant.serial_line import SerialLine
+
+    Named: TypeAlias = PlantGateway | SerialLine | PlantDrive | DeviceNetNetwork | DeviceNetDrive
+    Placed: TypeAlias = tuple[PlantGateway | DeviceNetNetwork | DeviceNetDrive, str, int]
 
 Item = TypeVar("Item", bound=Located)
 
@@ -37,20 +41,11 @@ def drive(item: "PlantDrive", catalog: Catalog) -> Iterator[Diagnostic]:
     """FB2009 unknown series, FB2010 maximum frequency, FB2003 options."""
     entry = catalog.drives.get(item.series)
     if entry is None:
-        message = f"there is no drive series '{item.series}'"
-        help_text = nearest(item.series, catalog.drives)
-        yield Diagnostic("FB2009", message, item.span_of("series"), help_text)
+        yield unknown_series(item, item.series, catalog)
         return
-    limit = entry.comno(entry.link.maximum_frequency)
-    low, high = limit.minimum, limit.maximum
-    if low is not None and high is not None and not low <= item.max_frequency_hz <= high:
-        yield Diagnostic(
-            "FB2010",
-            f"{item.max_frequency_hz:g} Hz is no maximum frequency of {entry.title}",
-            item.span_of("max_frequency_hz"),
-            f"use {low:g} to {high:g} Hz",
-        )
-    elif item.parameters.min_frequency_hz > item.max_frequency_hz:
+    outside = list(maximum_frequency(item, item.max_frequency_hz, entry))
+    yield from outside
+    if not outside and item.parameters.min_frequency_hz > item.max_frequency_hz:
         yield Diagnostic(
             "FB2010",
             f"the lowest set-point, {item.parameters.min_frequency_hz:g} Hz, lies above the "
@@ -58,7 +53,7 @@ def drive(item: "PlantDrive", catalog: Catalog) -> Iterator[Diagnostic]:
             item.parameters.span_of("min_frequency_hz"),
             "exchange the two, or take min_frequency_hz out",
         )
-    yield from _options(item, item.options, entry.options, entry.id)
+    yield from chosen_options(item, item.options, entry.options, entry.id)
 
 
 FIRST_SLAVE, LAST_SLAVE = 1, 125
@@ -73,10 +68,10 @@ def gateway(item: "PlantGateway", catalog: Catalog) -> Iterator[Diagnostic]:
     if entry is None:
         message = f"there is no gateway type '{item.type}'"
         if item.type in catalog.gateways:
-            message = (
-                f"a {item.type} is no slave on PROFIBUS, and plants have no other gateways yet"
-            )
-        help_text = nearest(item.type, catalog.profibus_gateways)
+            message = f"a {item.type} is no slave on PROFIBUS"
+            help_text = "write the drive that it is in under devicenet:"
+        else:
+            help_text = nearest(item.type, catalog.profibus_gateways)
         yield Diagnostic("FB2001", message, item.span_of("type"), help_text)
         return
     low, high = entry.profibus.minimum_address, entry.profibus.maximum_address
@@ -97,7 +92,7 @@ def gateway(item: "PlantGateway", catalog: Catalog) -> Iterator[Diagnostic]:
         )
     yield from _layout(item, entry)
     yield from gsd_problems(item, entry)
-    yield from _options(item, item.options, entry.options, entry.id)
+    yield from chosen_options(item, item.options, entry.options, entry.id)
     if isinstance(entry, ProcessDataGateway):
         yield from process_data_gateway(item, entry)
     else:
@@ -137,24 +132,6 @@ def _layout(item: "PlantGateway", entry: ProfibusGateway) -> Iterator[Diagnostic
     )
 
 
-def _options(
-    owner: Located, chosen: dict[str, OptionValue], options: Iterable[Option], device: str
-) -> Iterator[Diagnostic]:
-    known = {option.id: option for option in options}
-    for name, value in chosen.items():
-        if name not in known:
-            message = f"{device} has no option '{name}'"
-            help_text = nearest(name, known)
-            yield Diagnostic("FB2003", message, owner.item_span_of("options", name), help_text)
-            continue
-        try:
-            known[name].check(value)
-        except DiagnosticError as wrong:
-            for found in wrong.diagnostics:
-                place = owner.item_span_of("options", name)
-                yield Diagnostic("FB2003", found.message, place, found.help)
-
-
 def block_numbers(item: "BlockNumbers") -> Iterator[Diagnostic]:
     """FB2020: a range that ends before it begins."""
     if item.last < item.first:
@@ -189,15 +166,17 @@ def places_of_drives(item: "PlantGateway") -> Iterator[Diagnostic]:
 def plant(item: "Plant") -> Iterator[Diagnostic]:
     """FB2050 no drives, FB2012, FB2013 and FB2021 names, FB2014 dialect, FB2015 PROFIBUS
     addresses, FB2019 identifiers, FB2022 files."""
-    if not item.units:
+    if not item.units and not item.devicenet:
         yield Diagnostic(
             "FB2050",
             "the plant has nothing that drives are connected to",
             item.span,
-            "add gateways: with a gateway, or serial: with a line at a communication module",
+            "add gateways: with a gateway, serial: with a line at a communication module, or "
+            "devicenet: with a network at a scanner",
         )
-    named: tuple[PlantGateway | SerialLine | PlantDrive, ...] = (*item.units, *item.drives)
-    parts: tuple[Plant | PlantGateway | SerialLine | PlantDrive, ...] = (item, *named)
+    named: list[Named] = [*item.units, *item.devicenet, *item.drives]
+    named += item.devicenet_drives
+    parts: tuple[Plant | Named, ...] = (item, *named)
     for part in parts:
         yield from name_problems(part.name, part.span_of("name"), item.prefix)
     yield from prefix_problems(item.prefix, item.span_of("prefix"))
@@ -293,11 +272,21 @@ def addresses(item: "Plant", catalog: Catalog) -> Iterator[Diagnostic]:
     for part, layout in layouts:
         if part.access in layout.access_ways:
             yield from _reachable(part, layout, item.family)
-    for field, length in (
-        ("input_address", lambda layout: layout.input_length),
-        ("output_address", lambda layout: layout.output_length),
-    ):
-        yield from _overlaps(layouts, field, length, item.family)
+    inputs: list[Placed] = []
+    outputs: list[Placed] = []
+    for part, layout in layouts:
+        inputs.append((part, "input_address", layout.input_length))
+        outputs.append((part, "output_address", layout.output_length))
+    for network in item.devicenet:
+        inputs.append((network, "active_address", ACTIVE_LENGTH))
+        for member in network.drives:
+            option = option_of(member, catalog)
+            pair = None if option is None else assemblies_of(member, option)
+            if pair is not None:
+                inputs.append((member, "input_address", pair.input.length))
+                outputs.append((member, "output_address", pair.output.length))
+    yield from _overlaps(inputs, "input", item.family)
+    yield from _overlaps(outputs, "output", item.family)
 
 
 def _found(part: "PlantGateway", catalog: Catalog) -> Layout | None:
@@ -330,19 +319,13 @@ def _reachable(part: "PlantGateway", layout: Layout, family: Family) -> Iterator
             )
 
 
-def _overlaps(
-    layouts: list[tuple["PlantGateway", Layout]],
-    field: str,
-    length: Callable[[Layout], int],
-    family: Family,
-) -> Iterator[Diagnostic]:
-    taken: list[tuple[int, int, PlantGateway]] = []
-    for part, layout in layouts:
+def _overlaps(places: "list[Placed]", area: str, family: Family) -> Iterator[Diagnostic]:
+    taken: list[tuple[int, int, str, Located, str]] = []
+    for part, field, length in places:
         first: int | None = getattr(part, field)
         if first is None:
             continue
-        last = first + length(layout) - 1
-        area = field.removesuffix("_address")
+        last = first + length - 1
         if first < 0 or last > family.last_address:
             yield Diagnostic(
                 "FB2018",
@@ -350,18 +333,18 @@ def _overlaps(
                 part.span_of(field),
                 f"the area goes from 0 to {family.last_address}",
             )
-        for other_first, other_last, other in taken:
+        for other_first, other_last, name, other, other_field in taken:
             if first <= other_last and other_first <= last:
                 yield Diagnostic(
                     "FB2016",
                     f"{area} bytes {first} to {last} of '{part.name}' overlap "
-                    f"{other_first} to {other_last} of '{other.name}'",
+                    f"{other_first} to {other_last} of '{name}'",
                     part.span_of(field),
-                    f"the next free byte is {max(end for _, end, _ in taken) + 1}",
-                    (Note("taken here", other.span_of(field)),),
+                    f"the next free byte is {max(end for _, end, *_ in taken) + 1}",
+                    (Note("taken here", other.span_of(other_field)),),
                 )
                 break
-        taken.append((first, last, part))
+        taken.append((first, last, part.name, part, field))
 
 
 def _twice(

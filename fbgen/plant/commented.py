@@ -85,6 +85,24 @@ sequences:
 #         - {name: press, inv_no: 1, series: vf-s11, max_frequency_hz: 50.0}
 #
 # status_poll, parameters and drives are as with a gateway for telegrams.
+#
+# Drives with a DeviceNet option, at a scanner. Scenarios test a program of your own against them;
+# blocks are not generated for them yet, nor for a plant that has some:
+#
+#   devicenet:
+#     - name: net1
+#       rate: 500                  # kbit/s
+#       active_address: 300        # of 8 input bytes: bit N % 8 of byte N / 8: MAC ID N is there
+#       drives:
+#         - name: infeed
+#           type: dev003z
+#           series: vf-s15
+#           max_frequency_hz: 60.0
+#           mac: 5
+#           assemblies: 100/150    # instances of output and input
+#           connection: polled     # or change_of_state, cyclic
+#           input_address: 310
+#           output_address: 310
 
 gateways:
   - name: gw1

@@ -9,6 +9,7 @@ from fbgen.catalog import AccessWay, Catalog, Located, OptionValue
 from fbgen.catalog.scalars import Flag, Octets, Real, Text, Whole
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import checks
+from fbgen.plant.devicenet import DeviceNetDrive, DeviceNetNetwork
 from fbgen.plant.drive import PlantDrive
 from fbgen.plant.families import (
     FAMILIES,
@@ -112,7 +113,8 @@ class Plant(Located):
     how the names of blocks begin; `files` says whether each stands in a file of its own, None what
     is usual for the dialect. `error_obs` says whether the organization blocks for errors that an
     S7-300 or S7-400 needs are generated, or whether the project has its own. `serial` are lines at
-    communication modules of the PLC itself.
+    communication modules of the PLC itself. `devicenet` are networks at scanners: scenarios test a
+    program of your own against their drives, blocks are not generated for them yet.
     """
 
     version: Literal[1]
@@ -131,6 +133,24 @@ class Plant(Located):
     sequences: tuple[str, ...] = ()
     gateways: tuple[PlantGateway, ...] = ()
     serial: tuple[SerialLine, ...] = ()
+    devicenet: tuple[DeviceNetNetwork, ...] = ()
+
+    @model_serializer(mode="wrap")
+    def _without_no_devicenet(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """DeviceNet counts for the hash of the plant where there is some."""
+        data: dict[str, Any] = handler(self)
+        return {key: data[key] for key in data if key != "devicenet" or data[key]}
+
+    @property
+    def series_of_drives(self) -> dict[str, str]:
+        """The series of every drive, whatever it is connected to, by the drive's name."""
+        known = {drive.name: drive.series for drive in self.drives}
+        return known | {drive.name: drive.series for drive in self.devicenet_drives}
+
+    @property
+    def devicenet_drives(self) -> tuple[DeviceNetDrive, ...]:
+        """All drives on DeviceNet, in the order of the file."""
+        return tuple(drive for network in self.devicenet for drive in network.drives)
 
     @property
     def family(self) -> Family:
@@ -149,12 +169,12 @@ class Plant(Located):
 
     @property
     def units(self) -> tuple[PlantGateway | SerialLine, ...]:
-        """Everything that drives are connected to, in the order of the file."""
+        """Everything that blocks are generated for, in the order of the file."""
         return (*self.gateways, *self.serial)
 
     @property
     def drives(self) -> tuple[PlantDrive, ...]:
-        """All drives of all gateways and lines, in the order of the file."""
+        """All drives of all gateways and lines, in the order of the file; none on DeviceNet."""
         return tuple(drive for unit in self.units for drive in unit.drives)
 
     def problems(self) -> Iterable[Diagnostic]:

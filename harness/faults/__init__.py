@@ -37,6 +37,8 @@ _NAMES = (
     "cpu_retentive_lost",
     "cpu_stopped",
     "cpu_unpowered",
+    "devicenet_bus_off",
+    "devicenet_interrupted",
     *_OF_THE_FIELD,
     "gateway_buffer_overwritten",
     "gateway_diagnosis",

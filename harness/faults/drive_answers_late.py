@@ -5,6 +5,7 @@ from pydantic import Field
 from harness.durations import PositiveDurationNs
 from harness.faults.fault import Fault, FaultSettings, FaultType, Probability, Target
 from harness.faults.holding import Holding
+from harness.faults.on_a_line import require_telegrams
 from harness.installation.field_level import FieldLevel
 from harness.installation.holds import attribute
 from harness.kernel import NS_PER_MS
@@ -21,6 +22,7 @@ class LateSettings(FaultSettings):
 
 def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     assert isinstance(settings, LateSettings)
+    require_telegrams(plant, on, "no telegrams are answered")
     port = plant.drives[on].communication
     return Holding(
         plant,

@@ -1,12 +1,14 @@
 """The stub from the line to one drive is broken; the others go on.
 
 At a PBDP-110 it is the cable to the drive: in both directions it takes the supply away as well.
+On DeviceNet it is the drop to the drive.
 """
 
 from typing import Literal
 
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 from harness.faults.holding import Holding
+from harness.faults.on_a_line import require_telegrams
 from harness.installation.field_level import FieldLevel
 from harness.installation.holds import attribute
 
@@ -19,6 +21,8 @@ class StubSettings(FaultSettings):
 
 def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     assert isinstance(settings, StubSettings)
+    if settings.direction != "both":
+        require_telegrams(plant, on, "a cable has no directions")
     port = plant.drives[on].communication.port
     receive = attribute(port, "receive_open", True)
     transmit = attribute(port, "transmit_open", True)

@@ -8,6 +8,7 @@ from harness.drives import ReplyTime
 from harness.durations import PositiveDurationNs
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 from harness.faults.holding import Holding
+from harness.faults.on_a_line import require_telegrams
 from harness.installation.field_level import FieldLevel
 from harness.installation.holds import Hold
 from harness.kernel import NS_PER_MS
@@ -23,6 +24,7 @@ class SlowDriveSettings(FaultSettings):
 
 def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
     assert isinstance(settings, SlowDriveSettings)
+    require_telegrams(plant, on, "no telegrams are answered")
     slow = ReplyTime(settings.reply_time, settings.reply_time)
     port = plant.drives[on].communication
 

@@ -20,13 +20,15 @@ Probability = Annotated[Real, Field(gt=0, le=1)]
 
 class Target(Enum):
     """What a fault happens to. `WHOLE` needs no name; `TELEGRAMS` is a gateway with a line, `LINE`
-    its line, or a serial line of the PLC."""
+    its line, or a serial line of the PLC; `OPTION` a drive by the option that is in it."""
 
     WHOLE = "plant"
     GATEWAY = "gateway"
     TELEGRAMS = "gateway for telegrams"
     LINE = "line"
     DRIVE = "drive"
+    NETWORK = "DeviceNet network"
+    OPTION = "drive on DeviceNet"
 
     def places(self, plant: Installation) -> Mapping[str, object]:
         """What has a name in the plant and can have such a fault; empty for the whole plant."""
@@ -36,6 +38,10 @@ class Target(Enum):
             return plant.gateways
         if self is Target.LINE:
             return {**plant.gateways, **plant.devices.modules}
+        if self is Target.NETWORK:
+            return plant.networks
+        if self is Target.OPTION:
+            return plant.options
         return plant.drives if self is Target.DRIVE else {}
 
 

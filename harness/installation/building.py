@@ -13,6 +13,7 @@ from fbgen.nearest import nearest
 from fbgen.plant import Plant, PlantGateway, load_plant, place_of, plugged, with_prefix
 from harness.engine.loading import engine_named, read_program
 from harness.fieldbus import DpMaster, Parameters, Station, StationSettings, watchdog_factors
+from harness.installation.devicenet import connect
 from harness.installation.devices import FieldDevices, build_devices
 from harness.installation.plant import Installation
 from harness.installation.programs import generated_program, keep_loaded, numbers_in
@@ -39,7 +40,7 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     """
     if plan.gateways:
         _one_master(plan)
-    _all_known("drive", setup.drives, [item.name for item in plan.drives], plan)
+    _all_known("drive", setup.drives, plan.series_of_drives, plan)
     with_memory = [
         item.name
         for item in plan.gateways
@@ -67,6 +68,8 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
             path = with_prefix(f"TIP_Adapters.{line.name}", plan.prefix)
             adapter = SerialAdapter(kernel, module, lambda: cpu.engine, path)
             cpu.after_scan.append(adapter.exchange)
+    for network in devices.networks.values():
+        connect(cpu, network)
     if setup.program is not None:
         program = setup.program
     elif setup.sources is None:
@@ -89,6 +92,12 @@ def _cpu_settings(plan: Plant, times: CpuSettings) -> CpuSettings:
         for entry in plan.gateways
         for address in (entry.input_address, entry.output_address)
     ]
+    addresses += [
+        address
+        for item in plan.devicenet_drives
+        for address in (item.input_address, item.output_address)
+    ]
+    addresses += [network.active_address or 0 for network in plan.devicenet]
     last = max(addresses, default=0) + 0xFF
     return replace(
         times,

@@ -12,12 +12,20 @@ from fbgen.blocks.serial_times import serial_times
 from fbgen.catalog import Catalog, Drive, OptionValue, ProcessDataGateway
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
-from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of, plugged
+from fbgen.plant import (
+    DeviceNetDrive,
+    Plant,
+    PlantDrive,
+    PlantGateway,
+    layout_of,
+    plugged,
+)
 from harness.drives import Inverter, InverterSettings, ReplyTime, set_for_line
 from harness.drives.settings import TimeoutRestart
 from harness.fieldbus import DpSlave
 from harness.gateways.pbdp110 import Pbdp110, drive_facts, pbdp110_settings
 from harness.gateways.tospbdp001 import Tospbdp001, tospbdp001_settings
+from harness.installation.devicenet import DeviceNet, network_of
 from harness.installation.serial_lines import line_of, module_of, on_serial_line, port_at
 from harness.installation.setup import DriveConditions
 from harness.kernel import Kernel
@@ -34,7 +42,8 @@ class FieldDevices:
 
     `modules` are the communication modules of the PLC, by the names of their serial lines; `lines`
     has these too. `gateways` are those for telegrams, each with one line; `interfaces` those for
-    process data, whose lines go by the gateway's name and the channel's, as `gw1.a`.
+    process data, whose lines go by the gateway's name and the channel's, as `gw1.a`. `networks`
+    are those of DeviceNet, by their names.
     """
 
     gateways: Mapping[str, Tospbdp001]
@@ -43,6 +52,7 @@ class FieldDevices:
     drives: Mapping[str, Inverter]
     spacing: Mapping[str, Spacing]
     modules: Mapping[str, SerialModule]
+    networks: Mapping[str, DeviceNet]
 
     def device(self, name: str) -> Tospbdp001 | Pbdp110:
         """The gateway of a name, of whatever kind."""
@@ -97,7 +107,14 @@ def build_devices(
             as_set = on_serial_line(serial, item, series, port, heard_s)
             own = replace(own, parameters={**as_set, **own.parameters}, port=port.name)
             drives[item.name] = _drive(kernel, series, item, line, own)
-    return FieldDevices(gateways, interfaces, lines, drives, spacing, modules)
+    networks: dict[str, DeviceNet] = {}
+    for network in plan.devicenet:
+        for member in network.drives:
+            series = catalog.drive(member.series)
+            own = conditions.get(member.name, DriveConditions())
+            drives[member.name] = _drive(kernel, series, member, Line(kernel), own)
+        networks[network.name] = network_of(kernel, catalog, network, drives)
+    return FieldDevices(gateways, interfaces, lines, drives, spacing, modules, networks)
 
 
 @dataclass(frozen=True, slots=True)
@@ -212,13 +229,17 @@ def _on_a_line(series: Drive, entry: PlantDrive, port: str | None) -> Mapping[st
 
 
 def _drive(
-    kernel: Kernel, series: Drive, entry: PlantDrive, line: Line, conditions: DriveConditions
+    kernel: Kernel,
+    series: Drive,
+    entry: PlantDrive | DeviceNetDrive,
+    line: Line,
+    conditions: DriveConditions,
 ) -> Inverter:
     parameters: Mapping[str, float] = {
         series.link.maximum_frequency: entry.max_frequency_hz,
         **conditions.parameters,
     }
-    options = {item.id: item.default for item in series.options} | dict(entry.options)
+    options = {item.id: entry.options.get(item.id, item.default) for item in series.options}
     settings = _with_options(InverterSettings(name=entry.name, parameters=parameters), options)
     settings = replace(settings, port=conditions.port)
     if conditions.load is not None:

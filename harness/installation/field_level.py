@@ -36,6 +36,10 @@ class FieldLevel(Protocol):
         """The names of the other drives on the line of a drive."""
         ...
 
+    def gets_telegrams(self, drive: str) -> bool:
+        """Whether a drive is asked by telegrams at its serial port."""
+        ...
+
     def cable(self, drive: str) -> Iterable[Hold[bool]]:
         """What is cut with the cable of a drive beside its two directions."""
         ...

@@ -10,10 +10,12 @@ from fbgen.dataclass import dataclass
 from fbgen.plant import Plant, PlantGateway, layout_of
 from harness.drives import Inverter
 from harness.fieldbus import DpMaster, Station
+from harness.gateways.dev003z import Dev003z
 from harness.gateways.pbdp110 import Pbdp110
 from harness.gateways.tospbdp001 import Memory, Tospbdp001
+from harness.installation.devicenet import DeviceNet
 from harness.installation.devices import FieldDevices
-from harness.installation.holds import Hold, Holds, switched
+from harness.installation.holds import Hold, Holds, attribute, switched
 from harness.kernel import Kernel
 from harness.line import Line, Spacing
 from harness.plc import Cpu
@@ -60,6 +62,17 @@ class Installation:
         return self.devices.lines
 
     @property
+    def networks(self) -> Mapping[str, DeviceNet]:
+        """The DeviceNet networks."""
+        return self.devices.networks
+
+    @property
+    def options(self) -> Mapping[str, Dev003z]:
+        """The DeviceNet options, by the names of the drives that they are in."""
+        networks = self.networks.values()
+        return {name: one for network in networks for name, one in network.options.items()}
+
+    @property
     def drives(self) -> Mapping[str, Inverter]:
         """The inverters."""
         return self.devices.drives
@@ -80,15 +93,26 @@ class Installation:
         return tuple(item for item in self.plan.gateways if item.name in self.interfaces)
 
     def neighbours(self, drive: str) -> Sequence[str]:
-        """The other drives on the line of a drive; there are none at an interface."""
-        entry = next(
+        """The other drives on the line of a drive; none at an interface or on DeviceNet."""
+        entries = (
             entry for entry in self.plan.units if drive in {item.name for item in entry.drives}
         )
+        entry = next(entries, None)
+        if entry is None:
+            return ()
         on_a_line = entry.name not in self.interfaces
         return tuple(item.name for item in entry.drives if item.name != drive and on_a_line)
 
+    def gets_telegrams(self, drive: str) -> bool:
+        """Those on DeviceNet get none."""
+        return drive not in self.options
+
     def cable(self, drive: str) -> Iterator[Hold[bool]]:
-        """The cable to a drive at an interface: the supply comes through it, too."""
+        """The cable to a drive at an interface: the supply comes through it, too. The drop of one
+        on DeviceNet."""
+        for network in self.networks.values():
+            if drive in network.drops:
+                yield attribute(network.drops[drive], "plugged", False, min)
         for entry in self.interface_entries:
             device = self.interfaces[entry.name]
             for item in entry.drives:

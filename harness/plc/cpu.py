@@ -39,6 +39,7 @@ from harness.plc.error_events import (
 )
 from harness.plc.hardware_access import HardwareAccess, missing_ob
 from harness.plc.interrupts import Interrupts
+from harness.plc.io_module import IoModule
 from harness.plc.settings import CpuSettings
 
 
@@ -100,7 +101,7 @@ class Cpu(HardwareAccess):
         self._interrupts = Interrupts(kernel, (), self._run_interrupt, self._lose)
         self._failed: set[str] = set()
         self._reporting: set[str] = set()
-        self._image_failed: set[Station] = set()
+        self._image_failed: set[IoModule] = set()
         self._image_errors = settings.image_errors or settings.family.image_errors
         self._synchronous: set[int] = set()
         self._priority = 1
@@ -163,8 +164,8 @@ class Cpu(HardwareAccess):
         keep = self.settings.remanent_marker_bytes if restart is Restart.WARM else 0
         self.markers[keep:] = bytes(len(self.markers) - keep)
         self._begin()
+        self._supply(there=True)
         for module in self.serial_ports:
-            module.power_on()
             module.cpu_started()
         self._restart = restart
         engine.reset(warm=restart is Restart.WARM)
@@ -201,17 +202,15 @@ class Cpu(HardwareAccess):
             action()
 
     def power_off(self) -> None:
-        """No supply: the master falls silent, too, and so do the modules for serial lines."""
+        """No supply: the master falls silent, too, and so do the modules of the PLC itself."""
         self.stop()
         self.master.stop()
-        for module in self.serial_ports:
-            module.power_off()
+        self._supply(there=False)
 
     def power_on(self) -> None:
         """Supply comes, and the switch is at STOP: the master sends zeros."""
         self.stop()
-        for module in self.serial_ports:
-            module.power_on()
+        self._supply(there=True)
         self.master.start()
         self.master.clear()
 
@@ -387,7 +386,7 @@ class Cpu(HardwareAccess):
             first = station.slots[0]
             self._asynchronous_error(diagnosis_event(name, first, reported=station.reporting))
 
-    def _image_updated(self, station: Station, *, reading: bool) -> bool:
+    def _image_updated(self, station: IoModule, *, reading: bool) -> bool:
         """OB85 for a station in the process image that fails, or is well again.
 
         False if that took the CPU to STOP.

@@ -15,6 +15,7 @@ from harness.fieldbus import DpMaster
 from harness.kernel import Kernel
 from harness.plc.consistent_data import ConsistentData
 from harness.plc.error_events import ErrorEvent, access_event
+from harness.plc.io_module import IoModule
 from harness.plc.link import MasterLink
 from harness.plc.modules import ModuleTable, Mounting
 from harness.plc.serial.instructions import serial_instructions
@@ -31,7 +32,8 @@ class HardwareAccess:
     """The environment of an engine (`harness.engine.environment.Environment`) on one CPU.
 
     `now_ns` is the instant at which the scan began. `instructions` are the system instructions by
-    name. `access_errors` counts direct accesses that nobody answered.
+    name. `access_errors` counts direct accesses that nobody answered. Functions in `on_supply` are
+    called when the supply of the rack is there, which they may know already, or is gone.
     """
 
     __slots__ = (
@@ -52,6 +54,7 @@ class HardwareAccess:
         "link",
         "markers",
         "now_ns",
+        "on_supply",
         "outputs",
         "serial_ports",
         "services",
@@ -85,6 +88,7 @@ class HardwareAccess:
                 self.instructions[name] = self._dpwr_dat
             for name in ("DPNRM_DG", "SFC13"):
                 self.instructions[name] = self._dpnrm_dg
+        self.on_supply: list[Callable[[bool], None]] = []
         self.serial_ports = SerialPorts(kernel, self._reach_hardware, self._data_block)
         if settings.family.consistent_instructions:
             models = serial_instructions(self.serial_ports, classic=settings.family.classic)
@@ -111,6 +115,25 @@ class HardwareAccess:
             self.slave_diagnosis.stations[mounting.diagnosis_address] = mounting.station
         self._reads.clear()
         self._writes.clear()
+
+    def mount_module(self, module: IoModule) -> None:
+        """Tie a module of the PLC itself into the address space; it is in the process image.
+
+        Raises DiagnosticError FB7402 as `mount`.
+        """
+        self._modules.place(module, self.settings, process_image=True)
+        self._reads.clear()
+        self._writes.clear()
+
+    def _supply(self, *, there: bool) -> None:
+        """The supply of the rack is there, or gone."""
+        for module in self.serial_ports:
+            if there:
+                module.power_on()
+            else:
+                module.power_off()
+        for observer in self.on_supply:
+            observer(there)
 
     def _begin(self) -> None:
         """A scan, or a start-up, begins now."""

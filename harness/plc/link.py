@@ -10,7 +10,8 @@ from random import Random
 
 from fbgen.diagnostics import error
 from fbgen.wire.profibus import Extent
-from harness.fieldbus import DpMaster, Station
+from harness.fieldbus import DpMaster
+from harness.plc.io_module import IoModule
 
 
 class MasterLink:
@@ -22,8 +23,8 @@ class MasterLink:
         self._master = master
         self._random = random
         self._probability = tear_probability
-        self._reads: dict[Station, int] = {}
-        self._writes: dict[Station, int] = {}
+        self._reads: dict[IoModule, int] = {}
+        self._writes: dict[IoModule, int] = {}
         self.torn = 0
         self.armed = tear_probability > 0
 
@@ -37,7 +38,7 @@ class MasterLink:
         self._probability = probability
         self.armed = bool(probability > 0 or self._reads or self._writes)
 
-    def tear_next_write(self, station: Station, behind: int) -> None:
+    def tear_next_write(self, station: IoModule, behind: int) -> None:
         """Let the master's cycle fall behind slot `behind` in the next change of outputs there.
 
         Slots count from 1. Raises DiagnosticError FB7403 where no outputs follow.
@@ -45,7 +46,7 @@ class MasterLink:
         self._writes[station] = _first_behind(station, behind, _output_pieces(station), "outputs")
         self.armed = True
 
-    def tear_next_read(self, station: Station, behind: int) -> None:
+    def tear_next_read(self, station: IoModule, behind: int) -> None:
         """The same for the next reading of inputs that have changed since the latest cycle."""
         self._reads[station] = _first_behind(station, behind, _input_pieces(station), "inputs")
         self.armed = True
@@ -54,7 +55,7 @@ class MasterLink:
         """The instant of the first bus cycle that is later than `time_ns`."""
         return self._master.next_cycle_ns(time_ns)
 
-    def write(self, station: Station, offset: int, data: bytes) -> None:
+    def write(self, station: IoModule, offset: int, data: bytes) -> None:
         """Outputs from the CPU to the master."""
         if self.armed and station.outputs[offset : offset + len(data)] != data:
             cut = self._cut(station, offset, len(data), _output_pieces(station), self._writes)
@@ -65,7 +66,7 @@ class MasterLink:
                 return
         station.write(offset, data)
 
-    def read(self, station: Station, offset: int, length: int) -> bytes:
+    def read(self, station: IoModule, offset: int, length: int) -> bytes:
         """Inputs from the master to the CPU."""
         end = offset + length
         if self.armed and station.inputs_pending:
@@ -78,11 +79,11 @@ class MasterLink:
 
     def _cut(
         self,
-        station: Station,
+        station: IoModule,
         offset: int,
         length: int,
         pieces: list[int],
-        orders: dict[Station, int],
+        orders: dict[IoModule, int],
     ) -> int | None:
         """Where to tear the bytes from `offset` on; None for not at all."""
         ordered = orders.get(station)
@@ -100,11 +101,11 @@ class MasterLink:
         return self._random.choice(places)
 
 
-def _output_pieces(station: Station) -> list[int]:
+def _output_pieces(station: IoModule) -> list[int]:
     return _pieces([(slot.output_offset, slot.identifier.outputs) for slot in station.slots])
 
 
-def _input_pieces(station: Station) -> list[int]:
+def _input_pieces(station: IoModule) -> list[int]:
     return _pieces([(slot.input_offset, slot.identifier.inputs) for slot in station.slots])
 
 
@@ -118,7 +119,7 @@ def _pieces(parts: list[tuple[int | None, Extent | None]]) -> list[int]:
     ]
 
 
-def _first_behind(station: Station, behind: int, pieces: list[int], what: str) -> int:
+def _first_behind(station: IoModule, behind: int, pieces: list[int], what: str) -> int:
     if 1 <= behind <= len(station.slots):
         slot = station.slots[behind - 1]
         first = slot.output_offset if what == "outputs" else slot.input_offset

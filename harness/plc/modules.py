@@ -4,6 +4,7 @@ from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 from fbgen.wire.profibus import Slot
 from harness.fieldbus import Station
+from harness.plc.io_module import IoModule
 from harness.plc.settings import CpuSettings
 
 
@@ -26,18 +27,18 @@ class Mounting:
 class ModuleTable:
     """All modules of a CPU by address and by LADDR.
 
-    `inputs` and `outputs` lead from a byte address to the station and the offset in its data,
+    `inputs` and `outputs` lead from a byte address to the module and the offset in its data,
     `readable` and `writable` from a LADDR to the station and its module.
     """
 
     __slots__ = ("image", "inputs", "outputs", "readable", "writable")
 
     def __init__(self) -> None:
-        self.inputs: dict[int, tuple[Station, int]] = {}
-        self.outputs: dict[int, tuple[Station, int]] = {}
+        self.inputs: dict[int, tuple[IoModule, int]] = {}
+        self.outputs: dict[int, tuple[IoModule, int]] = {}
         self.readable: dict[int, tuple[Station, Slot]] = {}
         self.writable: dict[int, tuple[Station, Slot]] = {}
-        self.image: list[Station] = []
+        self.image: list[IoModule] = []
 
     def mount(self, mounting: Mounting, cpu: CpuSettings) -> None:
         """Enter a station.
@@ -45,23 +46,7 @@ class ModuleTable:
         Raises DiagnosticError FB7402 for an address that is taken or lies outside of the memory.
         """
         station = mounting.station
-        settings = station.settings
-        ranges = (
-            (self.inputs, settings.input_address, len(station.inputs), "input"),
-            (self.outputs, settings.output_address, len(station.outputs), "output"),
-        )
-        for table, address, length, what in ranges:
-            if mounting.process_image and not 0 <= address <= cpu.memory_bytes - length:
-                raise error(
-                    "FB7402",
-                    f"the {what} bytes {address}..{address + length - 1} of "
-                    f"'{settings.name}' lie outside of the process image",
-                    None,
-                    f"the process image has the bytes 0..{cpu.memory_bytes - 1}",
-                )
-            self._enter(table, station, address, length, what)
-        if mounting.process_image:
-            self.image.append(station)
+        self.place(station, cpu, process_image=mounting.process_image)
         first = None if cpu.family.classic else mounting.hardware_identifier
         for slot in station.slots:
             by_identifier = None if first is None else first + slot.number - 1
@@ -72,10 +57,30 @@ class ModuleTable:
                 laddr = slot.output_address if by_identifier is None else by_identifier
                 self.writable[laddr] = (station, slot)
 
+    def place(self, module: IoModule, cpu: CpuSettings, *, process_image: bool) -> None:
+        """Enter the bytes of a module, without a LADDR. Raises DiagnosticError as `mount`."""
+        settings = module.settings
+        ranges = (
+            (self.inputs, settings.input_address, len(module.inputs), "input"),
+            (self.outputs, settings.output_address, len(module.outputs), "output"),
+        )
+        for table, address, length, what in ranges:
+            if process_image and not 0 <= address <= cpu.memory_bytes - length:
+                raise error(
+                    "FB7402",
+                    f"the {what} bytes {address}..{address + length - 1} of "
+                    f"'{settings.name}' lie outside of the process image",
+                    None,
+                    f"the process image has the bytes 0..{cpu.memory_bytes - 1}",
+                )
+            self._enter(table, module, address, length, what)
+        if process_image:
+            self.image.append(module)
+
     def _enter(
         self,
-        table: dict[int, tuple[Station, int]],
-        station: Station,
+        table: dict[int, tuple[IoModule, int]],
+        station: IoModule,
         address: int,
         length: int,
         what: str,

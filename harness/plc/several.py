@@ -9,7 +9,7 @@ from struct import Struct
 
 from fbgen.dataclass import dataclass
 from harness.engine.environment import places_of
-from harness.fieldbus import Station
+from harness.plc.io_module import IoModule
 
 _FORMATS = {1: "B", 2: "H", 4: "I", 8: "Q"}
 
@@ -23,7 +23,7 @@ class Several:
     the time from before the first access to this one. `took_ns` is the time of all.
     """
 
-    station: Station
+    station: IoModule
     unpack: Callable[[bytearray, int], tuple[int, ...]]
     first: int
     in_order: Callable[[tuple[int, ...]], tuple[int, ...]] | None
@@ -32,7 +32,7 @@ class Several:
 
 
 def several_at(
-    places: str, stations: Mapping[int, tuple[Station, int]], access_ns: int
+    places: str, stations: Mapping[int, tuple[IoModule, int]], access_ns: int
 ) -> Several | None:
     """The values at `places` (`264:2 261:2`), None unless one station has them, each once.
 
@@ -40,7 +40,7 @@ def several_at(
     one access.
     """
     pieces: list[tuple[int, int, int]] = []
-    found: set[Station] = set()
+    found: set[IoModule] = set()
     for number, (byte, count) in enumerate(places_of(places), 1):
         for at in range(byte, byte + count):
             if at not in stations:

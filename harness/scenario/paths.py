@@ -6,6 +6,7 @@ cpu.ITEM, bus.ITEM  the CPU and the DP master
 gateway.NAME.ITEM   a gateway, `gateway.gw1.led.device_status`, `gateway.gw1.input.a_status`
 drive.NAME.ITEM     a drive, `drive.pump.frequency`, `drive.pump.comno.FE03`,
                     `drive.pump.terminal.s1`
+devicenet.NAME.ITEM the option in a drive, `devicenet.pump.input.status`
 
 `docs/reference/scenario-files.md` has the whole list.
 """
@@ -25,6 +26,7 @@ from harness.fieldbus import MasterMode
 from harness.gateways.tospbdp001 import Light, Tospbdp001
 from harness.installation import Installation
 from harness.plc import CpuMode
+from harness.scenario.devicenet_paths import devicenet_item
 from harness.scenario.interface_paths import interface_item
 from harness.scenario.kinds import (
     COUNT,
@@ -41,7 +43,7 @@ from harness.scenario.kinds import (
 from harness.scenario.named_things import Readable, Writer, one_of, unknown
 from harness.scenario.plc_variables import reading, variable_kind
 
-ROOTS = ("plc", "cpu", "bus", "gateway", "drive")
+ROOTS = ("plc", "cpu", "bus", "gateway", "drive", "devicenet")
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +128,10 @@ class Paths:
         if root == "drive":
             one_of(name, plant.drives, "drive", span)
             return _drive(plant.drives[name], item, span)
+        if root == "devicenet":
+            one_of(name, plant.options, "drive on DeviceNet", span)
+            network = next(one for one in plant.networks.values() if name in one.options)
+            return devicenet_item(network, name, item, span)
         raise unknown(root, ROOTS, "kind of thing", span)
 
     def writable(self, path: str, span: Span | None) -> Writable:

@@ -63,10 +63,10 @@ def device_problems(scenario: Scenario, plan: Plant, catalog: Catalog) -> Iterat
             message = f"there is no gateway '{name}' in the plant '{plan.name}'"
             place = key_span(scenario, "gateways", name)
             yield Diagnostic("FB8003", message, place, nearest(name, gateways))
-    known = {item.name: item for item in plan.drives}
+    known = plan.series_of_drives
     for name, setup in scenario.drives.items():
         if name in known:
-            yield from _parameter_problems(setup, catalog.drive(known[name].series))
+            yield from _parameter_problems(setup, catalog.drive(known[name]))
         else:
             message = f"there is no drive '{name}' in the plant '{plan.name}'"
             place = key_span(scenario, "drives", name)

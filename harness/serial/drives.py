@@ -77,6 +77,10 @@ class ServedDrives:
         """All the others."""
         return tuple(name for name in self.drives if name != drive)
 
+    def gets_telegrams(self, drive: str) -> bool:
+        """All of them."""
+        return True
+
     def cable(self, drive: str) -> Iterable[Hold[bool]]:
         """A drive on a line has its supply from elsewhere."""
         return ()

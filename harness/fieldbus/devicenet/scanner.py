@@ -91,11 +91,13 @@ class Scanner:
 
     __slots__ = (
         "_kernel",
+        "_life",
         "_put",
         "_receivers",
         "_scan_ns",
         "idle",
         "mac",
+        "on",
         "serial",
         "slaves",
         "vendor",
@@ -114,7 +116,8 @@ class Scanner:
         self._scan_ns = scan_ns
         self.mac = mac
         self.vendor, self.serial = 0, 0
-        self.idle = False
+        self.idle = self.on = False
+        self._life = 0
         self.slaves = {
             entry.mac: ScannedSlave(entry, Requester(kernel, mac, entry.mac, send))
             for entry in entries
@@ -129,13 +132,29 @@ class Scanner:
 
     def start(self) -> None:
         """Say who it is, twice, and then begin to scan."""
+        self.on = True
         for number in range(_CHECKS):
-            self._kernel.after(number * _CHECK_NS, lambda: self._put(self._check(response=False)))
-        self._kernel.after(_CHECKS * _CHECK_NS, self._scan)
+            self._later(number * _CHECK_NS, lambda: self._put(self._check(response=False)))
+        self._later(_CHECKS * _CHECK_NS, self._scan)
+
+    def stop(self) -> None:
+        """No supply: silence, and all slaves are forgotten."""
+        self.on = False
+        self._life += 1
+        for slave in self.slaves.values():
+            slave.requester.clear()
+            slave.state = SlaveState.WAITING
+
+    def _later(self, delay_ns: int, action: Callable[[], None]) -> None:
+        """Do it then, if the scanner has been on all the time."""
+        life = self._life
+        self._kernel.after(delay_ns, lambda: action() if life == self._life else None)
 
     def receive(self, frame: Frame) -> None:
         """Take a frame from the bus."""
         receiver = self._receivers.get(frame.identifier)
+        if not self.on:
+            return
         if receiver is not None:
             receiver(frame.data)
         elif frame.identifier == group_2(Group2.DUPLICATE_MAC_CHECK, self.mac):
@@ -196,7 +215,7 @@ class Scanner:
 
     def _lose(self, slave: ScannedSlave) -> None:
         slave.state = SlaveState.LOST
-        self._kernel.after(_RETRY_NS, partial(self._connect, slave))
+        self._later(_RETRY_NS, partial(self._connect, slave))
 
     # Exchanging data
 
@@ -206,7 +225,7 @@ class Scanner:
                 self._connect(slave)
             elif slave.state is SlaveState.RUNNING:
                 self._exchange(slave)
-        self._kernel.after(self._scan_ns, self._scan)
+        self._later(self._scan_ns, self._scan)
 
     def _exchange(self, slave: ScannedSlave) -> None:
         choice, now_ns = slave.entry.choice, self._kernel.now_ns

@@ -87,6 +87,7 @@ PLANTS = [
     ("FB2050_nothing", 1, 1),
     ("FB2051_module", 8, 13),
     ("FB2052_rate", 8, 11),
+    ("FB2053_assemblies", 13, 21),
 ]
 
 

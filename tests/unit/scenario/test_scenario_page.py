@@ -19,6 +19,7 @@ from harness.scenario import (
     run_case,
     scenario_cases,
 )
+from harness.scenario.devicenet_paths import DEVICENET_ITEMS
 from harness.scenario.paths import COMNO_ITEMS, DRIVE_ITEMS, GATEWAY_ITEMS, ROOTS
 from tests.unit.scenario.scenario_files import PLANT, ROOT
 
@@ -76,6 +77,8 @@ def test_every_path_is_explained_and_none_that_there_is_not() -> None:
     wanted |= {"gateway.*.input.*", "gateway.*.*.online", "gateway.*.diagnosis"}
     wanted |= {f"drive.*.{item}" for item in DRIVE_ITEMS}
     wanted |= {f"drive.*.{item}.*" for item in COMNO_ITEMS}
+    wanted |= {f"devicenet.*.{item}" for item in DEVICENET_ITEMS}
+    wanted |= {"devicenet.*.output.*", "devicenet.*.led.*"}
     generic = {path for path in paths if "*" in path or path.startswith(("cpu", "bus"))}
     assert generic == wanted
 
