@@ -15,6 +15,15 @@ PortOption = Annotated[
 ]
 
 
+PortIfAnyOption = Annotated[
+    str | None,
+    typer.Option("--port", metavar="P", help="COM3, /dev/ttyUSB0, or an address of pyserial."),
+]
+PtyOption = Annotated[
+    bool, typer.Option("--pty", help="Make a pseudo terminal and print its name (Linux).")
+]
+
+
 class ProtocolName(Enum):
     """The protocols of a line."""
 

@@ -9,6 +9,7 @@ import typer
 
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import CatalogOption, JsonOption
+from fbgen.cli.line_options import PortIfAnyOption
 from fbgen.cli.output import result, result_json, say
 from fbgen.cli.record import frame_row
 
@@ -39,10 +40,7 @@ def replay(
     recorded: Annotated[
         Path, typer.Argument(metavar="FILE", help="What `fbgen record` has written.")
     ],
-    port: Annotated[
-        str | None,
-        typer.Option("--port", metavar="P", help="COM3, /dev/ttyUSB0, or an address of pyserial."),
-    ] = None,
+    port: PortIfAnyOption = None,
     side: Annotated[Side | None, typer.Option("--as", help="Who is played at the port.")] = None,
     series: Annotated[
         str | None, typer.Option("--series", metavar="S", help="Series instead of the file's.")

@@ -8,6 +8,7 @@ import typer
 from fbgen.cli import sim_drive
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import CatalogOption
+from fbgen.cli.line_options import PortIfAnyOption, PtyOption
 from fbgen.cli.output import result, say
 from fbgen.cli.sim_can import OptionWanted, serve_option
 from fbgen.cli.state_line import StateLine
@@ -56,13 +57,8 @@ def gateway(
             metavar="PLANT", help="Plant file with gateways and drives; else the example plant."
         ),
     ] = None,
-    port: Annotated[
-        str | None,
-        typer.Option("--port", metavar="P", help="COM3, /dev/ttyUSB0, or an address of pyserial."),
-    ] = None,
-    pty: Annotated[
-        bool, typer.Option("--pty", help="Make a pseudo terminal and print its name (Linux).")
-    ] = False,
+    port: PortIfAnyOption = None,
+    pty: PtyOption = False,
     baud: Annotated[
         int | None,
         typer.Option("--baud", metavar="N", help="Speed in bit/s: 19200 at ports, 500000 on CAN."),

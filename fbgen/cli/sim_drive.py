@@ -9,7 +9,14 @@ import typer
 from fbgen.cli.examples import examples
 from fbgen.cli.keyboard import keyboard
 from fbgen.cli.layers import CatalogOption
-from fbgen.cli.line_options import BaudOption, ParityOption, ProtocolOption, asked_setting
+from fbgen.cli.line_options import (
+    BaudOption,
+    ParityOption,
+    PortIfAnyOption,
+    ProtocolOption,
+    PtyOption,
+    asked_setting,
+)
 from fbgen.cli.output import on_error_terminal, result, say
 
 if TYPE_CHECKING:
@@ -35,13 +42,8 @@ def add_to(commands: typer.Typer) -> None:
 
 
 def drive(
-    port: Annotated[
-        str | None,
-        typer.Option("--port", metavar="P", help="COM3, /dev/ttyUSB0, or an address of pyserial."),
-    ] = None,
-    pty: Annotated[
-        bool, typer.Option("--pty", help="Make a pseudo terminal and print its name (Linux).")
-    ] = False,
+    port: PortIfAnyOption = None,
+    pty: PtyOption = False,
     series: Annotated[
         str | None, typer.Option("--series", metavar="S", help="Series, vf-s11 if not said.")
     ] = None,

@@ -6,21 +6,11 @@ characters that are sent along. RECEIVE_CONDITIONS lies in memory as its table s
 variable that is shorter is 8322.
 """
 
-from abc import abstractmethod
 from collections.abc import Mapping
 
-from harness.engine.block_models import Outputs
 from harness.line import Parity, SerialFormat
 from harness.plc.serial.conditions import LengthField, ReceiveConditions, Sequence
-from harness.plc.serial.jobs import (
-    FIRST_CALL,
-    MODULE_MISSING,
-    NEXT_CALL,
-    PortInstruction,
-    done,
-    failed,
-    idle,
-)
+from harness.plc.serial.jobs import TimedInstruction
 from harness.plc.serial.module import SerialModule
 
 BAUD_RATES = {
@@ -31,46 +21,12 @@ PARITIES = {1: Parity.NONE, 2: Parity.EVEN, 3: Parity.ODD}
 _CONDITIONS_BYTES = 64
 
 
-class Configuring(PortInstruction):
-    """A job that sets the module, at once as far as the line is concerned."""
-
-    __slots__ = ("_due_ns",)
-
-    _due_ns: int | None
-
-    def forget(self) -> None:
-        """No job is under way."""
-        self._due_ns = None
-
-    def run(self, module: SerialModule | None, areas: Mapping[str, bytes]) -> Outputs:
-        """REQ, PORT and the settings to DONE, ERROR, STATUS."""
-        rises = self.rises()
-        if module is None:
-            return failed(MODULE_MISSING) if rises else idle()
-        if self._due_ns is not None:
-            if self._ports.now_ns < self._due_ns:
-                return idle(NEXT_CALL)
-            self._due_ns = None
-            return done()
-        if not rises:
-            return idle()
-        status = self.configure(module, areas)
-        if status:
-            return failed(status)
-        self._due_ns = self._ports.now_ns + module.transfer_ns
-        return idle(FIRST_CALL)
-
-    @abstractmethod
-    def configure(self, module: SerialModule, areas: Mapping[str, bytes]) -> int:
-        """Set the module. Gives the status of what is wrong, or 0."""
-
-
-class PortConfig(Configuring):
+class PortConfig(TimedInstruction):
     """Baud rate, parity and stop bits."""
 
     __slots__ = ()
 
-    def configure(self, module: SerialModule, areas: Mapping[str, bytes]) -> int:
+    def begin(self, module: SerialModule, areas: Mapping[str, bytes]) -> int:
         """81A0 to 81AA for what the module does not have."""
         checks = (
             (0x81A0, self.number("PROTOCOL") == 0),
@@ -94,26 +50,26 @@ class PortConfig(Configuring):
         return 0
 
 
-class SendConfig(Configuring):
+class SendConfig(TimedInstruction):
     """The idle line before what is sent."""
 
     __slots__ = ()
 
-    def configure(self, module: SerialModule, areas: Mapping[str, bytes]) -> int:
+    def begin(self, module: SerialModule, areas: Mapping[str, bytes]) -> int:
         """IDLELINE in bit times."""
         module.idle_bits = self.number("IDLELINE")
         module.clear()
         return 0
 
 
-class ReceiveConfig(Configuring):
+class ReceiveConfig(TimedInstruction):
     """Where a message begins and where it ends."""
 
     __slots__ = ()
 
     areas = ("RECEIVE_CONDITIONS",)
 
-    def configure(self, module: SerialModule, areas: Mapping[str, bytes]) -> int:
+    def begin(self, module: SerialModule, areas: Mapping[str, bytes]) -> int:
         """81C0 to 81CC for conditions that cannot be."""
         data = areas["RECEIVE_CONDITIONS"]
         if len(data) < _CONDITIONS_BYTES:

@@ -16,6 +16,7 @@ from harness.plc.serial.jobs import (
     MODULE_MISSING,
     NEXT_CALL,
     PortInstruction,
+    TimedInstruction,
     done,
     failed,
     idle,
@@ -103,29 +104,15 @@ def _received(*, ERROR: bool = False, STATUS: int) -> Outputs:  # noqa: N803  # 
     return Outputs(NDR=False, ERROR=ERROR, STATUS=STATUS, LENGTH=0)
 
 
-class ReceiveReset(PortInstruction):
+class ReceiveReset(TimedInstruction):
     """Deletes what the module has received."""
 
-    __slots__ = ("_due_ns",)
+    __slots__ = ()
 
-    _due_ns: int | None
+    def begin(self, module: SerialModule, areas: Mapping[str, bytes]) -> int:
+        """Nothing yet."""
+        return 0
 
-    def forget(self) -> None:
-        """No job is under way."""
-        self._due_ns = None
-
-    def run(self, module: SerialModule | None, areas: Mapping[str, bytes]) -> Outputs:
-        """REQ, PORT to DONE, ERROR, STATUS."""
-        rises = self.rises()
-        if module is None:
-            return failed(MODULE_MISSING) if rises else idle()
-        if self._due_ns is not None:
-            if self._ports.now_ns < self._due_ns:
-                return idle(NEXT_CALL)
-            self._due_ns = None
-            module.clear()
-            return done()
-        if not rises:
-            return idle()
-        self._due_ns = self._ports.now_ns + module.transfer_ns
-        return idle(FIRST_CALL)
+    def end(self, module: SerialModule) -> None:
+        """All of it is gone."""
+        module.clear()

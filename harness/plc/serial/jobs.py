@@ -64,6 +64,43 @@ class PortInstruction(ABC):
         return str(self._inputs.get(name, ""))
 
 
+class TimedInstruction(PortInstruction):
+    """A job of one access: begun by an edge of REQ, over when the module has had its time."""
+
+    __slots__ = ("_due_ns",)
+
+    _due_ns: int | None
+
+    def forget(self) -> None:
+        """No job is under way."""
+        self._due_ns = None
+
+    def run(self, module: SerialModule | None, areas: Mapping[str, bytes]) -> Outputs:
+        """REQ, PORT and what the job takes to DONE, ERROR, STATUS."""
+        rises = self.rises()
+        if module is None:
+            return failed(MODULE_MISSING) if rises else idle()
+        if self._due_ns is not None:
+            if self._ports.now_ns < self._due_ns:
+                return idle(NEXT_CALL)
+            self._due_ns = None
+            self.end(module)
+            return done()
+        if not rises:
+            return idle()
+        if status := self.begin(module, areas):
+            return failed(status)
+        self._due_ns = self._ports.now_ns + module.transfer_ns
+        return idle(FIRST_CALL)
+
+    @abstractmethod
+    def begin(self, module: SerialModule, areas: Mapping[str, bytes]) -> int:
+        """What happens with the edge. Gives the status of what is wrong, or 0."""
+
+    def end(self, module: SerialModule) -> None:
+        """What happens when the time is over; of settings nothing, they count from the edge on."""
+
+
 def idle(status: int = IDLE) -> Outputs:
     """Nothing has ended in this call."""
     return Outputs(DONE=False, ERROR=False, STATUS=status)

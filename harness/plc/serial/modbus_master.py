@@ -24,13 +24,13 @@ from harness.engine.block_models import Outputs
 from harness.kernel import NS_PER_MS
 from harness.line import Parity, SerialFormat
 from harness.plc.serial.conditions import ReceiveConditions
-from harness.plc.serial.configuring import Configuring
 from harness.plc.serial.jobs import (
     FIRST_CALL,
     IDLE,
     MODULE_MISSING,
     NEXT_CALL,
     PortInstruction,
+    TimedInstruction,
 )
 from harness.plc.serial.module import ModbusSettings, SendJob, SerialModule
 from harness.plc.serial.reader import FRAMING, PARITY
@@ -54,7 +54,7 @@ _READ_INPUT = 0x04
 _FASTEST_BY_CHARACTERS = 19_200
 
 
-class ModbusCommLoad(Configuring):
+class ModbusCommLoad(TimedInstruction):
     """Ties the port to a master, and sets it."""
 
     __slots__ = ()
@@ -68,7 +68,7 @@ class ModbusCommLoad(Configuring):
             return Outputs({"MB_DB": self.number("PORT").to_bytes(2, "big")}, **given.values)
         return given
 
-    def configure(self, module: SerialModule, areas: Mapping[str, bytes]) -> int:
+    def begin(self, module: SerialModule, areas: Mapping[str, bytes]) -> int:
         """8181 to 8184 for what cannot be."""
         baud, parity = self.number("BAUD", 9600), self.number("PARITY")
         reply_ms = self.number("RESP_TO", 1000)
