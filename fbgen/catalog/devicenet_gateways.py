@@ -10,6 +10,7 @@ from pydantic import Field
 
 from fbgen.catalog.devicenet_objects import ObjectClass
 from fbgen.catalog.gateways import Gateway, unknown_name
+from fbgen.catalog.layouts import gaps
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import named_in, no_duplicates, pick
 from fbgen.catalog.scalars import Count, EntryId, HexByte, HexWord, Number, SnakeName, Text, Whole
@@ -88,17 +89,7 @@ class Assembly(Sourced):
         for name in self.unverified:
             names = [field.name for field in self.fields]
             yield from named_in(self, "unverified", name, names, "field")
-        position = 0
-        for field in self.fields:
-            if field.offset != position:
-                yield Diagnostic(
-                    "FB1106",
-                    f"'{field.name}' begins at byte {field.offset}, "
-                    f"but the fields before it end at {position}",
-                    field.span_of("offset"),
-                    "fields stand in the order of their offsets, without gap or overlap",
-                )
-            position = field.offset + field.length
+        yield from gaps(self.fields)
 
 
 class AssemblyPair(Located):

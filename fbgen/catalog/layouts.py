@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from functools import cache
-from typing import Literal
+from typing import Literal, Protocol
 
 from fbgen.catalog.located import Located
 from fbgen.catalog.named import no_duplicates, pick
@@ -10,6 +10,7 @@ from fbgen.catalog.scalars import Count, EntryId, Flag, Octets, SnakeName, Text
 from fbgen.catalog.sourced import Sourced, unknown_fields
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
+from fbgen.source import Span
 from fbgen.wire.profibus import (
     Consistency,
     IdentifierError,
@@ -121,17 +122,8 @@ class Layout(Sourced):
     def _fill(
         self, fields: tuple[CyclicField, ...], length: int, name: str
     ) -> Iterable[Diagnostic]:
-        position = 0
-        for field in fields:
-            if field.offset != position:
-                yield Diagnostic(
-                    "FB1106",
-                    f"'{field.name}' begins at byte {field.offset}, "
-                    f"but the fields before it end at {position}",
-                    field.span_of("offset"),
-                    "fields stand in the order of their offsets, without gap or overlap",
-                )
-            position = field.end
+        yield from gaps(fields)
+        position = fields[-1].end if fields else 0
         if position != length:
             yield Diagnostic(
                 "FB1106",
@@ -139,6 +131,40 @@ class Layout(Sourced):
                 self.key_span_of(name),
                 "a byte that carries nothing is a field with pad: true",
             )
+
+
+class PlacedField(Protocol):
+    """A field with its place in a row of bytes."""
+
+    @property
+    def name(self) -> str:
+        """How it is called."""
+
+    @property
+    def offset(self) -> int:
+        """Its first byte, from 0."""
+
+    @property
+    def length(self) -> int:
+        """How many bytes it has."""
+
+    def span_of(self, key: str) -> Span | None:
+        """Where a value of it stands."""
+
+
+def gaps(fields: Iterable[PlacedField]) -> Iterable[Diagnostic]:
+    """FB1106: fields that do not begin where the one before ends."""
+    position = 0
+    for field in fields:
+        if field.offset != position:
+            yield Diagnostic(
+                "FB1106",
+                f"'{field.name}' begins at byte {field.offset}, "
+                f"but the fields before it end at {position}",
+                field.span_of("offset"),
+                "fields stand in the order of their offsets, without gap or overlap",
+            )
+        position = field.offset + field.length
 
 
 def covers_all(identifiers: Sequence[PlacedIdentifier]) -> bool:

@@ -85,7 +85,7 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """A table. `wide` columns, counted from 0, take what room is left."""
+    """A table; each row has a cell for each column."""
 
     columns: tuple[str, ...]
     rows: tuple[Row, ...]
