@@ -80,9 +80,9 @@ def show(
 ) -> None:
     """Show one entry with its sources."""
     from fbgen.catalog import load_catalog
-    from fbgen.cli.catalog_parts import as_json as plain
-    from fbgen.cli.catalog_parts import find_entry, find_part
-    from fbgen.cli.catalog_text import entry_text, part_text
+    from fbgen.cli.entries.catalog_parts import as_json as plain
+    from fbgen.cli.entries.catalog_parts import find_entry, find_part
+    from fbgen.cli.entries.catalog_text import entry_text, part_text
 
     known = load_catalog(catalog or ())
     if "." in entry:

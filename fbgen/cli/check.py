@@ -10,7 +10,7 @@ from fbgen.cli import FINDINGS
 from fbgen.cli.dialects import DialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.output import on_error_terminal, report, result, result_json, say
-from fbgen.cli.project_data import (
+from fbgen.cli.sources.project_data import (
     ConstantsOption,
     NumbersOption,
     TagsOption,
@@ -21,7 +21,7 @@ from fbgen.cli.project_data import (
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from fbgen.cli.plc_files import ProgramFiles
+    from fbgen.cli.sources.plc_files import ProgramFiles
     from fbgen.diagnostics import Diagnostic
 
 
@@ -126,9 +126,9 @@ def check(
     CODESYS and TwinCAT take, because of what they convert, is twincat too. Exit status 1
     if there is an error; warnings alone are status 0.
     """
-    from fbgen.cli.checking import Settings, check_programs
-    from fbgen.cli.plc_files import expand, programs_of
     from fbgen.cli.progress import Progress
+    from fbgen.cli.sources.checking import Settings, check_programs
+    from fbgen.cli.sources.plc_files import expand, programs_of
     from fbgen.diagnostics import Severity
     from fbgen.lang.families import Cpu
 
@@ -156,9 +156,9 @@ def check(
 def _print(
     findings: "Sequence[Diagnostic]", programs: "Sequence[ProgramFiles]", output: Format
 ) -> None:
-    from fbgen.cli.annotations import github_lines, gitlab_report
-    from fbgen.cli.check_report import report_of
-    from fbgen.cli.sarif import sarif_of
+    from fbgen.cli.reports.annotations import github_lines, gitlab_report
+    from fbgen.cli.reports.check_report import report_of
+    from fbgen.cli.reports.sarif import sarif_of
 
     if output is Format.JSON:
         result_json(report_of(programs, findings))

@@ -76,9 +76,9 @@ def convert(
     by name, everything at once, and nothing is written. What came out is read and checked again in
     its own dialect. Comments and layout are kept.
     """
-    from fbgen.cli.converted_files import Destination, encoded_files
     from fbgen.cli.files import write_files
-    from fbgen.cli.plc_files import dialect_of, expand
+    from fbgen.cli.sources.converted_files import Destination, encoded_files
+    from fbgen.cli.sources.plc_files import dialect_of, expand
     from fbgen.lang.conversion_proof import mistakes_in_files
 
     paths = expand(files)

@@ -6,10 +6,10 @@ from typing import Annotated
 import typer
 
 from fbgen.cli import FINDINGS
-from fbgen.cli.coverage_report import CoverageReports, FailUnderOption
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import JsonOption
 from fbgen.cli.output import report, result_json
+from fbgen.cli.reports.coverage_report import CoverageReports, FailUnderOption
 
 
 def register(program: typer.Typer) -> None:

@@ -5,13 +5,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from fbgen.cli.examples import examples
-from fbgen.cli.frame_kinds import RequestOption, SeriesOption, frame_kind
+from fbgen.cli.frames.frame_kinds import RequestOption, SeriesOption, frame_kind
 from fbgen.cli.layers import CatalogOption, JsonOption
 from fbgen.cli.output import result, result_json
 
 if TYPE_CHECKING:
     from fbgen.catalog import Catalog
-    from fbgen.cli.frame_reading import Reading
+    from fbgen.cli.frames.frame_reading import Reading
 
 
 def register(program: typer.Typer) -> None:
@@ -54,12 +54,12 @@ def decode(
 ) -> None:
     """Show what the bits of a word mean, and where that is written; or what a frame says."""
     from fbgen.catalog import load_catalog, parse_word
-    from fbgen.cli.word_tables import decoded_json, decoded_text
+    from fbgen.cli.entries.word_tables import decoded_json, decoded_text
 
     kind = frame_kind(word)
     if kind is not None:
-        from fbgen.cli.cell_texts import cell_texts
-        from fbgen.cli.frames import frame_reading
+        from fbgen.cli.frames.cell_texts import cell_texts
+        from fbgen.cli.frames.whole_frames import frame_reading
 
         _show(frame_reading(*kind, value, cell_texts(series, catalog), request), as_json)
         return
@@ -77,9 +77,9 @@ def decode(
 
 def _cyclic_data(known: "Catalog", word: str, value: str, series: str | None) -> "Reading | None":
     """The cyclic data of a gateway, or of a DeviceNet assembly; None for a word."""
-    from fbgen.cli.assembly_reading import assembly_kind, assembly_reading
-    from fbgen.cli.frames import bytes_of
-    from fbgen.cli.telegram_reading import cells_of, telegram_kind, telegram_reading
+    from fbgen.cli.frames.assembly_reading import assembly_kind, assembly_reading
+    from fbgen.cli.frames.telegram_reading import cells_of, telegram_kind, telegram_reading
+    from fbgen.cli.frames.whole_frames import bytes_of
 
     if (telegram := telegram_kind(known, word)) is not None:
         return telegram_reading(telegram, bytes_of(value), cells_of(telegram, series, known))
@@ -89,7 +89,7 @@ def _cyclic_data(known: "Catalog", word: str, value: str, series: str | None) ->
 
 
 def _show(reading: "Reading", as_json: bool) -> None:
-    from fbgen.cli.frame_reading import reading_json, reading_text
+    from fbgen.cli.frames.frame_reading import reading_json, reading_text
 
     if as_json:
         result_json(reading_json(reading))

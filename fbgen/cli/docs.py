@@ -169,7 +169,7 @@ def _subject(
     from fbgen.blocks.texts import texts_in
     from fbgen.catalog import load_catalog, with_own_sequences
     from fbgen.cli.handshakes import handshakes
-    from fbgen.cli.plc_files import expand
+    from fbgen.cli.sources.plc_files import expand
     from fbgen.docs.examples import example_programs
     from fbgen.docs.limits import NotModelled
     from fbgen.docs.program import read_program

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from fbgen.cli.examples import examples
-from fbgen.cli.frame_kinds import SeriesOption, frame_kind
+from fbgen.cli.frames.frame_kinds import SeriesOption, frame_kind
 from fbgen.cli.layers import CatalogOption, JsonOption
 from fbgen.cli.output import result, result_json
 
@@ -48,14 +48,14 @@ def encode(
 ) -> None:
     """Make a word of named bits, all others are 0; or a frame of its fields."""
     from fbgen.catalog import load_catalog
-    from fbgen.cli.telegram_reading import cells_of, telegram_kind, written_telegram
-    from fbgen.cli.word_tables import decoded_json, decoded_text
+    from fbgen.cli.entries.word_tables import decoded_json, decoded_text
+    from fbgen.cli.frames.telegram_reading import cells_of, telegram_kind, written_telegram
 
     kind = frame_kind(word)
     if kind is not None:
-        from fbgen.cli.cell_texts import cell_texts
-        from fbgen.cli.frame_reading import reading_json, reading_text
-        from fbgen.cli.frames import written_frame
+        from fbgen.cli.frames.cell_texts import cell_texts
+        from fbgen.cli.frames.frame_reading import reading_json, reading_text
+        from fbgen.cli.frames.whole_frames import written_frame
 
         reading = written_frame(*kind, bits, cell_texts(series, catalog))
         if as_json:
@@ -65,7 +65,7 @@ def encode(
         return
     known = load_catalog(catalog or ())
     if "." in word and (telegram := telegram_kind(known, word)) is not None:
-        from fbgen.cli.frame_reading import reading_json, reading_text
+        from fbgen.cli.frames.frame_reading import reading_json, reading_text
 
         cells = cells_of(telegram, series, known)
         reading = written_telegram(telegram, bits, cells)

@@ -55,7 +55,7 @@ def fmt(
     encoding, BOM and line ends; in XML only the code changes. A file with errors is reported and
     left alone. Without --dialect the file names decide, as for fbgen check.
     """
-    from fbgen.cli.plc_files import expand
+    from fbgen.cli.sources.plc_files import expand
 
     paths = expand(files)
     if stdout and (check or diff or len(paths) != 1):
@@ -79,8 +79,8 @@ def _formatted(paths: list[Path], dialect: str | None, jobs: int) -> "Iterator[F
     """Each file in its turn; what cannot be formatted comes with the reason."""
     from functools import partial
 
-    from fbgen.cli.plc_files import programs_of
     from fbgen.cli.progress import Progress
+    from fbgen.cli.sources.plc_files import programs_of
     from fbgen.lang.formatting import format_or_findings
     from fbgen.workers import in_order
 

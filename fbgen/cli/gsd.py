@@ -56,7 +56,7 @@ def gsd(
     image keep together. The last lines are for the plant file.
     """
     from fbgen.catalog import load_catalog
-    from fbgen.cli.gsd_report import GsdReport, gsd_json, gsd_text
+    from fbgen.cli.reports.gsd_report import GsdReport, gsd_json, gsd_text
     from fbgen.diagnostics import DiagnosticError
     from fbgen.plant import read_gsd_file
     from fbgen.wire.gsd import choose

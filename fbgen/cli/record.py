@@ -10,17 +10,17 @@ import typer
 
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import CatalogOption
-from fbgen.cli.line_options import (
+from fbgen.cli.output import result, say
+from fbgen.cli.ports.line_options import (
     BaudOption,
     ParityOption,
     PortOption,
     ProtocolOption,
     asked_setting,
 )
-from fbgen.cli.output import result, say
 
 if TYPE_CHECKING:
-    from fbgen.cli.frame_lines import FrameLines
+    from fbgen.cli.frames.frame_lines import FrameLines
     from fbgen.wire.line_frames import LineFrame
 
 
@@ -58,8 +58,8 @@ def record(
     the receivers' pairs or record each for itself.
     """
     from fbgen.catalog import load_catalog
-    from fbgen.cli.cell_texts import CellTexts
-    from fbgen.cli.frame_lines import FrameLines
+    from fbgen.cli.frames.cell_texts import CellTexts
+    from fbgen.cli.frames.frame_lines import FrameLines
     from harness.serial import Recording, protocol_of, serial_port, write_frame, write_head
 
     known = load_catalog(catalog or ()).drive(series)
@@ -96,7 +96,7 @@ def record(
 
 def frame_row(frame: "LineFrame", lines: "FrameLines") -> str:
     """A frame on one line: when, which way, its bytes, what it says."""
-    from fbgen.cli.frame_lines import frame_bytes
+    from fbgen.cli.frames.frame_lines import frame_bytes
 
     arrow = {"request": ">", "reply": "<"}.get(frame.direction, "?")
     said = lines.line(frame.direction, frame.data)

@@ -9,8 +9,8 @@ import typer
 
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import CatalogOption, JsonOption
-from fbgen.cli.line_options import PortIfAnyOption
 from fbgen.cli.output import result, result_json, say
+from fbgen.cli.ports.line_options import PortIfAnyOption
 from fbgen.cli.record import frame_row
 
 if TYPE_CHECKING:
@@ -81,8 +81,8 @@ def replay(
 
 
 def _show(traffic: "Traffic", series: "Drive", as_json: bool) -> None:
-    from fbgen.cli.cell_texts import CellTexts
-    from fbgen.cli.frame_lines import FrameLines
+    from fbgen.cli.frames.cell_texts import CellTexts
+    from fbgen.cli.frames.frame_lines import FrameLines
 
     lines = FrameLines(traffic.setting.protocol, lambda address: CellTexts(series))
     if not as_json:
@@ -103,8 +103,8 @@ def _show(traffic: "Traffic", series: "Drive", as_json: bool) -> None:
 
 def _refuse_starting(traffic: "Traffic", series: "Drive") -> None:
     """FB9053 if a request of the recording may start a motor."""
-    from fbgen.cli.frame_lines import frame_bytes
-    from fbgen.cli.motor_start import may_start
+    from fbgen.cli.frames.frame_lines import frame_bytes
+    from fbgen.cli.frames.motor_start import may_start
     from fbgen.diagnostics import error
 
     for frame in traffic.frames:
@@ -121,8 +121,8 @@ class _Player:
     """Plays, and tells each exchange."""
 
     def __init__(self, traffic: "Traffic", series: "Drive", as_json: bool) -> None:
-        from fbgen.cli.cell_texts import CellTexts
-        from fbgen.cli.frame_lines import FrameLines
+        from fbgen.cli.frames.cell_texts import CellTexts
+        from fbgen.cli.frames.frame_lines import FrameLines
 
         self._traffic = traffic
         self._as_json = as_json

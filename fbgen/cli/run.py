@@ -13,8 +13,8 @@ from fbgen.cli import FINDINGS
 from fbgen.cli.dialects import DialectOption
 from fbgen.cli.examples import examples
 from fbgen.cli.output import report, result, result_json, say
-from fbgen.cli.plc_files import dialect_of, expand
-from fbgen.cli.project_data import (
+from fbgen.cli.sources.plc_files import dialect_of, expand
+from fbgen.cli.sources.project_data import (
     ConstantsOption,
     NumbersOption,
     TagsOption,

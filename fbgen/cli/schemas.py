@@ -40,7 +40,7 @@ def schema_texts() -> dict[str, str]:
     from fbgen.catalog import Drive, Manual, Sequence
     from fbgen.catalog.file_models import GatewayFile, ProtocolFile
     from fbgen.catalog.schema import schema_text
-    from fbgen.cli.check_report import CheckReport
+    from fbgen.cli.reports.check_report import CheckReport
     from fbgen.plant import Plant
     from harness.scenario.model import Scenario
     from harness.trace.lines import TraceFileLine

@@ -5,13 +5,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fbgen.cli import sim_drive
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import CatalogOption
-from fbgen.cli.line_options import PortIfAnyOption, PtyOption
 from fbgen.cli.output import result, say
-from fbgen.cli.sim_can import OptionWanted, serve_option
-from fbgen.cli.state_line import StateLine
+from fbgen.cli.ports import sim_drive
+from fbgen.cli.ports.line_options import PortIfAnyOption, PtyOption
+from fbgen.cli.ports.sim_can import OptionWanted, serve_option
+from fbgen.cli.ports.state_line import StateLine
 
 if TYPE_CHECKING:
     from fbgen.catalog import Catalog

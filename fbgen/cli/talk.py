@@ -10,20 +10,20 @@ import typer
 from fbgen.cli import FINDINGS
 from fbgen.cli.examples import examples
 from fbgen.cli.layers import CatalogOption, JsonOption
-from fbgen.cli.line_options import (
+from fbgen.cli.output import on_error_terminal, report, result, result_json, say
+from fbgen.cli.ports.line_options import (
     BaudOption,
     ParityOption,
     PortOption,
     ProtocolOption,
     asked_setting,
 )
-from fbgen.cli.output import on_error_terminal, report, result, result_json, say
 from fbgen.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from fbgen.cli.cell_texts import CellTexts
-    from fbgen.cli.talk_answers import Answer
-    from fbgen.cli.talk_requests import Question, Talking
+    from fbgen.cli.frames.cell_texts import CellTexts
+    from fbgen.cli.ports.talk_answers import Answer
+    from fbgen.cli.ports.talk_requests import Question, Talking
     from harness.serial import Asking, LineSetting, Port
 
 _HELP = (
@@ -95,8 +95,8 @@ def talk(
     Starting a motor takes --yes or an answer to a question: somebody may stand beside it.
     """
     from fbgen.catalog import load_catalog
-    from fbgen.cli.cell_texts import CellTexts
-    from fbgen.cli.talk_requests import Form, Talking
+    from fbgen.cli.frames.cell_texts import CellTexts
+    from fbgen.cli.ports.talk_requests import Form, Talking
     from harness.serial import Asking, protocol_of, serial_port
 
     known = load_catalog(catalog or ()).drive(series)
@@ -140,8 +140,8 @@ class _Session:
         Raises DiagnosticError FB9050 to FB9053 and those of names and values; of several
         inverters all are asked first.
         """
-        from fbgen.cli.talk_answers import answer_json, answer_text
-        from fbgen.cli.talk_requests import questions
+        from fbgen.cli.ports.talk_answers import answer_json, answer_text
+        from fbgen.cli.ports.talk_requests import questions
         from fbgen.diagnostics import Diagnostic, DiagnosticError
 
         asked = questions([word for word in words if word != "--yes"], self._talking)
@@ -167,7 +167,7 @@ class _Session:
             raise DiagnosticError(found)
 
     def _ask(self, question: "Question") -> "Answer":
-        from fbgen.cli.talk_answers import answer_of
+        from fbgen.cli.ports.talk_answers import answer_of
 
         heard = self._asking.ask(question.frame, answered=question.answered)
         return answer_of(question, heard, self._talking)
@@ -256,7 +256,7 @@ def _confirm(question: "Question") -> None:
 
 
 def _tell_bytes(direction: str, data: bytes, took_ns: int) -> None:
-    from fbgen.cli.frame_lines import frame_bytes
+    from fbgen.cli.frames.frame_lines import frame_bytes
 
     arrow = ">" if direction == "sent" else "<"
     say(f"{took_ns / 1e6:9.3f} ms {arrow} {frame_bytes(data)}")
@@ -282,7 +282,7 @@ def _scan(
     numbers: str | None,
     as_json: bool,
 ) -> None:
-    from fbgen.cli.talk_scan import scan, scan_numbers, scan_settings
+    from fbgen.cli.ports.talk_scan import scan, scan_numbers, scan_settings
     from fbgen.diagnostics import error
     from harness.serial import has_speed, serial_port
 

@@ -11,13 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from fbgen.cli import FINDINGS, INTERRUPTED, READER_GONE
-from fbgen.cli.coverage_report import CoverageOption, FailUnderOption, coverage_writer
 from fbgen.cli.dialects import PlantDialectOption
 from fbgen.cli.examples import examples
-from fbgen.cli.failure_annotations import AnnotationsOption, AnnotationWriter, CodeHost
-from fbgen.cli.hardware import HardwarePortOption, RealOption, YesOption, hardware_writer
-from fbgen.cli.html_report import HtmlOption, HtmlWriter, asked_for
-from fbgen.cli.junit_report import JunitOption, JunitWriter
 from fbgen.cli.layers import CatalogOption, JsonOption
 from fbgen.cli.output import (
     Unread,
@@ -28,8 +23,13 @@ from fbgen.cli.output import (
     result_json,
     say,
 )
+from fbgen.cli.ports.hardware import HardwarePortOption, RealOption, YesOption, hardware_writer
 from fbgen.cli.progress import Progress
-from fbgen.cli.trace_reports import TraceOption, VcdOption, trace_writers
+from fbgen.cli.reports.coverage_report import CoverageOption, FailUnderOption, coverage_writer
+from fbgen.cli.reports.failure_annotations import AnnotationsOption, AnnotationWriter, CodeHost
+from fbgen.cli.reports.html_report import HtmlOption, HtmlWriter, asked_for
+from fbgen.cli.reports.junit_report import JunitOption, JunitWriter
+from fbgen.cli.reports.trace_reports import TraceOption, VcdOption, trace_writers
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

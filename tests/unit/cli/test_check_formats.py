@@ -7,7 +7,7 @@ from urllib.parse import unquote
 
 import pytest
 
-from fbgen.cli.check_report import CheckReport
+from fbgen.cli.reports.check_report import CheckReport
 from tests.unit.cli.running import Fbgen, Run
 
 _TEXT = """\

@@ -7,7 +7,7 @@ from contextlib import closing
 
 import pytest
 
-from fbgen.cli.keyboard import NoKeyboard, keyboard
+from fbgen.cli.ports.keyboard import NoKeyboard, keyboard
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux makes pseudo terminals")

@@ -117,7 +117,7 @@ def test_ctrl_c_ends_with_a_summary_and_gives_the_port_back(
 def test_a_pbdp110_is_served_with_its_drives(fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch) -> None:
     port = OneRequest("10 03 01 49 4D 16")
     monkeypatch.setattr("fbgen.cli.sim._open", lambda name, baud: port)
-    monkeypatch.setattr("fbgen.cli.state_line.on_error_terminal", lambda: True)
+    monkeypatch.setattr("fbgen.cli.ports.state_line.on_error_terminal", lambda: True)
     run = fbgen("sim", "gateway", "--port", "COM3", "--type", "pbdp110", "--layout", "module4")
     assert port.sent == bytes.fromhex("10 01 03 00 04 16")
     assert "gw1 (address 3) waiting for parameters, no master; pump stopped; fan stopped" in run.err
@@ -128,7 +128,7 @@ def test_a_terminal_shows_what_the_devices_do(
     fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("fbgen.cli.sim._open", lambda name, baud: OneRequest())
-    monkeypatch.setattr("fbgen.cli.state_line.on_error_terminal", lambda: True)
+    monkeypatch.setattr("fbgen.cli.ports.state_line.on_error_terminal", lambda: True)
     run = fbgen("sim", "gateway", "--port", "COM3")
     assert "gw1 (address 2) waiting for parameters, no master; drive11 stopped" in run.err
 
@@ -185,8 +185,8 @@ def test_a_dev003z_is_served_at_a_can_interface(
     fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     network = QuietNetwork()
-    monkeypatch.setattr("fbgen.cli.sim_can._open", lambda name, rate: network)
-    monkeypatch.setattr("fbgen.cli.state_line.on_error_terminal", lambda: True)
+    monkeypatch.setattr("fbgen.cli.ports.sim_can._open", lambda name, rate: network)
+    monkeypatch.setattr("fbgen.cli.ports.state_line.on_error_terminal", lambda: True)
     options = ["--address", "5", "--layout", "toshiba_parameter", "--series", "vf-mb1"]
     log = tmp_path / "desk.asc"
     run = fbgen("sim", "gateway", "--can", "virtual:desk", *options, "--log", str(log))

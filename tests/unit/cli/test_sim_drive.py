@@ -12,10 +12,10 @@ import pytest
 import serial
 
 from fbgen.catalog import load_catalog
-from fbgen.cli.cell_texts import CellTexts
-from fbgen.cli.drive_display import LineDisplay, TableDisplay
-from fbgen.cli.drive_keys import DRIVE_FAULTS, KEYS, LINE_FAULTS, DriveKeys
-from fbgen.cli.frame_lines import FrameLines
+from fbgen.cli.frames.cell_texts import CellTexts
+from fbgen.cli.frames.frame_lines import FrameLines
+from fbgen.cli.ports.drive_display import LineDisplay, TableDisplay
+from fbgen.cli.ports.drive_keys import DRIVE_FAULTS, KEYS, LINE_FAULTS, DriveKeys
 from harness.faults import FIELD_FAULTS
 from harness.serial import FaultSwitches, drive_states
 from tests.unit.cli.running import Fbgen
@@ -174,7 +174,7 @@ def test_drawing_waits_while_something_is_about_to_happen(
     table = TableDisplay(line.served, states, frame_lines(), faults, keys)
     drawn: list[float] = []
     now = [100.0]
-    monkeypatch.setattr("fbgen.cli.drive_display.monotonic", lambda: now[0])
+    monkeypatch.setattr("fbgen.cli.ports.drive_display.monotonic", lambda: now[0])
     monkeypatch.setattr(table, "_content", lambda: drawn.append(now[0]) or "")
     for at_s, idle_s in ((100, 0), (100.3, 0), (100.4, 1), (100.5, 1), (100.7, 1), (101.8, 0)):
         now[0] = at_s

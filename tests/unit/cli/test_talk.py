@@ -9,7 +9,7 @@ from time import sleep
 import pytest
 
 from fbgen.catalog import load_catalog
-from fbgen.cli.talk_requests import Form, Talking, questions
+from fbgen.cli.ports.talk_requests import Form, Talking, questions
 from fbgen.diagnostics import DiagnosticError
 from fbgen.wire.toshiba import checksum
 from tests.unit.cli.running import Fbgen, Run
@@ -203,7 +203,7 @@ def test_a_damaged_reply_and_one_of_another_are_told_apart(fbgen: Fbgen, line: S
 def test_a_scan_finds_the_inverters(
     fbgen: Fbgen, line: Serving, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("fbgen.cli.talk_scan._TIMEOUT_NS", 500_000_000)
+    monkeypatch.setattr("fbgen.cli.ports.talk_scan._TIMEOUT_NS", 500_000_000)
     run = talk(fbgen, line, "scan --numbers 1-2,5")
     assert run.status == 0
     assert run.out.splitlines() == [f"INV-NO {number}: {line.port}" for number in (1, 2)]
@@ -241,7 +241,7 @@ def test_a_scan_tries_every_speed_and_parity_of_the_series(
 
     monkeypatch.setattr("harness.serial.serial_port", opened)
     monkeypatch.setattr("harness.serial.asking._PROBE_NS", 0)
-    monkeypatch.setattr("fbgen.cli.talk_scan._TIMEOUT_NS", 0)
+    monkeypatch.setattr("fbgen.cli.ports.talk_scan._TIMEOUT_NS", 0)
     run = fbgen("talk", "--port", "COM3", "scan", "--numbers", "1")
     assert run.status == 1
     assert tried[0] == "9600 8E1"

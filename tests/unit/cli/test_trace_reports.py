@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from vcdvcd import VCDVCD
 
-from fbgen.cli.trace_reports import file_names
+from fbgen.cli.reports.trace_reports import file_names
 from fbgen.source import Source
 from harness.trace import read_traces
 from tests.unit.cli.running import Fbgen

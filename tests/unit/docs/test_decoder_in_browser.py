@@ -6,8 +6,8 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from fbgen.catalog import load_catalog, parse_word
-from fbgen.cli.cell_texts import CellTexts
-from fbgen.cli.telegram_reading import telegram_kind, written_telegram
+from fbgen.cli.frames.cell_texts import CellTexts
+from fbgen.cli.frames.telegram_reading import telegram_kind, written_telegram
 from fbgen.diagnostics import DiagnosticError
 from fbgen.wire import toshiba_binary
 from fbgen.wire.toshiba import Command, Form, Request

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from fbgen.cli.plc_files import programs_of
+from fbgen.cli.sources.plc_files import programs_of
 from fbgen.lang.containers import read_document
 from fbgen.lang.containers.age import Age, age_of
 

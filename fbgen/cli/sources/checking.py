@@ -10,8 +10,8 @@ from dataclasses import field, replace
 from functools import partial
 from pathlib import Path
 
-from fbgen.cli.plc_files import ProgramFiles
 from fbgen.cli.progress import Progress
+from fbgen.cli.sources.plc_files import ProgramFiles
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
 from fbgen.lang import ast

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from fbgen.catalog import ComNo, parse_word
-from fbgen.cli.cell_texts import CellTexts
+from fbgen.cli.frames.cell_texts import CellTexts
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.nearest import nearest
 

@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 
-from fbgen.cli.cell_texts import CellTexts
-from fbgen.cli.frame_fields import Fields
-from fbgen.cli.frame_reading import Reading
-from fbgen.cli.modbus_reading import modbus_reading
-from fbgen.cli.modbus_writing import modbus_frame
-from fbgen.cli.toshiba_reading import toshiba_reading
-from fbgen.cli.toshiba_writing import toshiba_frame
+from fbgen.cli.frames.cell_texts import CellTexts
+from fbgen.cli.frames.frame_fields import Fields
+from fbgen.cli.frames.frame_reading import Reading
+from fbgen.cli.frames.modbus_reading import modbus_reading
+from fbgen.cli.frames.modbus_writing import modbus_frame
+from fbgen.cli.frames.toshiba_reading import toshiba_reading
+from fbgen.cli.frames.toshiba_writing import toshiba_frame
 from fbgen.diagnostics import error
 
 

@@ -8,11 +8,11 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from fbgen.catalog import Catalog, CyclicField, Layout, ProfibusGateway, Word
-from fbgen.cli.cell_texts import CellTexts
-from fbgen.cli.frame_fields import Fields
-from fbgen.cli.frame_reading import Part, Reading, size_of
-from fbgen.cli.toshiba_answers import address_text
-from fbgen.cli.toshiba_reading import command_text
+from fbgen.cli.frames.cell_texts import CellTexts
+from fbgen.cli.frames.frame_fields import Fields
+from fbgen.cli.frames.frame_reading import Part, Reading, size_of
+from fbgen.cli.frames.toshiba_answers import address_text
+from fbgen.cli.frames.toshiba_reading import command_text
 from fbgen.diagnostics import error
 
 WAYS = ("output", "input")

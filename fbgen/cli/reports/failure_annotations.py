@@ -45,9 +45,9 @@ class AnnotationWriter:
         """Print or write it. FB9002 if the file cannot be written."""
         import json
 
-        from fbgen.cli.annotations import github_lines, gitlab_report
         from fbgen.cli.files import write_file
         from fbgen.cli.output import result
+        from fbgen.cli.reports.annotations import github_lines, gitlab_report
         from harness.report.findings import findings_of
 
         findings = list(findings_of(report))

@@ -1,8 +1,8 @@
 """A protocol of the catalogue as text for a person."""
 
 from fbgen.catalog import ModbusProtocol, Protocol, ToshibaProtocol
+from fbgen.cli.entries.word_tables import Sources
 from fbgen.cli.table import table
-from fbgen.cli.word_tables import Sources
 
 
 def protocol_text(protocol: Protocol, sources: Sources) -> list[str]:

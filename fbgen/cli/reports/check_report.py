@@ -5,7 +5,7 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from fbgen.cli.plc_files import ProgramFiles
+from fbgen.cli.sources.plc_files import ProgramFiles
 from fbgen.diagnostics import Diagnostic, Severity
 
 

@@ -12,9 +12,9 @@ from fbgen.catalog import (
     Word,
 )
 from fbgen.catalog.options import Option
-from fbgen.cli.devicenet_text import devicenet_text
+from fbgen.cli.entries.devicenet_text import devicenet_text
+from fbgen.cli.entries.word_tables import Sources
 from fbgen.cli.table import table
-from fbgen.cli.word_tables import Sources
 
 
 def gateway_text(gateway: Gateway, sources: Sources) -> list[str]:

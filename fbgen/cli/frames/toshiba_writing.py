@@ -1,6 +1,6 @@
 """Frames of the Toshiba protocol from their fields, for `fbgen encode`."""
 
-from fbgen.cli.frame_fields import Fields
+from fbgen.cli.frames.frame_fields import Fields
 from fbgen.wire import toshiba_ascii, toshiba_binary, toshiba_block
 from fbgen.wire.toshiba import (
     BROADCAST,

@@ -6,7 +6,7 @@ from enum import Enum
 
 from fbgen.catalog import ComNo, Drive, Word, parse_word
 from fbgen.catalog.comno_names import named_comno
-from fbgen.cli.motor_start import STARTS
+from fbgen.cli.frames.motor_start import STARTS
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.nearest import nearest

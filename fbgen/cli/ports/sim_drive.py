@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from fbgen.cli.examples import examples
-from fbgen.cli.keyboard import keyboard
 from fbgen.cli.layers import CatalogOption
-from fbgen.cli.line_options import (
+from fbgen.cli.output import on_error_terminal, result, say
+from fbgen.cli.ports.keyboard import keyboard
+from fbgen.cli.ports.line_options import (
     BaudOption,
     ParityOption,
     PortIfAnyOption,
@@ -17,12 +18,11 @@ from fbgen.cli.line_options import (
     PtyOption,
     asked_setting,
 )
-from fbgen.cli.output import on_error_terminal, result, say
 
 if TYPE_CHECKING:
-    from fbgen.cli.drive_display import LineDisplay, TableDisplay
-    from fbgen.cli.drive_keys import DriveKeys
-    from fbgen.cli.frame_lines import FrameLines
+    from fbgen.cli.frames.frame_lines import FrameLines
+    from fbgen.cli.ports.drive_display import LineDisplay, TableDisplay
+    from fbgen.cli.ports.drive_keys import DriveKeys
     from harness.drives import ReplyTime
     from harness.serial import FaultSwitches, Port, ServedDrives
 
@@ -112,7 +112,7 @@ def drive(
     terminal a table shows what they do, and keys switch faults on and off.
     """
     from fbgen.catalog import load_catalog
-    from fbgen.cli.drive_options import drives_to_serve, named_drives
+    from fbgen.cli.ports.drive_options import drives_to_serve, named_drives
     from fbgen.cli.sim import check_port
     from harness.serial import PseudoTerminal, serial_port, serve_drives
 
@@ -186,8 +186,8 @@ def _serve(
 def _shown(
     served: "ServedDrives", faults: "FaultSwitches", verbose: bool
 ) -> "tuple[LineDisplay | TableDisplay, DriveKeys]":
-    from fbgen.cli.drive_display import LineDisplay, TableDisplay
-    from fbgen.cli.drive_keys import DriveKeys
+    from fbgen.cli.ports.drive_display import LineDisplay, TableDisplay
+    from fbgen.cli.ports.drive_keys import DriveKeys
     from harness.serial import drive_states
 
     keys = DriveKeys(served, faults)
@@ -209,8 +209,8 @@ def _beginning(served: "ServedDrives", port: "Port", control: str | None) -> str
 
 
 def _lines(served: "ServedDrives") -> "FrameLines":
-    from fbgen.cli.cell_texts import CellTexts
-    from fbgen.cli.frame_lines import FrameLines
+    from fbgen.cli.frames.cell_texts import CellTexts
+    from fbgen.cli.frames.frame_lines import FrameLines
 
     by_number = {drive.inv_no: drive.series for drive in served.drives.values()}
     first = next(iter(by_number.values()))

@@ -6,9 +6,9 @@ manual E6581315, pp. 19-20, 45; VF-S15 RS485 manual E6581913, pp. 12-13.
 
 from collections.abc import Iterator
 
-from fbgen.cli.cell_texts import CellTexts
-from fbgen.cli.frame_reading import Part, Reading, directions, no_frame, shown, wrong_size
-from fbgen.cli.toshiba_answers import ERRORS, READS, Message, address_text, remarks
+from fbgen.cli.frames.cell_texts import CellTexts
+from fbgen.cli.frames.frame_reading import Part, Reading, directions, no_frame, shown, wrong_size
+from fbgen.cli.frames.toshiba_answers import ERRORS, READS, Message, address_text, remarks
 from fbgen.wire import toshiba_ascii, toshiba_binary, toshiba_block
 from fbgen.wire.toshiba import (
     ASCII_START,

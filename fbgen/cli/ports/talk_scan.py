@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from fbgen.cli.talk_requests import Talking, questions
+from fbgen.cli.ports.talk_requests import Talking, questions
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.wire import modbus, toshiba
 

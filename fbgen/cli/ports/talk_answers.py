@@ -2,11 +2,11 @@
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from fbgen.cli.cell_texts import CellTexts
-from fbgen.cli.frame_lines import frame_bytes
-from fbgen.cli.modbus_reading import EXCEPTIONS
-from fbgen.cli.talk_requests import Question, Talking
-from fbgen.cli.toshiba_answers import ERRORS
+from fbgen.cli.frames.cell_texts import CellTexts
+from fbgen.cli.frames.frame_lines import frame_bytes
+from fbgen.cli.frames.modbus_reading import EXCEPTIONS
+from fbgen.cli.frames.toshiba_answers import ERRORS
+from fbgen.cli.ports.talk_requests import Question, Talking
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
 from fbgen.wire import modbus_rtu, toshiba_stream
 from fbgen.wire.line_protocols import LINE_PROTOCOLS

@@ -13,8 +13,8 @@ from fbgen.catalog import (
     ToshibaService,
 )
 from fbgen.catalog.communication import Part
+from fbgen.cli.entries.word_tables import Sources
 from fbgen.cli.table import table
-from fbgen.cli.word_tables import Sources
 
 
 def communication_text(drive: Drive, sources: Sources) -> list[str]:

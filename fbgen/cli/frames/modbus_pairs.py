@@ -1,6 +1,6 @@
 """Whether a MODBUS reply answers a request, and which ComNos its words are of."""
 
-from fbgen.cli.frame_reading import no_frame, shown
+from fbgen.cli.frames.frame_reading import no_frame, shown
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.wire import modbus, modbus_rtu
 

@@ -5,8 +5,8 @@ from collections.abc import Iterable, Iterator
 from fbgen.catalog import Assembly, DeviceNetGateway
 from fbgen.catalog.devicenet_objects import Attribute, ObjectClass, Service
 from fbgen.catalog.sourced import Sourced
+from fbgen.cli.entries.word_tables import Sources
 from fbgen.cli.table import table
-from fbgen.cli.word_tables import Sources
 
 
 def devicenet_text(gateway: DeviceNetGateway, sources: Sources) -> list[str]:

@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from fbgen.cli.output import say
-from fbgen.cli.state_line import StateLine
+from fbgen.cli.ports.state_line import StateLine
 from fbgen.dataclass import dataclass
 
 if TYPE_CHECKING:

@@ -135,7 +135,7 @@ def dialect_of(paths: Sequence[Path]) -> str:
     Structured Text that only CODESYS and TwinCAT take, because of what they convert by themselves,
     is `twincat`.
     """
-    from fbgen.cli.checking import Settings, settled
+    from fbgen.cli.sources.checking import Settings, settled
 
     programs = programs_of(paths, None)
     if len(programs) == 1:

@@ -3,11 +3,11 @@
 from collections.abc import Callable
 from itertools import count
 
-from fbgen.cli.cell_texts import CellTexts
-from fbgen.cli.frame_reading import shown
-from fbgen.cli.modbus_pairs import first_word
-from fbgen.cli.modbus_reading import EXCEPTIONS
-from fbgen.cli.toshiba_answers import ERRORS, READS, address_text
+from fbgen.cli.frames.cell_texts import CellTexts
+from fbgen.cli.frames.frame_reading import shown
+from fbgen.cli.frames.modbus_pairs import first_word
+from fbgen.cli.frames.modbus_reading import EXCEPTIONS
+from fbgen.cli.frames.toshiba_answers import ERRORS, READS, address_text
 from fbgen.diagnostics import DiagnosticError
 from fbgen.wire import modbus, modbus_rtu, toshiba_stream
 from fbgen.wire.line_frames import Direction

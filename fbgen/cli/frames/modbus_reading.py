@@ -6,9 +6,17 @@ E6581913, pp. 25-39.
 
 from collections.abc import Iterator
 
-from fbgen.cli.cell_texts import CellTexts
-from fbgen.cli.frame_reading import Part, Reading, directions, no_frame, shown, size_of, wrong_size
-from fbgen.cli.modbus_pairs import Message, first_word
+from fbgen.cli.frames.cell_texts import CellTexts
+from fbgen.cli.frames.frame_reading import (
+    Part,
+    Reading,
+    directions,
+    no_frame,
+    shown,
+    size_of,
+    wrong_size,
+)
+from fbgen.cli.frames.modbus_pairs import Message, first_word
 from fbgen.wire import modbus, modbus_rtu
 from fbgen.wire.modbus_lengths import expected_reply_length, reply_length, request_length
 

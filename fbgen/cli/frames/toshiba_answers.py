@@ -6,8 +6,8 @@ VF-S15 RS485 manual E6581913, pp. 12-13.
 
 from collections.abc import Iterator
 
-from fbgen.cli.cell_texts import CellTexts
-from fbgen.cli.frame_reading import shown
+from fbgen.cli.frames.cell_texts import CellTexts
+from fbgen.cli.frames.frame_reading import shown
 from fbgen.wire import toshiba_ascii, toshiba_binary
 from fbgen.wire.toshiba import (
     BROADCAST,

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from fbgen.catalog import Assembly, Catalog, DeviceNetGateway
 from fbgen.catalog.devicenet_gateways import AssemblyField
-from fbgen.cli.frame_reading import Part, Reading, size_of
-from fbgen.cli.telegram_reading import set_bits
+from fbgen.cli.frames.frame_reading import Part, Reading, size_of
+from fbgen.cli.frames.telegram_reading import set_bits
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import error
 

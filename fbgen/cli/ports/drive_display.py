@@ -5,9 +5,9 @@ from collections.abc import Callable
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from fbgen.cli.drive_keys import KEYS, DriveKeys
-from fbgen.cli.frame_lines import FrameLines, frame_bytes
+from fbgen.cli.frames.frame_lines import FrameLines, frame_bytes
 from fbgen.cli.output import say
+from fbgen.cli.ports.drive_keys import KEYS, DriveKeys
 
 if TYPE_CHECKING:
     from rich.console import RenderableType

@@ -18,11 +18,11 @@ from fbgen.catalog import (
 )
 from fbgen.catalog import Sequence as CommandSequence
 from fbgen.catalog.catalog import Entry
-from fbgen.cli.communication_text import communication_text
-from fbgen.cli.gateway_text import gateway_text, options_text, switches_text
-from fbgen.cli.protocol_text import protocol_text
+from fbgen.cli.entries.communication_text import communication_text
+from fbgen.cli.entries.gateway_text import gateway_text, options_text, switches_text
+from fbgen.cli.entries.protocol_text import protocol_text
+from fbgen.cli.entries.word_tables import Sources, bits_text, source_list
 from fbgen.cli.table import paragraph, table
-from fbgen.cli.word_tables import Sources, bits_text, source_list
 
 
 def entry_text(entry: Entry) -> str:

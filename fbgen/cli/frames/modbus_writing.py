@@ -1,6 +1,6 @@
 """Frames of MODBUS-RTU from their fields, for `fbgen encode`."""
 
-from fbgen.cli.frame_fields import Fields
+from fbgen.cli.frames.frame_fields import Fields
 from fbgen.wire import modbus, modbus_rtu
 from fbgen.wire.modbus_layout import IDENTIFY_CODES
 

@@ -1,0 +1,1 @@
+"""Entries of the catalogue as text for a person."""

@@ -1,0 +1,1 @@
+"""Frames and cyclic data as people read and write them: for decode, encode, talk, record."""

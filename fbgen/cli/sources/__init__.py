@@ -1,0 +1,1 @@
+"""PLC sources that commands are given: which files, as which programs, with what beside them."""
