@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from fbgen.lang.checked import WORKS, Program, RoutineCall
-from fbgen.lang.checker.literals import default_value
+from fbgen.lang.checker.types.literals import default_value
 from fbgen.lang.types import INT, VOID, WORD, Elementary, StringType, StructType, Type
 from harness.engine.faults import not_modelled, unknown_output, wrong_result
 from harness.engine.interface import Value

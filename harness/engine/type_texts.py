@@ -3,7 +3,7 @@
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang import ast
 from fbgen.lang.checked import Program
-from fbgen.lang.checker.type_names import elementary_type
+from fbgen.lang.checker.declared.type_names import elementary_type
 from fbgen.lang.parser import parse
 from fbgen.lang.types import DTL, S7_STRING_LENGTH, ArrayType, StringType, Type
 from fbgen.source import Source

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from hypothesis import strategies as st
 
-from fbgen.lang.checker.function_signatures import (
+from fbgen.lang.checker.supplied.function_signatures import (
     COMMON,
     EXPECTED,
     FAMILIES,
@@ -19,7 +19,7 @@ from fbgen.lang.checker.function_signatures import (
     Function,
     Slot,
 )
-from fbgen.lang.checker.standard_functions import (
+from fbgen.lang.checker.supplied.standard_functions import (
     CHAINED_COMPARISONS,
     DATE_FUNCTIONS,
     ROUNDED_TO_REAL,

@@ -15,8 +15,8 @@ from standard_function_cases import Case, cases, values
 
 from fbgen.diagnostics import DiagnosticError, Severity
 from fbgen.lang.checker import check_reporting
-from fbgen.lang.checker.routines import MODELLED
-from fbgen.lang.checker.standard_functions import canonical_names
+from fbgen.lang.checker.supplied.routines import MODELLED
+from fbgen.lang.checker.supplied.standard_functions import canonical_names
 from fbgen.lang.dates import of_dialect
 from fbgen.lang.parser import parse
 from fbgen.source import Source

@@ -10,7 +10,7 @@ from typing import Any
 from fbgen.lang import ast
 from fbgen.lang.checked import Dereference, Expression, Place
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.literals import ERRONEOUS, erroneous
+from fbgen.lang.checker.types.literals import ERRONEOUS, erroneous
 from fbgen.lang.types import ReferenceType, Type
 
 Check = Callable[[Context, Any, Type | None], Expression]

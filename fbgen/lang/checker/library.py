@@ -13,27 +13,27 @@ from fbgen.lang import ast
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import LIVING, AnyBlock, Block, StandardBlock, Variable, VariableKind
 from fbgen.lang.checked.variables import RECEIVER
-from fbgen.lang.checker.configured_variables import with_configured_variables
+from fbgen.lang.checker.calls.enabling import enable_variables
+from fbgen.lang.checker.calls.unmodelled import assigned_members, hardware_block, stubbed_block
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.enabling import enable_variables
+from fbgen.lang.checker.declared.configured_variables import with_configured_variables
+from fbgen.lang.checker.declared.generic_blocks import with_values
+from fbgen.lang.checker.declared.global_lists import GlobalLists, named_by_their_files
+from fbgen.lang.checker.declared.initials import Initials
+from fbgen.lang.checker.declared.instance_starts import InstanceStarts
+from fbgen.lang.checker.declared.interfaces import Interfaces
+from fbgen.lang.checker.declared.lone_members import with_their_members
+from fbgen.lang.checker.declared.memory_use import MemoryUse, is_optimized
+from fbgen.lang.checker.declared.namespaces import Namespaces, written_whole
+from fbgen.lang.checker.declared.objects import Objects, kept_sections
+from fbgen.lang.checker.declared.type_names import TypeResolver
+from fbgen.lang.checker.declared.variable_access import VariableAccess
 from fbgen.lang.checker.findings import Findings
-from fbgen.lang.checker.generic_blocks import with_values
-from fbgen.lang.checker.global_lists import GlobalLists, named_by_their_files
-from fbgen.lang.checker.initials import Initials
-from fbgen.lang.checker.instance_starts import InstanceStarts
-from fbgen.lang.checker.interfaces import Interfaces
-from fbgen.lang.checker.literals import ERRONEOUS
-from fbgen.lang.checker.lone_members import with_their_members
-from fbgen.lang.checker.memory_use import MemoryUse, is_optimized
-from fbgen.lang.checker.namespaces import Namespaces, written_whole
-from fbgen.lang.checker.objects import Objects, kept_sections
-from fbgen.lang.checker.own_names import with_own_names
+from fbgen.lang.checker.operands.own_names import with_own_names
 from fbgen.lang.checker.rules import Rules
-from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS, standard_block
+from fbgen.lang.checker.supplied.standard_blocks import STANDARD_BLOCKS, standard_block
 from fbgen.lang.checker.symbols import Scope
-from fbgen.lang.checker.type_names import TypeResolver
-from fbgen.lang.checker.unmodelled import assigned_members, hardware_block, stubbed_block
-from fbgen.lang.checker.variable_access import VariableAccess
+from fbgen.lang.checker.types.literals import ERRONEOUS
 from fbgen.lang.other_languages import is_foreign
 from fbgen.lang.types import VOID, BlockType, Initial, StructType, Type
 from fbgen.source import Span

@@ -7,7 +7,7 @@ reference refers to a variable, and all variables are there from the start.
 from fbgen.diagnostics import Diagnostic, Severity
 from fbgen.lang.checked import Expression
 from fbgen.lang.checker.context import Context
-from fbgen.lang.checker.literals import erroneous
+from fbgen.lang.checker.types.literals import erroneous
 from fbgen.source import Span
 
 _HELP = "a run stops at this statement; without it the block runs"

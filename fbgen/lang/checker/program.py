@@ -10,18 +10,18 @@ from fbgen.lang import ast
 from fbgen.lang.analysis import analyse, without_allowed
 from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import Block, Program, Statement, Stop, Variable
-from fbgen.lang.checker import expressions  # noqa: F401  (enters the checks of expressions)
-from fbgen.lang.checker.configuration import tasks_of
-from fbgen.lang.checker.enabling import begin_enabled
+from fbgen.lang.checker.calls.enabling import begin_enabled
+from fbgen.lang.checker.declared.configuration import tasks_of
+from fbgen.lang.checker.declared.recursion import report_recursive_calls
 from fbgen.lang.checker.findings import Findings
-from fbgen.lang.checker.jumps import check_jumps
 from fbgen.lang.checker.library import Library
-from fbgen.lang.checker.local_errors import with_local_errors
-from fbgen.lang.checker.pointed_memory import lay_out_what_is_pointed_to
-from fbgen.lang.checker.recursion import report_recursive_calls
+from fbgen.lang.checker.operands import expressions  # noqa: F401  (enters the checks of expressions
+from fbgen.lang.checker.operands.pointed_memory import lay_out_what_is_pointed_to
 from fbgen.lang.checker.rules import Rules, rules_for
-from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS
-from fbgen.lang.checker.statements import check_body
+from fbgen.lang.checker.statements.jumps import check_jumps
+from fbgen.lang.checker.statements.kinds import check_body
+from fbgen.lang.checker.statements.local_errors import with_local_errors
+from fbgen.lang.checker.supplied.standard_blocks import STANDARD_BLOCKS
 from fbgen.lang.collector import collector_at_rest
 from fbgen.lang.unread_parts import unread_parts
 

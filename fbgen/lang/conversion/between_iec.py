@@ -31,10 +31,10 @@ from fbgen.lang.ast import (
     Unit,
     VarSection,
 )
+from fbgen.lang.checker.declared.global_lists import named_by_their_files
+from fbgen.lang.checker.declared.namespaces import written_whole
 from fbgen.lang.checker.findings import Findings as CheckFindings
-from fbgen.lang.checker.global_lists import named_by_their_files
-from fbgen.lang.checker.namespaces import written_whole
-from fbgen.lang.checker.own_names import with_own_names
+from fbgen.lang.checker.operands.own_names import with_own_names
 from fbgen.lang.conversion.list_names import without_list_names
 from fbgen.lang.conversion.written_conversions import with_written_conversions
 from fbgen.lang.lowering.build import integer

@@ -33,7 +33,7 @@ from fbgen.lang.ast import (
     Unary,
     Unit,
 )
-from fbgen.lang.checker.system_instructions import instruction_named
+from fbgen.lang.checker.supplied.system_instructions import instruction_named
 from fbgen.lang.lowering.build import call, integer
 from fbgen.lang.lowering.plant import BlockScope, PlantText, Scope
 from fbgen.lang.rewriting import Rewriter, Rule, replaced

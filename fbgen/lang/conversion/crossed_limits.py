@@ -22,7 +22,7 @@ from fbgen.lang.ast import (
     Unary,
 )
 from fbgen.lang.checker import RULES
-from fbgen.lang.checker.standard_calls import is_standard_function
+from fbgen.lang.checker.calls.standard_calls import is_standard_function
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.plant import BlockScope, PlantText
 from fbgen.lang.rewriting import Rewriter, Rule, rewritten

@@ -24,8 +24,8 @@ from fbgen.lang.ast import (
     TypeSpec,
     VarSection,
 )
-from fbgen.lang.checker.conversion_calls import conversion_types
-from fbgen.lang.checker.conversions import elementary_named
+from fbgen.lang.checker.calls.conversion_calls import conversion_types
+from fbgen.lang.checker.types.conversions import elementary_named
 from fbgen.lang.dates import NS_PER_S, instant_of, of_dialect
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.lowering.plant import BlockScope, PlantText, Scope

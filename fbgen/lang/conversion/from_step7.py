@@ -31,9 +31,9 @@ from fbgen.lang.ast import (
     Unary,
     VarSection,
 )
-from fbgen.lang.checker.routines import routine_named
-from fbgen.lang.checker.standard_calls import CLASSIC_NAMES, is_standard_function
-from fbgen.lang.checker.system_instructions import instruction_named
+from fbgen.lang.checker.calls.standard_calls import CLASSIC_NAMES, is_standard_function
+from fbgen.lang.checker.supplied.routines import routine_named
+from fbgen.lang.checker.supplied.system_instructions import instruction_named
 from fbgen.lang.conversion.output_arrows import with_arrows
 from fbgen.lang.literals import full_year
 from fbgen.lang.lowering.findings import Findings

@@ -7,8 +7,8 @@ functions".
 from collections.abc import Mapping
 
 from fbgen.lang.ast import Argument, ArgumentKind, Block, Call
-from fbgen.lang.checker.routines import Direction, routine_named
-from fbgen.lang.checker.system_instructions import RETURN_VALUE, instruction_named
+from fbgen.lang.checker.supplied.routines import Direction, routine_named
+from fbgen.lang.checker.supplied.system_instructions import RETURN_VALUE, instruction_named
 from fbgen.lang.rewriting import replaced
 
 

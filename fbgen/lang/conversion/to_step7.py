@@ -47,7 +47,7 @@ from fbgen.lang.ast import (
     TypeDeclaration,
     VarSection,
 )
-from fbgen.lang.checker.system_instructions import ALIASES
+from fbgen.lang.checker.supplied.system_instructions import ALIASES
 from fbgen.lang.conversion.bit_literals import BitLiterals, typed_bits
 from fbgen.lang.conversion.handed_on import with_copies
 from fbgen.lang.dialects import dialect_named

@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 from fbgen.lang.ast import Argument, ArgumentKind, Binary, Call, Expression, File, Name
 from fbgen.lang.checked import Convert, Program
 from fbgen.lang.checker import RULES, check_reporting
-from fbgen.lang.checker.conversions import conversion_between, is_implicit
+from fbgen.lang.checker.types.conversions import conversion_between, is_implicit
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.rewriting import Rewriter
 from fbgen.lang.types import Enumeration, Type

@@ -7,7 +7,7 @@ TO_BOOL does not tell the type, so it is refused.
 
 from fbgen.lang.ast import Binary, Call, Expression, Name, Parenthesized, Unary
 from fbgen.lang.checker import RULES
-from fbgen.lang.checker.conversions import elementary_named
+from fbgen.lang.checker.types.conversions import elementary_named
 from fbgen.lang.lowering.build import binary, bits, integer
 from fbgen.lang.lowering.findings import Findings
 from fbgen.lang.types import INT, WORD, Elementary, Family

@@ -15,7 +15,7 @@ from fbgen.lang.checked import (
     VariableKind,
     VariableRef,
 )
-from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, instruction_named
+from fbgen.lang.checker.supplied.system_instructions import ELEMENT_MOVES, instruction_named
 from fbgen.lang.types import ArrayType, OpenArrayType, Type
 from harness.engine.compiled.code import Code, Listing, deepest
 from harness.engine.compiled.evaluation import Write, value

@@ -1,4 +1,4 @@
-"""Changes of type. What each pair does stands in `fbgen.lang.checker.conversions`."""
+"""Changes of type. What each pair does stands in `fbgen.lang.checker.types.conversions`."""
 
 from fbgen.lang.checked import Convert
 from fbgen.lang.types import (

@@ -1,6 +1,6 @@
 """Calls of the less frequent standard functions: bits, BCD, scaling, the calendar.
 
-Names and parameters: `fbgen.lang.checker.standard_functions`.
+Names and parameters: `fbgen.lang.checker.supplied.standard_functions`.
 """
 
 from fbgen.lang.checked import StandardCall

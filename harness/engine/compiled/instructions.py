@@ -7,7 +7,7 @@ from fbgen.lang.checked import (
     Place,
     SystemCall,
 )
-from fbgen.lang.checker.system_instructions import instruction_named
+from fbgen.lang.checker.supplied.system_instructions import instruction_named
 from fbgen.lang.types import VARIANT_VALUE, AnyType
 
 

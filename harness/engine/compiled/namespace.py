@@ -7,7 +7,7 @@ from typing import Any
 
 from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Expression, Place, SystemCall
-from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, INSTRUCTIONS, ON_VARIANTS
+from fbgen.lang.checker.supplied.system_instructions import ELEMENT_MOVES, INSTRUCTIONS, ON_VARIANTS
 from fbgen.lang.types import Scalar, Type
 from harness.engine.compiled.areas import VariableArea, cell_location, fixed_location
 from harness.engine.compiled.bound_variants import Variant

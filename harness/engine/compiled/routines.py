@@ -4,8 +4,8 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from fbgen.lang.checked import Expression, Program, RoutineCall, StandardBlock
-from fbgen.lang.checker.literals import default_value
-from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS
+from fbgen.lang.checker.supplied.standard_blocks import STANDARD_BLOCKS
+from fbgen.lang.checker.types.literals import default_value
 from fbgen.lang.types import VOID, Elementary, Family, StringType, Type
 from harness.engine.compiled.library.clocks import CLOCKS
 from harness.engine.compiled.library.reals import rounded

@@ -1,7 +1,7 @@
 """Calls of standard functions: written out where that is short, else calls of the library.
 
-Names and parameters: `fbgen.lang.checker.standard_functions`. Sources: IEC 61131-3 third edition,
-tables 28 to 36; TIA Portal help.
+Names and parameters: `fbgen.lang.checker.supplied.standard_functions`. Sources: IEC 61131-3
+third edition, tables 28 to 36; TIA Portal help.
 """
 
 import re

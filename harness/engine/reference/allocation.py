@@ -17,7 +17,7 @@ from fbgen.lang.checked import (
     Variable,
     VariableKind,
 )
-from fbgen.lang.checker.standard_blocks import ANY_TIMERS, STANDARD_BLOCKS
+from fbgen.lang.checker.supplied.standard_blocks import ANY_TIMERS, STANDARD_BLOCKS
 from fbgen.lang.layout import holds_blocks, holds_values, no_layout
 from fbgen.lang.types import (
     DATE_AND_TIME,

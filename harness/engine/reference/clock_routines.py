@@ -1,7 +1,8 @@
 """The calendar clock, the system time, and what works on the running scan.
 
 The local time is the system time: the controller has no time zone. DATE_AND_TIME has milliseconds.
-Sources as for `fbgen.lang.checker.routines.clock`; the units of DTL: TIA Portal help, "DTL".
+Sources as for `fbgen.lang.checker.supplied.routines.clock`; the units of DTL: TIA
+Portal help, "DTL".
 """
 
 from collections.abc import Callable, Mapping

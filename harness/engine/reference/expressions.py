@@ -26,7 +26,7 @@ from fbgen.lang.checked import (
     TypeTest,
     Unary,
 )
-from fbgen.lang.checker.system_instructions import ELEMENT_MOVES, INSTRUCTIONS, ON_VARIANTS
+from fbgen.lang.checker.supplied.system_instructions import ELEMENT_MOVES, INSTRUCTIONS, ON_VARIANTS
 from fbgen.lang.types import (
     AnyType,
     ArrayType,

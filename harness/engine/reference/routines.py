@@ -1,6 +1,6 @@
 """Instructions with several outputs: finds who carries out a call. A stub of the user comes first.
 
-Names and parameters: `fbgen.lang.checker.routines`.
+Names and parameters: `fbgen.lang.checker.supplied.routines`.
 """
 
 from collections.abc import Mapping

@@ -1,8 +1,8 @@
 """How deep and how long programs may be in the reference evaluator, and that nothing is missing."""
 
 from fbgen.lang.checked import VariableKind
-from fbgen.lang.checker.standard_blocks import STANDARD_BLOCKS
-from fbgen.lang.checker.standard_functions import canonical_names
+from fbgen.lang.checker.supplied.standard_blocks import STANDARD_BLOCKS
+from fbgen.lang.checker.supplied.standard_functions import canonical_names
 from fbgen.source import Source
 from harness import load_program
 from harness.engine.reference.expressions import STANDARD_FUNCTIONS

@@ -9,7 +9,7 @@ from checking import errors_of, findings_of, in_block, in_program, program_of
 from fbgen.lang import ast
 from fbgen.lang.checker import RULES, check_reporting
 from fbgen.lang.checker.context import NESTING_LIMIT
-from fbgen.lang.checker.standard_functions import (
+from fbgen.lang.checker.supplied.standard_functions import (
     CHAINED_COMPARISONS,
     DATE_FUNCTIONS,
     ROUNDED_TO_REAL,

@@ -7,9 +7,9 @@ import pytest
 
 from fbgen.diagnostics import Severity
 from fbgen.lang.checker import check_reporting
-from fbgen.lang.checker.instruction_list import CATEGORIES, Treatment, treatment_of
-from fbgen.lang.checker.instruction_page import page
-from fbgen.lang.checker.refused_instructions import WRITTEN_OTHERWISE
+from fbgen.lang.checker.supplied.instruction_list import CATEGORIES, Treatment, treatment_of
+from fbgen.lang.checker.supplied.instruction_page import page
+from fbgen.lang.checker.supplied.refused_instructions import WRITTEN_OTHERWISE
 from fbgen.lang.parser import parse
 from fbgen.source import Source
 from tests.architecture.sources import ROOT

@@ -1,0 +1,1 @@
+"""Calls: what is called, which argument belongs to which parameter, and EN and ENO."""

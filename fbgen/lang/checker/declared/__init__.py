@@ -1,0 +1,1 @@
+"""What a text declares: variables, types, blocks and their members, names, tasks."""

@@ -1,0 +1,1 @@
+"""Expressions: names, places in memory, operators, references."""

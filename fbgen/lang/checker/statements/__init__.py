@@ -1,0 +1,1 @@
+"""Statements: assignments, jumps, and what becomes of errors."""

@@ -1,0 +1,1 @@
+"""What comes with a controller: standard functions and blocks, instructions, as tables."""

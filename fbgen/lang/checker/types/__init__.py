@@ -1,0 +1,1 @@
+"""Types and values: literals, constants, conversions, and the types that come with a controller."""
