@@ -15,8 +15,8 @@ from fbgen.catalog import load_catalog
 from fbgen.lang import checked
 from fbgen.lang.checked import Program
 from fbgen.plant import load_plant
-from harness.engine.compiled.probes import Moment, Probe, Probed
 from harness.engine.compiled.walk import every_node
+from harness.engine.compiled.watching.probes import Moment, Probe, Probed
 from harness.installation import Installation, PlantSetup, build_plant
 from harness.kernel import NS_PER_MS
 

@@ -125,7 +125,7 @@ def engine_named(name: str, probes: "Sequence[ProbeMaker]" = ()) -> EngineFactor
         if name != PROBED:
             raise engine_without_probes(name, PROBED)
         probing: Callable[[Sequence[ProbeMaker]], EngineFactory]
-        probing = import_module("harness.engine.compiled.probing").probing
+        probing = import_module("harness.engine.compiled.watching.probing").probing
         return probing(probes)
     module, factory_name = ENGINES[name]
     factory: EngineFactory = getattr(import_module(module), factory_name)

@@ -12,7 +12,7 @@ from fbgen.catalog import Catalog
 from fbgen.diagnostics import Diagnostic, DiagnosticError, Note, error
 from fbgen.nearest import nearest
 from fbgen.source import Span
-from harness.engine.compiled.last_writes import last_write
+from harness.engine.compiled.watching.last_writes import last_write
 from harness.engine.loading import LoadedProgram
 from harness.kernel import Kernel
 from harness.scenario.addresses import Place

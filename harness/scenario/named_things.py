@@ -7,7 +7,7 @@ from fbgen.dataclass import dataclass
 from fbgen.diagnostics import DiagnosticError, error
 from fbgen.nearest import nearest
 from fbgen.source import Span
-from harness.engine.compiled.last_writes import LastWrite
+from harness.engine.compiled.watching.last_writes import LastWrite
 from harness.scenario.kinds import Found, ValueKind
 
 Writer: TypeAlias = Callable[[], LastWrite | None]

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Protocol, TypeAlias
 
 from fbgen.diagnostics import Diagnostic
-from harness.engine.compiled.probes import ProbeMaker
+from harness.engine.compiled.watching.probes import ProbeMaker
 from harness.results import ScenarioReport, ScenarioResult
 
 if TYPE_CHECKING:

@@ -21,7 +21,7 @@ from fbgen.diagnostics import DiagnosticError, error
 from fbgen.plant import with_prefix
 from fbgen.source import Span
 from harness.drives import Inverter
-from harness.engine.compiled.last_writes import last_write
+from harness.engine.compiled.watching.last_writes import last_write
 from harness.fieldbus import MasterMode
 from harness.gateways.tospbdp001 import Light, Tospbdp001
 from harness.installation import Installation

@@ -13,7 +13,7 @@ from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.nearest import nearest
 from fbgen.source import Span
 from harness.drives import Inverter
-from harness.engine.compiled.probes import ProbeMaker
+from harness.engine.compiled.watching.probes import ProbeMaker
 from harness.faults import FAULTS, Target
 from harness.installation import Installation
 from harness.kernel import NS_PER_MS

@@ -11,7 +11,7 @@ from fbgen.lang.ast import LiteralKind
 from fbgen.lang.checked import Program
 from fbgen.lang.literals import BadLiteralError, read_literal
 from fbgen.plant import Plant, in_dialect, load_plant
-from harness.engine.compiled.probes import ProbeMaker
+from harness.engine.compiled.watching.probes import ProbeMaker
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.interface import EngineFactory, Limits
 from harness.engine.loading import Clock, LoadedProgram, engine_named, read_program

@@ -8,7 +8,7 @@ from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import IN_OUTS, LIVING
 from fbgen.lang.types import Type
 from fbgen.source import Span
-from harness.engine.compiled.last_writes import LastWrite
+from harness.engine.compiled.watching.last_writes import LastWrite
 from harness.engine.interface import Engine, Value
 from harness.engine.loading import engine_name
 from harness.kernel import Kernel

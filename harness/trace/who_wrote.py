@@ -5,9 +5,9 @@ without a note since its last change was written through a pointer; then nobody 
 """
 
 from harness.engine.compiled import CompiledEngine
-from harness.engine.compiled.last_writes import instance_name
-from harness.engine.compiled.memory import Location
-from harness.engine.compiled.writers import Entry, Writers
+from harness.engine.compiled.data.memory import Location
+from harness.engine.compiled.watching.last_writes import instance_name
+from harness.engine.compiled.watching.writers import Entry, Writers
 from harness.engine.interface import Engine
 from harness.fieldbus import Station
 from harness.plc import Cpu

@@ -12,7 +12,7 @@ from fbgen.lang.checked import IN_OUTS, Block, Variable, VariableKind
 from fbgen.lang.start_information import START_BYTES, start_places
 from fbgen.lang.types import BlockType, Type
 from fbgen.nearest import nearest
-from harness.engine.compiled.last_writes import LastWrite, last_write, last_write_in
+from harness.engine.compiled.watching.last_writes import LastWrite, last_write, last_write_in
 from harness.engine.faults import unknown_name
 from harness.engine.interface import Engine, Value
 from harness.engine.layout import S7

@@ -11,8 +11,8 @@ from test_engines_agree import QUICK, SWEEP, Scan, history, scans
 from fbgen.lang.checked import Expression
 from fbgen.source import Source
 from harness.engine.compiled import Moment, Probe, writers_probe
-from harness.engine.compiled.decisions import Results, decision, result
-from harness.engine.compiled.probes import Probed
+from harness.engine.compiled.expressions.decisions import Results, decision, result
+from harness.engine.compiled.watching.probes import Probed
 from harness.engine.loading import read_program
 from harness.verify.coverage import Coverage
 from harness.verify.coverage.counts import BlockCounts

@@ -7,7 +7,7 @@ it shares its face, the faults and the layout of memory, and nothing that calcul
 """
 
 from harness.engine.compiled.engine import CompiledEngine
-from harness.engine.compiled.instance import CompiledInstance
-from harness.engine.compiled.probes import Moment, Probe, ProbeMaker, writers_probe
+from harness.engine.compiled.outside.instance import CompiledInstance
+from harness.engine.compiled.watching.probes import Moment, Probe, ProbeMaker, writers_probe
 
 __all__ = ["CompiledEngine", "CompiledInstance", "Moment", "Probe", "ProbeMaker", "writers_probe"]

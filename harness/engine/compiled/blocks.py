@@ -7,32 +7,30 @@ from fbgen.lang.checked import Block, Statement, Variable, VariableKind, Variabl
 from fbgen.lang.layout import holds_blocks
 from fbgen.lang.start_information import start_places
 from fbgen.lang.types import ArrayType, StructInitial, StructType, Type
-from harness.engine.compiled import (
+from harness.engine.compiled.code import Listing
+from harness.engine.compiled.data.initials import Initializer
+from harness.engine.compiled.data.model import Model, Part, Record, has_memory, is_scalar
+from harness.engine.compiled.data.placement import Bytes
+from harness.engine.compiled.data.shapes import Shapes
+from harness.engine.compiled.evaluation import enter
+from harness.engine.compiled.expressions import (
     attempts,
-    calls,
-    local_errors,
     operators,
     places,
     references,
-    routine_calls,
     standard_functions,
 )
-from harness.engine.compiled.code import Listing
-from harness.engine.compiled.evaluation import enter
-from harness.engine.compiled.facts import Facts
-from harness.engine.compiled.initials import Initializer
-from harness.engine.compiled.jumps import has_jumps
-from harness.engine.compiled.model import Model, Part, Record, has_memory, is_scalar
-from harness.engine.compiled.outside_calls import input_types
-from harness.engine.compiled.placement import Bytes
-from harness.engine.compiled.probes import Probe
+from harness.engine.compiled.outside.calls import input_types
+from harness.engine.compiled.outside.signatures import signature
 from harness.engine.compiled.procedure import BlockContext, FrameNeededError, Procedure
-from harness.engine.compiled.shapes import Shapes
-from harness.engine.compiled.signatures import signature
-from harness.engine.compiled.statements import write_long
-from harness.engine.compiled.temporaries import read_unfilled
-from harness.engine.compiled.write_notes import writers_of
-from harness.engine.compiled.writers import Writers
+from harness.engine.compiled.shortening.facts import Facts
+from harness.engine.compiled.shortening.temporaries import read_unfilled
+from harness.engine.compiled.statements import calls, local_errors, routine_calls
+from harness.engine.compiled.statements.jumps import has_jumps
+from harness.engine.compiled.statements.kinds import write_long
+from harness.engine.compiled.watching.probes import Probe
+from harness.engine.compiled.watching.write_notes import writers_of
+from harness.engine.compiled.watching.writers import Writers
 from harness.engine.compiled.written import Written
 from harness.engine.interface import Value
 from harness.engine.layout import S7

@@ -10,32 +10,32 @@ from fbgen.lang.ast import BlockKind
 from fbgen.lang.checked import IN_OUTS, AnyBlock, Block, Program, Variable, VariableKind
 from fbgen.lang.checked.variables import IN_GLOBALS, RECEIVER
 from fbgen.lang.types import BlockType, OpenArrayType, ReferenceType, Type
-from harness.engine.compiled.areas import read_located, write_located
-from harness.engine.compiled.cells import ValueCell
 from harness.engine.compiled.code import Listing
+from harness.engine.compiled.data.areas import read_located, write_located
+from harness.engine.compiled.data.cells import ValueCell
+from harness.engine.compiled.data.held import held_in
+from harness.engine.compiled.data.initials import Initializer
+from harness.engine.compiled.data.located import found_at, located_at
+from harness.engine.compiled.data.memory import Location, Memory
+from harness.engine.compiled.data.model import GLOBALS, Record, is_scalar, run_method
+from harness.engine.compiled.data.placement import Bytes
+from harness.engine.compiled.data.programs import programs
+from harness.engine.compiled.expressions.open_arrays import OpenArray
 from harness.engine.compiled.generation import clock_of
-from harness.engine.compiled.going_on import going_on
-from harness.engine.compiled.held import held_in
-from harness.engine.compiled.initials import Initializer
-from harness.engine.compiled.instance import CompiledInstance
 from harness.engine.compiled.library.counters import counter_classes
 from harness.engine.compiled.library.timers import timer_classes
-from harness.engine.compiled.located import found_at, located_at
-from harness.engine.compiled.memory import Location, Memory
-from harness.engine.compiled.model import GLOBALS, Record, is_scalar, run_method
 from harness.engine.compiled.namespace import LIBRARY, Cpu, counting, hardware
-from harness.engine.compiled.open_arrays import OpenArray
-from harness.engine.compiled.outside_arguments import by_variable, given_inputs
-from harness.engine.compiled.outside_calls import write_keyword_call
-from harness.engine.compiled.outside_variants import new_variable, reference_to
-from harness.engine.compiled.placement import Bytes
-from harness.engine.compiled.probes import Probe
-from harness.engine.compiled.programs import programs
-from harness.engine.compiled.readers import written_reader
-from harness.engine.compiled.routines import Routines, unmodelled_classes
-from harness.engine.compiled.signatures import signature
+from harness.engine.compiled.outside.arguments import by_variable, given_inputs
+from harness.engine.compiled.outside.calls import write_keyword_call
+from harness.engine.compiled.outside.instance import CompiledInstance
+from harness.engine.compiled.outside.readers import written_reader
+from harness.engine.compiled.outside.signatures import signature
+from harness.engine.compiled.outside.variants import new_variable, reference_to
+from harness.engine.compiled.statements.going_on import going_on
+from harness.engine.compiled.statements.routines import Routines, unmodelled_classes
 from harness.engine.compiled.stopping import Stopper
 from harness.engine.compiled.translation import Translation, Unit, translation_of
+from harness.engine.compiled.watching.probes import Probe
 from harness.engine.environment import Environment
 from harness.engine.faults import missing_argument, unknown_name, wrong_kind_of_block
 from harness.engine.interface import (

@@ -9,9 +9,9 @@ from typing import Any
 from fbgen.lang.checked import Constant, Expression, FieldRef, IndexRef, SliceRef, VariableRef
 from fbgen.lang.types import Elementary
 from harness.engine.compiled.code import Code, Level
-from harness.engine.compiled.initials import scalar_text
+from harness.engine.compiled.data.initials import scalar_text
 from harness.engine.compiled.procedure import DEEPEST_EXPRESSION, Procedure
-from harness.engine.compiled.ranges import is_counted, wrapped
+from harness.engine.compiled.shortening.ranges import is_counted, wrapped
 
 Write = Callable[[Procedure, Any], Code]
 

@@ -9,10 +9,18 @@ from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Expression, Place, SystemCall
 from fbgen.lang.checker.supplied.system_instructions import ELEMENT_MOVES, INSTRUCTIONS, ON_VARIANTS
 from fbgen.lang.types import Scalar, Type
-from harness.engine.compiled.areas import VariableArea, cell_location, fixed_location
-from harness.engine.compiled.bound_variants import Variant
-from harness.engine.compiled.cells import AttributeCell, ElementCell, ValueCell, same, target
-from harness.engine.compiled.instructions import areas
+from harness.engine.compiled.data.areas import VariableArea, cell_location, fixed_location
+from harness.engine.compiled.data.cells import AttributeCell, ElementCell, ValueCell, same, target
+from harness.engine.compiled.data.memory import Memory
+from harness.engine.compiled.data.model import is_scalar
+from harness.engine.compiled.data.placed_pointers import PlacedVariant
+from harness.engine.compiled.data.placement import FUNCTIONS, Bytes
+from harness.engine.compiled.expressions.bound_variants import Variant
+from harness.engine.compiled.expressions.memory_access import access
+from harness.engine.compiled.expressions.open_arrays import OpenArray
+from harness.engine.compiled.expressions.variants import FUNCTIONS as VARIANT_FUNCTIONS
+from harness.engine.compiled.expressions.variants import area_of
+from harness.engine.compiled.expressions.variants import run as run_on_variants
 from harness.engine.compiled.library import (
     calendar,
     dates,
@@ -25,16 +33,12 @@ from harness.engine.compiled.library import (
     timers,
     wholes,
 )
-from harness.engine.compiled.memory import Memory
-from harness.engine.compiled.memory_access import access
-from harness.engine.compiled.memory_instructions import BlockPokes, move_area, move_elements
-from harness.engine.compiled.model import is_scalar
-from harness.engine.compiled.open_arrays import OpenArray
-from harness.engine.compiled.placed_pointers import PlacedVariant
-from harness.engine.compiled.placement import FUNCTIONS, Bytes
-from harness.engine.compiled.variants import FUNCTIONS as VARIANT_FUNCTIONS
-from harness.engine.compiled.variants import area_of
-from harness.engine.compiled.variants import run as run_on_variants
+from harness.engine.compiled.statements.instructions import areas
+from harness.engine.compiled.statements.memory_instructions import (
+    BlockPokes,
+    move_area,
+    move_elements,
+)
 from harness.engine.environment import Environment
 from harness.engine.faults import no_such_area
 from harness.engine.interface import Limits

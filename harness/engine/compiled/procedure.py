@@ -15,15 +15,15 @@ from fbgen.lang.checked import Block, Variable, VariableKind
 from fbgen.lang.types import Type
 from fbgen.source import Span
 from harness.engine.compiled.code import Code, Level, Listing, Site
-from harness.engine.compiled.facts import Facts
-from harness.engine.compiled.initials import Initializer
-from harness.engine.compiled.intervals import Intervals
-from harness.engine.compiled.model import GLOBALS, has_memory, is_scalar
-from harness.engine.compiled.names import Names
-from harness.engine.compiled.paths import Path
-from harness.engine.compiled.placement import Bytes
-from harness.engine.compiled.probes import Moment, Probe, Probed
-from harness.engine.compiled.shapes import Shapes
+from harness.engine.compiled.data.initials import Initializer
+from harness.engine.compiled.data.model import GLOBALS, has_memory, is_scalar
+from harness.engine.compiled.data.names import Names
+from harness.engine.compiled.data.placement import Bytes
+from harness.engine.compiled.data.shapes import Shapes
+from harness.engine.compiled.shortening.facts import Facts
+from harness.engine.compiled.shortening.intervals import Intervals
+from harness.engine.compiled.shortening.paths import Path
+from harness.engine.compiled.watching.probes import Moment, Probe, Probed
 from harness.engine.compiled.written import Link
 
 DEEPEST_EXPRESSION = 60

@@ -7,14 +7,14 @@ from fbgen.lang.checked import Program
 from fbgen.lang.types import StructType
 from harness.engine.compiled.blocks import write_block, write_structures
 from harness.engine.compiled.code import Listing
-from harness.engine.compiled.facts import Facts
+from harness.engine.compiled.data.initials import Initializer
+from harness.engine.compiled.data.model import GLOBALS, Model, bytes_name, is_scalar
+from harness.engine.compiled.data.shapes import Shapes
 from harness.engine.compiled.generation import room_for_generation
-from harness.engine.compiled.initials import Initializer
-from harness.engine.compiled.model import GLOBALS, Model, bytes_name, is_scalar
-from harness.engine.compiled.passes import may_exceed
-from harness.engine.compiled.probes import Probe
-from harness.engine.compiled.shapes import Shapes
+from harness.engine.compiled.shortening.facts import Facts
+from harness.engine.compiled.shortening.passes import may_exceed
 from harness.engine.compiled.translation import Kind, Translation, Unit
+from harness.engine.compiled.watching.probes import Probe
 from harness.engine.compiled.written import Written
 
 

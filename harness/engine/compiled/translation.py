@@ -16,10 +16,10 @@ from harness.engine.environment import Environment
 from harness.engine.interface import Limits
 
 if TYPE_CHECKING:
-    from harness.engine.compiled.facts import Facts
-    from harness.engine.compiled.model import Model
-    from harness.engine.compiled.probes import Probe
-    from harness.engine.compiled.shapes import Shapes
+    from harness.engine.compiled.data.model import Model
+    from harness.engine.compiled.data.shapes import Shapes
+    from harness.engine.compiled.shortening.facts import Facts
+    from harness.engine.compiled.watching.probes import Probe
     from harness.engine.compiled.written import Written
 
 

@@ -44,7 +44,7 @@ from fbgen.lang.checked import (
     VariableRef,
     While,
 )
-from harness.engine.compiled.instructions import areas
+from harness.engine.compiled.statements.instructions import areas
 
 Node: TypeAlias = Expression | Statement | Branch | CaseArm
 

@@ -8,7 +8,7 @@ from fbgen.lang.types import Type
 from harness.engine.compiled.code import Listing
 
 if TYPE_CHECKING:
-    from harness.engine.compiled.placement import Bytes
+    from harness.engine.compiled.data.placement import Bytes
 
 
 class Link(NamedTuple):

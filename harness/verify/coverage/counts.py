@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from harness.engine.compiled.decisions import Results
+from harness.engine.compiled.expressions.decisions import Results
 from harness.verify.coverage.model import BlockPlaces, Branching, DecisionPlace, FileKey, Place
 
 

@@ -23,7 +23,7 @@ from fbgen.lang.checked import (
     VariableRef,
 )
 from fbgen.lang.types import Elementary, Family, Type
-from harness.engine.compiled.decisions import Decision, Fixed, Join, Not, Tree
+from harness.engine.compiled.expressions.decisions import Decision, Fixed, Join, Not, Tree
 from harness.verify.coverage.masking import shown_by
 
 MOST_VECTORS = 512

@@ -10,7 +10,14 @@ in which no other condition differs is "unique cause", and is preferred.
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from harness.engine.compiled.decisions import Condition, Join, Not, Tree, conditions_in, result
+from harness.engine.compiled.expressions.decisions import (
+    Condition,
+    Join,
+    Not,
+    Tree,
+    conditions_in,
+    result,
+)
 
 
 class Pair(NamedTuple):

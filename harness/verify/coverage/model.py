@@ -6,7 +6,7 @@ kept in a file. Counts are kept apart from it (`counts`).
 
 from typing import NamedTuple
 
-from harness.engine.compiled.decisions import Tree
+from harness.engine.compiled.expressions.decisions import Tree
 
 
 class Place(NamedTuple):

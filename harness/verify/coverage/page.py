@@ -6,7 +6,7 @@ It holds the coverage as JSON; the script draws what is looked at, so thousands 
 import json
 from collections.abc import Sequence
 
-from harness.engine.compiled.decisions import Results
+from harness.engine.compiled.expressions.decisions import Results
 from harness.verify.coverage.collecting import Coverage
 from harness.verify.coverage.counts import BlockCounts
 from harness.verify.coverage.derived import catalogue_of

@@ -28,9 +28,9 @@ from fbgen.lang.checked import (
 from fbgen.lang.containers.embedded import EmbeddedSource
 from fbgen.lang.types import Elementary, Family
 from fbgen.source import Source, Span
-from harness.engine.compiled.decisions import Decision, decision
-from harness.engine.compiled.probes import Probed
+from harness.engine.compiled.expressions.decisions import Decision, decision
 from harness.engine.compiled.walk import Node, every_node
+from harness.engine.compiled.watching.probes import Probed
 from harness.verify.coverage.excluded import never_deciding
 from harness.verify.coverage.kinship import Kinship, TemplateLines, template_lines
 from harness.verify.coverage.model import (

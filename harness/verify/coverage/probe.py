@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from fbgen.lang.checked import Expression, For, Repeat, While
 from harness.engine.compiled import Moment, Probe
-from harness.engine.compiled.probes import Probed
+from harness.engine.compiled.watching.probes import Probed
 from harness.verify.coverage.counts import FileCounts
 from harness.verify.coverage.places import BlockNodes
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from fbgen.diagnostics import DiagnosticError, error
-from harness.engine.compiled.decisions import Condition, Fixed, Join, Not, Tree
+from harness.engine.compiled.expressions.decisions import Condition, Fixed, Join, Not, Tree
 from harness.verify.coverage.collecting import Coverage
 from harness.verify.coverage.counts import FileCounts
 from harness.verify.coverage.derived import catalogue_of

@@ -8,7 +8,7 @@ in one of the texts only counts like everything else. Blocks that a person wrote
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from harness.engine.compiled.decisions import Results, Tree
+from harness.engine.compiled.expressions.decisions import Results, Tree
 from harness.verify.coverage.collecting import Coverage
 from harness.verify.coverage.counts import BlockCounts
 from harness.verify.coverage.items import KINDS, STATEMENT, Item, items_of

@@ -8,8 +8,8 @@ from fbgen.catalog import Catalog
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.lang.checked import Block, Program, Statement
-from harness.engine.compiled.probes import Probe
-from harness.engine.compiled.replaceable import CompiledBody, ReplaceableEngine
+from harness.engine.compiled.outside.replaceable import CompiledBody, ReplaceableEngine
+from harness.engine.compiled.watching.probes import Probe
 from harness.engine.environment import Environment
 from harness.engine.interface import Limits
 from harness.scenario import ScenarioCase

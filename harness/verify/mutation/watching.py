@@ -33,8 +33,8 @@ from fbgen.lang.checked import (
     While,
 )
 from fbgen.lang.types import BOOL, VOID, Elementary, Family, StringType, Subrange
-from harness.engine.compiled.probes import Moment, Probe, Probed
 from harness.engine.compiled.walk import every_node
+from harness.engine.compiled.watching.probes import Moment, Probe, Probed
 from harness.verify.mutation.mutant import Change, Exchange, Mutant, Operator
 from harness.verify.mutation.places import read_by
 from harness.verify.mutation.rebuilding import Node, with_nodes

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import pytest
 
-from harness.engine.compiled.decisions import Condition, Join
+from harness.engine.compiled.expressions.decisions import Condition, Join
 from harness.engine.interface import Value
 from harness.verify.coverage import totals_of
 from harness.verify.coverage.masking import shown_by

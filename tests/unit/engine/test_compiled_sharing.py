@@ -6,7 +6,7 @@ from fbgen.diagnostics import DiagnosticError
 from fbgen.lang.checked import Program
 from fbgen.source import Source
 from harness.engine.compiled import CompiledEngine, Moment, Probe, translating
-from harness.engine.compiled.probes import Probed
+from harness.engine.compiled.watching.probes import Probed
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.interface import Limits
 from harness.engine.loading import read_program

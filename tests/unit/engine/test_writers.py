@@ -6,7 +6,7 @@ import pytest
 
 from fbgen.source import Source
 from harness.engine.compiled import CompiledEngine, writers_probe
-from harness.engine.compiled.memory import Location
+from harness.engine.compiled.data.memory import Location
 from harness.engine.environment import StandaloneEnvironment
 from harness.engine.loading import read_program
 from harness.kernel import Kernel

@@ -6,7 +6,7 @@ STATUS as TIA Portal Information System, "Freeport communication", says.
 import pytest
 
 from fbgen.lang.checked import Program
-from harness.engine.compiled.replaceable import ReplaceableEngine
+from harness.engine.compiled.outside.replaceable import ReplaceableEngine
 from harness.engine.environment import Environment
 from harness.engine.interface import Limits
 from harness.line import Parity

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from harness.engine.compiled.probes import ProbeMaker
+from harness.engine.compiled.watching.probes import ProbeMaker
 from harness.scenario import (
     RunOptions,
     ScenarioCase,

@@ -1,0 +1,1 @@
+"""Where the data of a running program lies, and how it is reached from outside."""

@@ -1,0 +1,1 @@
+"""What is known before a program runs, and the Python that can be left out for it."""

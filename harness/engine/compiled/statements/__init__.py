@@ -1,0 +1,1 @@
+"""Statements and calls as Python."""

@@ -1,0 +1,1 @@
+"""Looking on while a program runs: probes, and who wrote what."""
