@@ -7,9 +7,10 @@ the same as one table in CSV. What the sequence `check_parameters` compares is m
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from fbgen.artefacts.serial_settings import serial_settings
 from fbgen.artefacts.text_table import csv_table
 from fbgen.artefacts.view import PlantLists
+from fbgen.blocks.checked_settings import sheets, spelled_out
+from fbgen.blocks.drive_settings import drive_settings, value_of
 from fbgen.catalog import (
     CheckStep,
     ComNo,
@@ -44,21 +45,14 @@ def parameter_sheets(lists: PlantLists) -> Iterator[Artefact]:
     yield Artefact(lists.file_name("parameters.csv"), csv_table(rows))
 
 
-def value_of(setting: Setting, drive: PlantDrive) -> float | None:
-    """What a parameter is set to at one drive; None where the machine decides."""
-    if setting.plant == "inv_no":
-        return drive.inv_no
-    return drive.max_frequency_hz if setting.plant == "max_frequency_hz" else setting.value
-
-
-def _compared(lists: PlantLists, series: Drive) -> frozenset[int]:
+def _compared(lists: PlantLists) -> frozenset[int]:
     """The ComNos that the plant's own check reads back."""
     if CHECK not in lists.plant.sequences:
         return frozenset()
-    steps = lists.catalog.sequence(CHECK).steps
-    return frozenset(
-        series.comno(step.check).number for step in steps if isinstance(step, CheckStep)
-    )
+    of_plant = sheets(lists.plant, lists.catalog)
+    said = spelled_out(lists.catalog.sequence(CHECK), of_plant[0], of_plant)
+    checks = (step for step in said.steps if isinstance(step, CheckStep))
+    return frozenset(of_plant[0].series.comno(step.check).number for step in checks)
 
 
 class _Line(NamedTuple):
@@ -75,6 +69,7 @@ class _Lines:
 
     def __init__(self, lists: PlantLists) -> None:
         self._lists = lists
+        self._compared = _compared(lists)
         self._settings: dict[tuple[str, str], tuple[Setting, ...]] = {}
         self._known: dict[tuple[str, str, float | None, str], _Line] = {}
 
@@ -84,7 +79,9 @@ class _Lines:
         if isinstance(gateway, SerialLine):
             key = series.id, gateway.name
             if key not in self._settings:
-                self._settings[key] = tuple(serial_settings(self._lists, gateway, series))
+                self._settings[key] = drive_settings(
+                    self._lists.plant, gateway, series, self._lists.catalog, self._lists.in_words
+                )
             return self._settings[key]
         is_process_data = self._lists.is_process_data(gateway)
         key = series.id, "channels" if is_process_data else "lines"
@@ -109,7 +106,7 @@ class _Lines:
     def _line(self, series: Drive, setting: Setting, value: float | None) -> _Line:
         lists = self._lists
         comno = series.comno(setting.comno)
-        is_compared = comno.number in _compared(lists, series)
+        is_compared = comno.number in self._compared
         meaning = _meaning(lists, comno, value)
         source = _source(lists, setting)
         cells = (

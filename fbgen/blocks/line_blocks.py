@@ -9,13 +9,14 @@ from fbgen.blocks.gateways import other_types
 from fbgen.blocks.line_gateways import LineGatewayView, line_gateway_view, missing_fields
 from fbgen.blocks.line_times import short_timeouts
 from fbgen.blocks.literals import SclText, source_text, word
+from fbgen.blocks.plant_sequences import sequence_context
 from fbgen.blocks.poll_cycle import slow_polls
-from fbgen.blocks.sequences import SequenceView, sequence_view
+from fbgen.blocks.sequences import SequenceView
 from fbgen.blocks.specs import BlockSpec, block, data_block, data_type
 from fbgen.blocks.texts import Texts
 from fbgen.blocks.words import WordView, bits_origin
 from fbgen.catalog import Catalog, Drive, TelegramGateway, WriteStep, origin
-from fbgen.diagnostics import Diagnostic, DiagnosticError, Severity
+from fbgen.diagnostics import Diagnostic, Severity
 from fbgen.plant import Plant, PlantGateway
 
 COMMANDS_IN_A_ROW = 8
@@ -48,12 +49,13 @@ def line_family(
     Raises DiagnosticError FB5001.
     """
     drives = _series(chosen, catalog)
-    sequences = sequence_views(plant, catalog, texts)
+    of_sequences = sequence_context(plant, catalog, texts)
+    sequences = of_sequences.views
     gateways = tuple(line_gateway_view(plant, item, catalog) for item in chosen)
     first = gateways[0]
     context: dict[str, object] = {
         "most_drives": max(len(item.drives) for item in gateways),
-        "sequences": sequences,
+        **of_sequences.context,
         "alarms": {
             "line": that_can_come(LINE_ALARMS, chosen),
             "drive": that_can_come(drive_alarms([item.id for item in sequences]), chosen),
@@ -121,35 +123,6 @@ def _blocks(
 def _series(chosen: Sequence[PlantGateway], catalog: Catalog) -> list[Drive]:
     names = dict.fromkeys(drive.series for gateway in chosen for drive in gateway.drives)
     return [catalog.drive(name) for name in names]
-
-
-def sequence_views(plant: Plant, catalog: Catalog, texts: Texts) -> tuple[SequenceView, ...]:
-    """The sequences of a plant, made for all series that take telegrams.
-
-    Raises DiagnosticError FB5001.
-    """
-    numbered = [drive for drive in plant.drives if drive.channel is None]
-    drives = [catalog.drive(name) for name in dict.fromkeys(one.series for one in numbered)]
-    return tuple(_sequence(name, drives, catalog, texts) for name in plant.sequences)
-
-
-def _sequence(name: str, drives: list[Drive], catalog: Catalog, texts: Texts) -> SequenceView:
-    sequence = catalog.sequence(name)
-    views = [sequence_view(sequence, drive, catalog, texts) for drive in drives]
-    for drive, view in zip(drives[1:], views[1:], strict=True):
-        if str(view) != str(views[0]):
-            raise DiagnosticError(
-                [
-                    Diagnostic(
-                        "FB5001",
-                        f"the sequence '{name}' sends other telegrams to '{drive.id}' than to "
-                        f"'{drives[0].id}', and one block cannot do both",
-                        sequence.span,
-                        "make a sequence of its own for each series",
-                    )
-                ]
-            )
-    return views[0]
 
 
 def eeprom_writes(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:

@@ -1,7 +1,8 @@
 """Command sequences as templates see them: steps with their telegrams spelled out in SCL."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
+from fbgen.blocks.checked_settings import Sheet, input_name
 from fbgen.blocks.literals import NOTHING, SclText, comno, milliseconds, one_line, real, word
 from fbgen.blocks.texts import Texts
 from fbgen.blocks.words import bits_origin
@@ -12,7 +13,6 @@ from fbgen.catalog import (
     ComNo,
     Condition,
     DelayStep,
-    Drive,
     Parameter,
     ReadStep,
     RepeatStep,
@@ -68,7 +68,10 @@ class StepView:
 
 @dataclass(frozen=True, slots=True)
 class SequenceView:
-    """A sequence with everything its block needs."""
+    """A sequence with everything its block needs.
+
+    `wanted` are inputs for what a parameter is to be where that differs from drive to drive.
+    """
 
     id: str
     title: str
@@ -77,6 +80,7 @@ class SequenceView:
     results: tuple[ParameterView, ...]
     steps: tuple[StepView, ...]
     uses_max_frequency: bool
+    wanted: tuple[ParameterView, ...] = ()
 
     @property
     def read_steps(self) -> tuple[StepView, ...]:
@@ -104,10 +108,15 @@ class SequenceView:
         return any(step.kind in ("delay", "wait") for step in self.steps)
 
 
-def sequence_view(sequence: Sequence, drive: Drive, catalog: Catalog, texts: Texts) -> SequenceView:
-    """The sequence as it is for one series."""
-    protocol = catalog.toshiba_protocol(drive.protocol)
-    builder = _Steps(sequence, drive, protocol, texts)
+def sequence_view(
+    sequence: Sequence, sheet: Sheet, varying: Collection[int], catalog: Catalog, texts: Texts
+) -> SequenceView:
+    """The sequence as it is for drives of one sheet, all its steps spelled out.
+
+    `varying` are the ComNos that are compared with an input.
+    """
+    protocol = catalog.toshiba_protocol(sheet.series.protocol)
+    builder = _Steps(sequence, sheet, varying, protocol, texts)
     steps = tuple(builder.view(number) for number in range(1, len(sequence.steps) + 1))
     source = f"{texts('Source')}: {sequence.source}"
     paragraphs = (sequence.description, sequence.does_not_protect, source)
@@ -119,18 +128,26 @@ def sequence_view(sequence: Sequence, drive: Drive, catalog: Catalog, texts: Tex
         results=(*(_parameter(item, texts) for item in sequence.results), *builder.noted()),
         steps=steps,
         uses_max_frequency=builder.uses_max_frequency,
+        wanted=tuple(builder.wanted()),
     )
 
 
 class _Steps:
-    """Spells the steps of one sequence out, for one series."""
+    """Spells the steps of one sequence out, for the drives of one sheet."""
 
     def __init__(
-        self, sequence: Sequence, drive: Drive, protocol: ToshibaProtocol, texts: Texts
+        self,
+        sequence: Sequence,
+        sheet: Sheet,
+        varying: Collection[int],
+        protocol: ToshibaProtocol,
+        texts: Texts,
     ) -> None:
         self.texts = texts
         self.sequence = sequence
-        self.drive = drive
+        self.sheet = sheet
+        self.drive = sheet.series
+        self.varying = varying
         self.protocol = protocol
         self.uses_max_frequency = any(
             isinstance(step, WriteStep) and step.parameter and self._is_setpoint(step.parameter)
@@ -151,6 +168,7 @@ class _Steps:
             return self._branch(number, step)
         if isinstance(step, RepeatStep):
             return self._repeat(number, step)
+        assert isinstance(step, DelayStep), "settings are spelled out as checks before"
         return self._delay(number, step)
 
     def _write(self, number: int, step: WriteStep) -> StepView:
@@ -185,13 +203,23 @@ class _Steps:
         """Each check with the setting that its value is from."""
         for step in self.sequence.steps:
             if isinstance(step, CheckStep):
-                name = self.drive.comno(step.check).name
-                setting = None if step.equals is not None else self.drive.setting(name)
-                source = self.sequence.source or self.sequence.id
+                checked = self.drive.comno(step.check)
+                setting = None if step.equals is not None else self.sheet.setting(checked)
+                source, name = self.sequence.source or self.sequence.id, checked.name
                 yield (
                     step,
                     setting or Setting(comno=name, value=step.equals, why=name, source=source),
                 )
+
+    def wanted(self) -> Iterator[ParameterView]:
+        """The inputs for values that differ from drive to drive."""
+        for step, setting in self._checks():
+            comno_ = self.drive.comno(setting.comno)
+            if step.equals is None and comno_.number in self.varying:
+                place = origin(f"ComNo {comno_.hex}", comno_, comno_.source or "")
+                text = self.texts("what {comno} is to be", comno=comno_.display or comno_.hex)
+                name = input_name(comno_.number)
+                yield ParameterView(name, "Word", NOTHING, SclText(text, place))
 
     def noted(self) -> Iterator[ParameterView]:
         """What checks leave: how many deviate, which was the first, what each was to be and was."""
@@ -235,14 +263,16 @@ class _Steps:
             comno(target),
             (
                 SclText("#channel.request.data := 16#0000;"),
-                SclText(f"{expected} := {self._wanted(target, setting)};", place),
+                SclText(f"{expected} := {self._wanted(target, step, setting)};", place),
             ),
             timeout=self._timeout(step),
             noted=tuple(SclText(line, place) for line in noted),
         )
 
-    def _wanted(self, target: ComNo, setting: Setting) -> str:
+    def _wanted(self, target: ComNo, step: CheckStep, setting: Setting) -> str:
         """What a parameter is to be, as a word."""
+        if step.equals is None and target.number in self.varying:
+            return f"#{input_name(target.number)}"
         if setting.plant == "inv_no":
             return "BYTE_TO_WORD(#invNo)"
         if setting.plant == "max_frequency_hz":

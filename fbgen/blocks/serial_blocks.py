@@ -14,9 +14,10 @@ from fbgen.blocks.line_blocks import (
     EMERGENCY_STOP,
     LINE_TYPES,
     eeprom_writes,
-    sequence_views,
 )
 from fbgen.blocks.literals import SclText, byte, word
+from fbgen.blocks.plant_sequences import sequence_context
+from fbgen.blocks.same_text import as_text
 from fbgen.blocks.sequences import SequenceView
 from fbgen.blocks.serial_alarms import SERIAL_ALARMS
 from fbgen.blocks.serial_lines import SerialLineView, serial_line_view
@@ -42,7 +43,7 @@ def serial_problems(
         (drive, None) for item in gateways for drive in item.drives
     ]
     used += [(drive, port_of(line, catalog.drive(drive.series))) for line, drive in _drives(plant)]
-    first: tuple[str, str] | None = None
+    first: tuple[object, str] | None = None
     for drive, port in used:
         known = _told(catalog.drive(drive.series), catalog, port)
         if first is None:
@@ -64,13 +65,14 @@ def _drives(plant: Plant) -> Iterator[tuple[SerialLine, PlantDrive]]:
             yield line, drive
 
 
-def _told(series: Drive, catalog: Catalog, port: SerialPort | None) -> str:
-    return str(drive_context(series, catalog, port))
+def _told(series: Drive, catalog: Catalog, port: SerialPort | None) -> object:
+    return as_text(drive_context(series, catalog, port))
 
 
 def serial_family(plant: Plant, catalog: Catalog, texts: Texts) -> FamilyPlan:
     """What the serial lines need; there is at least one. Raises DiagnosticError FB5001."""
-    sequences = sequence_views(plant, catalog, texts)
+    of_sequences = sequence_context(plant, catalog, texts)
+    sequences = of_sequences.views
     units = tuple(serial_line_view(plant, item, catalog) for item in plant.serial)
     first = plant.serial[0]
     series = catalog.drive(first.drives[0].series)
@@ -78,7 +80,7 @@ def serial_family(plant: Plant, catalog: Catalog, texts: Texts) -> FamilyPlan:
     assert port is not None, "checked when the plant was read"
     context: dict[str, object] = {
         "most_drives": max(len(item.drives) for item in plant.serial),
-        "sequences": sequences,
+        **of_sequences.context,
         "tip_alarms": {
             "line": that_can_come(SERIAL_ALARMS, plant.serial),
             "drive": that_can_come(drive_alarms([item.id for item in sequences]), plant.serial),

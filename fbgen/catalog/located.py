@@ -164,6 +164,12 @@ class Located(BaseModel):
         """What is wrong in the light of `known`, as it was given to `validate`. Override it."""
         return ()
 
+    def in_place_of(self, other: "Located") -> Self:
+        """The same model as if it stood where another does, which stands for it."""
+        made = self.model_copy()
+        made._place = other._place
+        return made
+
     @property
     def span(self) -> Span | None:
         """Where the model stands; None for one that was made in Python."""

@@ -10,7 +10,7 @@ from fbgen.catalog.named import named_in
 from fbgen.catalog.profibus_gateways import ProfibusGateway
 from fbgen.catalog.sequences import Parameter, Result, Sequence
 from fbgen.catalog.step_values import read_value, written_value
-from fbgen.catalog.steps import CheckStep, Condition, ReadStep, WaitStep, WriteStep
+from fbgen.catalog.steps import CheckStep, Condition, ReadStep, SettingsStep, WaitStep, WriteStep
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.source import Span
 
@@ -67,6 +67,8 @@ def _sequence(sequence: Sequence, drive: Drive) -> Iterator[Diagnostic]:
         elif isinstance(step, CheckStep):
             yield from _comno(step, "check", step.check, drive, "r")
             yield from _expected(step, drive, checked)
+        elif isinstance(step, SettingsStep):
+            yield from _all_settings(step, drive, checked)
         elif isinstance(step, WaitStep):
             yield from _comno(step, "wait", step.wait, drive, "r")
             yield from _awaited(step, step.until, drive)
@@ -119,17 +121,38 @@ def _expected(step: CheckStep, drive: Drive, checked: set[int]) -> Iterator[Diag
         yield Diagnostic("FB1102", message, step.span_of("check"), "leave one of them out")
     checked.add(comno.number)
     if step.equals is None:
-        setting = drive.setting(comno.name)
-        if setting is None or not setting.always:
+        if comno.name not in _on_sheets(drive):
             yield Diagnostic(
                 "FB1107",
-                f"the settings of '{drive.id}' do not say what {comno.hex} '{comno.name}' is to be",
+                f"no parameter sheet of '{drive.id}' says what {comno.hex} '{comno.name}' is to be",
                 step.span_of("check"),
                 "say it here with equals:, in the unit of the ComNo",
             )
     elif not 0 <= comno.to_word(step.equals) <= 0xFFFF:
         message = f"{step.equals:g} is no value of {comno.hex} '{comno.name}'"
         yield Diagnostic("FB1107", message, step.span_of("equals"))
+
+
+def _on_sheets(drive: Drive) -> set[str]:
+    """The ComNos of which a parameter sheet has a value: behind a gateway, or on a serial line."""
+    names = {setting.comno for setting in drive.settings if setting.always}
+    ports = () if drive.communication is None else drive.communication.ports
+    for port in ports:
+        of_port = (port.baud_rate, port.parity, port.inv_no, port.timeout, port.protocol)
+        names |= {name for name in of_port if name is not None}
+    return names | {drive.link.maximum_frequency}
+
+
+def _all_settings(step: SettingsStep, drive: Drive, checked: set[int]) -> Iterator[Diagnostic]:
+    """FB1102 a ComNo of a parameter sheet that was checked already."""
+    names = _on_sheets(drive)
+    for comno in drive.comnos:
+        if comno.name in names:
+            if comno.number in checked:
+                message = f"{comno.hex} '{comno.name}' is checked twice in one sequence"
+                place = step.span_of("check_settings")
+                yield Diagnostic("FB1102", message, place, "leave one of them out")
+            checked.add(comno.number)
 
 
 def _bits(step: WriteStep, drive: Drive) -> Iterator[Diagnostic]:

@@ -1,4 +1,4 @@
-"""The steps of a command sequence: write, read, check, delay, wait, branch, repeat.
+"""The steps of a command sequence: write, read, check, check_settings, delay, wait, branch, repeat.
 
 A step is a mapping with one of these keys, and may have a `label` to which others go. ComNos and
 bits are named as in the drive series for which the sequence is made.
@@ -86,11 +86,22 @@ class ReadStep(LabelledStep):
 class CheckStep(LabelledStep):
     """Read a ComNo and note it if it is not as it is to be; the sequence goes on.
 
-    It is to be `equals`, in its unit, or without that what the `settings` of the series say.
+    It is to be `equals`, in its unit, or without that what the parameter sheet of the drive says.
     """
 
     check: Text
     equals: Real | None = None
+    timeout_ms: Annotated[Count, Field(ge=1, le=60_000)] | None = None
+
+
+class SettingsStep(LabelledStep):
+    """Check everything that the parameter sheets of the plant's drives say, one after the other.
+
+    Behind a gateway those are the `settings` of the series; on a serial line rate, parity, protocol
+    and time-out are those of the line. What the sheets do not have in common is left out.
+    """
+
+    check_settings: Literal["all"]
     timeout_ms: Annotated[Count, Field(ge=1, le=60_000)] | None = None
 
 
@@ -184,7 +195,7 @@ class RepeatStep(LabelledStep):
     times: Annotated[Count, Field(ge=2, le=1000)]
 
 
-_KINDS = ("write", "read", "check", "delay", "wait", "branch", "repeat")
+_KINDS = ("write", "read", "check", "check_settings", "delay", "wait", "branch", "repeat")
 
 
 def _kind(step: Any) -> str | None:
@@ -198,6 +209,7 @@ Step = Annotated[
     Annotated[WriteStep, Tag("write_step")]
     | Annotated[ReadStep, Tag("read_step")]
     | Annotated[CheckStep, Tag("check_step")]
+    | Annotated[SettingsStep, Tag("check_settings_step")]
     | Annotated[DelayStep, Tag("delay_step")]
     | Annotated[WaitStep, Tag("wait_step")]
     | Annotated[BranchStep, Tag("branch_step")]

@@ -11,6 +11,7 @@ from fbgen.catalog import (
     Protocol,
     ReadStep,
     RepeatStep,
+    SettingsStep,
     Step,
     WaitStep,
     Word,
@@ -181,6 +182,8 @@ def _step(step: Step) -> tuple[str, str]:
     if isinstance(step, CheckStep):
         wanted = "as its setting" if step.equals is None else f"{step.equals:g}"
         return f"check that {step.check} is {wanted}", title
+    if isinstance(step, SettingsStep):
+        return "check everything that the parameter sheet says", title
     if isinstance(step, WaitStep):
         return f"read {step.wait} until {_condition(step.until)}, {step.limit_ms} ms at most", title
     if isinstance(step, BranchStep):

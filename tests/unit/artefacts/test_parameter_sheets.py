@@ -118,6 +118,35 @@ def test_the_sheet_is_a_table_whatever_the_titles_say(made: dict[str, str]) -> N
     assert {row.replace("\\|", "").count("|") for row in rows} <= {5, 8}
 
 
+LINE = """
+version: 1
+name: hall
+dialect: tia
+plc: s7-1500
+sequences: [check_parameters]
+serial:
+  - name: line1
+    hardware_identifier: 270
+    protocol: modbus
+    baud: 38400
+    parity: odd
+    drives:
+      - {name: pump, inv_no: 7, series: vf-as1, max_frequency_hz: 50.0}
+"""
+
+
+def test_on_a_serial_line_a_sheet_is_that_of_the_line_and_of_its_port() -> None:
+    rows = {row["parameter"]: row for row in table(made_for(LINE)["hall_parameters.csv"])}
+    values = {name: row["value"] for name, row in rows.items()}
+    assert values == {
+        **{"F820": "2", "F801": "2", "F802": "7", "F803": "1", "F829": "1", "F804": "", "FH": "50"}
+    }
+    assert {name for name, row in rows.items() if row["compared"]} == values.keys() - {"F804"}
+    assert "unverified" in rows["F820"]["why"]
+    assert "unverified" not in rows["F802"]["why"]
+    assert "Err5" in rows["F804"]["why"]
+
+
 def test_behind_a_gateway_for_process_data_nothing_of_the_line_is_asked_for() -> None:
     pump, fan = made_for(CHANNELS)["hall_parameters.md"].split("## Drive ")[1:]
     assert "| FH | 0011 | **50** Hz |" in pump

@@ -79,6 +79,23 @@ def test_series_that_one_text_cannot_serve() -> None:
 
 
 @pytest.mark.parametrize(
+    ("wires", "first", "second"),
+    [(4, "vf-a7", "vf-p7"), (2, "vf-s15", "vf-mb1"), (2, "vf-s9", "vf-nc1"), (2, "vf-s7", "g7")],
+)
+def test_series_of_which_only_the_manuals_differ_share_a_line(
+    wires: int, first: str, second: str
+) -> None:
+    text = (
+        "version: 1\nname: hall\ndialect: tia\nplc: s7-1500\nsequences: [check_parameters]\n"
+        f"serial:\n  - name: line1\n    hardware_identifier: 270\n    wires: {wires}\n    drives:\n"
+        f"      - {{name: pump, inv_no: 1, series: {first}, max_frequency_hz: 50.0}}\n"
+        f"      - {{name: fan, inv_no: 2, series: {second}, max_frequency_hz: 50.0}}\n"
+    )
+    plant = read_plant(Source("hall.yaml", text), CATALOG)
+    assert generate(plant, CATALOG).files
+
+
+@pytest.mark.parametrize(
     ("line", "code"),
     [
         ("hardware_identifier: 270, wires: 2, series: vf-s11", "FB2052"),
