@@ -95,8 +95,9 @@ class CheckStep(LabelledStep):
 
 
 class SettingsStep(LabelledStep):
-    """Check everything that the parameter sheets of the plant's drives say, one after the other.
+    """Check parameters one after the other, as many as there are on the sheets of the drives.
 
+    `check_settings`: everything that the parameter sheets of the plant's drives give a value for.
     Behind a gateway those are the `settings` of the series; on a serial line rate, parity, protocol
     and time-out are those of the line. What the sheets do not have in common is left out.
     """
