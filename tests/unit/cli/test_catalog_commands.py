@@ -90,7 +90,10 @@ def test_show_gives_what_is_set_by_hand_at_inverter_and_gateway(fbgen: Fbgen) ->
 
 
 def test_show_gives_the_checks_of_a_sequence(fbgen: Fbgen) -> None:
-    assert "check that parity is as its setting" in fbgen("catalog", "show", "check_parameters").out
+    assert (
+        "check everything that the parameter sheet says"
+        in fbgen("catalog", "show", "check_parameters").out
+    )
 
 
 def test_show_says_of_layouts_and_words_what_no_document_confirms(fbgen: Fbgen) -> None:
