@@ -15,7 +15,8 @@ from harness.kernel import NS_PER_S
 from harness.trace import Recorder, Trace, trace_text
 from harness.trace.vcd import vcd_text
 
-_PLANT = Path(__file__).parents[1] / "examples" / "five_drives" / "plant.yaml"
+_EXAMPLES = Path(__file__).parents[1] / "examples"
+_PLANT = _EXAMPLES / "five_drives" / "plant.yaml"
 _WARM_UP_NS = 3 * NS_PER_S
 _CONTROL = "TOS_Plant.gw1.drive1.control"
 _WINDOWS = 100
@@ -32,6 +33,16 @@ def figures() -> Iterator[Figure]:
         second = measure(name, lambda at=installation: _second(at), windows=_WINDOWS)
         limit = f"{1 / second.seconds:.0f} times real time, at least 100"
         yield Figure(name, second.seconds, second.turns, limit)
+    for name, made in (
+        ("1 s of two drives on DeviceNet, recorded", _on_devicenet()),
+        ("1 s of two drives on a serial line, recorded", _on_serial()),
+    ):
+        made.record()
+        made.start()
+        made.run_for(_WARM_UP_NS)
+        second = measure(name, lambda at=made: at.run_for(NS_PER_S), windows=_WINDOWS)
+        limit = f"{1 / second.seconds:.0f} times real time, at least 100"
+        yield Figure(name, second.seconds, second.turns, limit)
     installation, recorder = _running((writers_probe,))
     installation.run_for(_WRITTEN_NS)
     trace = recorder.finish()
@@ -39,6 +50,17 @@ def figures() -> Iterator[Figure]:
     for name, write in (("JSON Lines", _json), ("VCD", vcd_text)):
         title = f"writing one change as {name}"
         yield measure(title, lambda made=write: made(trace), per=changes, windows=20)
+
+
+def _on_devicenet() -> Installation:
+    """With the program of the example: one drive polled, one that sends by itself beside."""
+    folder = _EXAMPLES / "devicenet"
+    setup = PlantSetup(sources=[folder / "conveyors.scl"], probes=[writers_probe])
+    return plant(folder / "plant.yaml", setup)
+
+
+def _on_serial() -> Installation:
+    return plant(_EXAMPLES / "serial" / "plant.yaml", PlantSetup(probes=[writers_probe]))
 
 
 def _json(trace: Trace) -> str:

@@ -18,7 +18,7 @@ DataType = Literal[
     "bool", "byte", "word", "sint", "usint", "int", "uint", "udint", "short_string",
     "byte_array", "usint_array", "uint_array", "struct",
 ]  # fmt: skip
-_NUMBERS: dict[DataType, tuple[int, int]] = {
+NUMBERS: dict[DataType, tuple[int, int]] = {
     "bool": (0, 1),
     "byte": (0, 0xFF),
     "word": (0, 0xFFFF),
@@ -28,6 +28,7 @@ _NUMBERS: dict[DataType, tuple[int, int]] = {
     "uint": (0, 0xFFFF),
     "udint": (0, 0xFFFFFFFF),
 }
+"""What types of numbers can hold; they have their low byte first."""
 
 
 class Attribute(Located):
@@ -54,13 +55,13 @@ class Attribute(Located):
     @property
     def limits(self) -> tuple[int, int]:
         """The least and the greatest number that it takes; of arrays and texts those of bytes."""
-        low, high = _NUMBERS.get(self.type, (0, 0xFF))
+        low, high = NUMBERS.get(self.type, (0, 0xFF))
         least = low if self.minimum is None else self.minimum
         return least, high if self.maximum is None else self.maximum
 
     def problems(self) -> Iterable[Diagnostic]:
         """FB1108 limits that the type cannot hold; FB1104 a value outside of them."""
-        low, high = _NUMBERS.get(self.type, (0, 0xFF))
+        low, high = NUMBERS.get(self.type, (0, 0xFF))
         least, greatest = self.limits
         if not low <= least <= greatest <= high:
             message = f"{least} to {greatest} is no range of the type {self.type}"

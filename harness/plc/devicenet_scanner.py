@@ -5,7 +5,7 @@ exchange data read 0. While the CPU does not run, the scanner is idle: it polls 
 """
 
 from fbgen.dataclass import dataclass
-from harness.fieldbus.devicenet import ScannedSlave, Scanner, SlaveState
+from harness.fieldbus.devicenet import ScannedSlave, Scanner
 from harness.plc.cpu import Cpu, CpuMode
 
 _MACS = 64
@@ -41,7 +41,7 @@ class DriveImage(_NoBus):
     def inputs(self) -> bytearray:
         """As they came last; 0 without data exchange."""
         slave = self._slave
-        if slave.state is not SlaveState.RUNNING:
+        if not slave.exchanging:
             return bytearray(slave.entry.input_length)
         return bytearray(slave.inputs)
 
@@ -64,7 +64,7 @@ class ActiveTable(_NoBus):
     def inputs(self) -> bytearray:
         """Bit N % 8 of byte N / 8 for MAC ID N."""
         slaves = self._scanner.slaves.values()
-        running = (slave.entry.mac for slave in slaves if slave.state is SlaveState.RUNNING)
+        running = (slave.entry.mac for slave in slaves if slave.exchanging)
         return bytearray(sum(1 << mac for mac in running).to_bytes(_MACS // 8, "little"))
 
     def write(self, offset: int, data: bytes) -> None:

@@ -109,6 +109,7 @@ def _frames(frames: Sequence[Frame], texts: Texts) -> dict[str, object]:
         ],
         "hurt": [int(frame.damaged) + 2 * int(frame.collided) for frame in frames],
         "says": [number(frame.meaning) for frame in frames],
+        "id": [_NONE if frame.identifier is None else frame.identifier for frame in frames],
     }
 
 

@@ -2,24 +2,35 @@
 
 online             whether its option is on the network
 exchanging         whether the scanner exchanges data with it
+network            how far the node has got
+scanner            its state in the scan list
+connection.NAME    the state of a connection: explicit, polled, change_of_state
 state              of the Control Supervisor
 outputs, inputs    all bytes: as the option took them last, as they came to the scanner last
 output.FIELD, input.FIELD    a field of the assemblies by its name in the catalogue
 led.LAMP           a lamp of the option
+
+Of a network, by its name: `mode`, what the scanner does.
 """
 
 from collections.abc import Callable
+from enum import Enum
 
 from fbgen.catalog.devicenet_gateways import AssemblyField
 from fbgen.source import Span
-from harness.fieldbus.devicenet import Network, SlaveState
+from harness.fieldbus.devicenet import ConnectionState, Network, SlaveState
+from harness.fieldbus.devicenet.connection import CONNECTIONS
 from harness.gateways.dev003z import Dev003z, State
 from harness.installation.devicenet import DeviceNet
 from harness.scenario.kinds import FLAG, choice_kind, octets_kind, word_kind
 from harness.scenario.named_things import Readable, one_of
 
 _STATE = choice_kind(tuple(state.name.lower() for state in State))
-DEVICENET_ITEMS = ("online", "exchanging", "state", "outputs", "inputs")
+_NETWORK = choice_kind(tuple(state.name.lower() for state in Network))
+_SCANNED = choice_kind(tuple(state.name.lower() for state in SlaveState))
+_CONNECTION = choice_kind(tuple(state.name.lower() for state in ConnectionState))
+_MODE = choice_kind(("OFF", "IDLE", "RUN"))
+DEVICENET_ITEMS = ("online", "exchanging", "network", "scanner", "state", "outputs", "inputs")
 """What a drive on DeviceNet has, beside fields and lamps."""
 
 
@@ -31,6 +42,8 @@ def devicenet_item(network: DeviceNet, drive: str, item: str, span: Span | None)
     what, _, rest = item.partition(".")
     if what == "led":
         return _lamp(option, rest, span)
+    if what == "connection":
+        return _connection(option, rest, span)
     if what == "output":
         fields = {field.name: field for field in pair.output.fields}
         one_of(rest, fields, "output field of the option", span)
@@ -39,7 +52,7 @@ def devicenet_item(network: DeviceNet, drive: str, item: str, span: Span | None)
         fields = {field.name: field for field in pair.input.fields}
         one_of(rest, fields, "input field of the option", span)
         return _field(option, fields[rest], lambda: slave.inputs)
-    items = (*DEVICENET_ITEMS, "output", "input", "led")
+    items = (*DEVICENET_ITEMS, "connection", "output", "input", "led")
     one_of(item, items, "property of a drive on DeviceNet", span)
     if item == "outputs":
         kind = octets_kind(pair.output.length)
@@ -47,14 +60,35 @@ def devicenet_item(network: DeviceNet, drive: str, item: str, span: Span | None)
     if item == "inputs":
         return Readable(octets_kind(pair.input.length), lambda: slave.inputs)
     if item == "state":
-        return Readable(_STATE, lambda: _state(option))
+        return Readable(_STATE, lambda: _name(option.state))
+    if item == "network":
+        return Readable(_NETWORK, lambda: _name(option.node.network))
+    if item == "scanner":
+        return Readable(_SCANNED, lambda: _name(slave.state))
     if item == "online":
         return Readable(FLAG, lambda: option.node.network is Network.ONLINE)
-    return Readable(FLAG, lambda: slave.state is SlaveState.RUNNING)
+    return Readable(FLAG, lambda: slave.exchanging)
 
 
-def _state(option: Dev003z) -> str:
-    return option.state.name.lower()
+def network_item(network: DeviceNet, item: str, span: Span | None) -> Readable:
+    """What an item of a network gives. Raises DiagnosticError FB8003."""
+    one_of(item, ("mode",), "property of a DeviceNet network", span)
+    return Readable(_MODE, lambda: network.scanner.mode)
+
+
+def _connection(option: Dev003z, name: str, span: Span | None) -> Readable:
+    one_of(name, CONNECTIONS, "connection of the option", span)
+    instance = CONNECTIONS[name]
+
+    def state() -> str:
+        found = option.node.connections.get(instance)
+        return _name(ConnectionState.NON_EXISTENT if found is None else found.state)
+
+    return Readable(_CONNECTION, state)
+
+
+def _name(state: Enum) -> str:
+    return state.name.lower()
 
 
 def _field(option: Dev003z, field: AssemblyField, data: Callable[[], bytes]) -> Readable:

@@ -6,7 +6,8 @@ cpu.ITEM, bus.ITEM  the CPU and the DP master
 gateway.NAME.ITEM   a gateway, `gateway.gw1.led.device_status`, `gateway.gw1.input.a_status`
 drive.NAME.ITEM     a drive, `drive.pump.frequency`, `drive.pump.comno.FE03`,
                     `drive.pump.terminal.s1`
-devicenet.NAME.ITEM the option in a drive, `devicenet.pump.input.status`
+line.NAME.ITEM      the module of the PLC at a serial line, `line.line1.lost_messages`
+devicenet.NAME.ITEM the option in a drive, `devicenet.pump.input.status`; of a network its `mode`
 
 `docs/reference/scenario-files.md` has the whole list.
 """
@@ -26,7 +27,7 @@ from harness.fieldbus import MasterMode
 from harness.gateways.tospbdp001 import Light, Tospbdp001
 from harness.installation import Installation
 from harness.plc import CpuMode
-from harness.scenario.devicenet_paths import devicenet_item
+from harness.scenario.devicenet_paths import devicenet_item, network_item
 from harness.scenario.interface_paths import interface_item
 from harness.scenario.kinds import (
     COUNT,
@@ -43,7 +44,7 @@ from harness.scenario.kinds import (
 from harness.scenario.named_things import Readable, Writer, one_of, unknown
 from harness.scenario.plc_variables import reading, variable_kind
 
-ROOTS = ("plc", "cpu", "bus", "gateway", "drive", "devicenet")
+ROOTS = ("plc", "cpu", "bus", "gateway", "line", "drive", "devicenet")
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +89,8 @@ _GATEWAY: Mapping[str, tuple[ValueKind, Callable[[Tospbdp001], Found]]] = Mappin
 )
 GATEWAY_ITEMS = (*_GATEWAY, "status", "outputs", "inputs", "too_close")
 """What a gateway has, beside its lamps."""
+LINE_ITEMS = ("available", "lost_messages")
+"""What the module of a serial line has: it answers the CPU; messages that found no room."""
 _LIGHT = choice_kind(tuple(str(light.value) for light in Light))
 _CPU_MODE = choice_kind(tuple(mode.name for mode in CpuMode))
 _BUS_MODE = choice_kind(tuple(mode.name for mode in MasterMode))
@@ -125,10 +128,19 @@ class Paths:
                 entry = next(item for item in plant.plan.gateways if item.name == name)
                 return interface_item(plant.interfaces[name], entry, self._catalog, item, span)
             return self._gateway(plant.gateways[name], item, span)
+        if root == "line":
+            one_of(name, plant.devices.modules, "serial line", span)
+            one_of(item, LINE_ITEMS, "property of a serial line", span)
+            module = plant.devices.modules[name]
+            if item == "available":
+                return Readable(FLAG, lambda: module.available)
+            return Readable(COUNT, lambda: module.lost_messages)
         if root == "drive":
             one_of(name, plant.drives, "drive", span)
             return _drive(plant.drives[name], item, span)
         if root == "devicenet":
+            if name in plant.networks:
+                return network_item(plant.networks[name], item, span)
             one_of(name, plant.options, "drive on DeviceNet", span)
             network = next(one for one in plant.networks.values() if name in one.options)
             return devicenet_item(network, name, item, span)

@@ -29,8 +29,15 @@ _REFUSALS = {
 class FrameMeanings:
     """Kind and meaning of the frames of one line; the same bytes are looked at only once."""
 
-    def __init__(self, series: Mapping[int, Drive], catalog: Catalog) -> None:
-        """`series` are the drives of the line by INV-NO."""
+    def __init__(
+        self,
+        series: Mapping[int, Drive],
+        catalog: Catalog,
+        ascii_kinds: tuple[FrameKind, FrameKind] = ("heartbeat", "answer"),
+    ) -> None:
+        """`series` are the drives of the line by INV-NO; `ascii_kinds` what frames in ASCII are:
+        of gateways the heartbeat, and what is said to it."""
+        self._ascii_kinds = ascii_kinds
         self._series = series
         self._first = next(iter(series.values()))
         self._writes = {
@@ -54,10 +61,10 @@ class FrameMeanings:
             request = form.parse_request(data)
             if not isinstance(request, Request):
                 return "unknown", ""
-            return "heartbeat" if is_ascii else "request", self._request(request)
+            return self._ascii_kinds[0] if is_ascii else "request", self._request(request)
         reply = form.parse_reply(data)
         if isinstance(reply, Reply):
-            return "answer" if is_ascii else "reply", self._reply(reply)
+            return self._ascii_kinds[1] if is_ascii else "reply", self._reply(reply)
         if isinstance(reply, ErrorReply):
             return "refusal", f"{_who(reply.address)} refuses: {_REFUSALS[reply.error]}"
         return "unknown", ""

@@ -1,17 +1,27 @@
 """Frames on the lines: who sent them, what arrived of them, what they say."""
 
+from typing import Protocol
+
 from harness.line import Line, Port, Transmission
-from harness.trace.frame_meanings import FrameMeanings
-from harness.trace.model import Frame
+from harness.trace.model import Frame, FrameKind
+
+
+class Meanings(Protocol):
+    """What knows the protocol of a line."""
+
+    def of(self, data: bytes, to_drives: bool) -> tuple[FrameKind, str]:
+        """What a frame is and says; they come in their order."""
+        ...
 
 
 class FrameWatch:
     """Notes each transmission of one line when it is over, the oldest first."""
 
     def __init__(
-        self, line: Line, name: str, gateway: Port, drives: dict[Port, str], meanings: FrameMeanings
+        self, line: Line, name: str, gateway: Port, drives: dict[Port, str], meanings: Meanings
     ) -> None:
-        """`drives` are the names of the drives by their ports, `name` is the gateway's."""
+        """`drives` are the names of the drives by their ports. `name` is that of the gateway, or of
+        the serial line, whose `gateway` is the module of the PLC."""
         self.frames: list[Frame] = []
         self._line = line
         self._name = name

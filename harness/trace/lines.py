@@ -7,6 +7,7 @@ from typing import Annotated, Literal, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, RootModel
 
+from fbgen.wire.devicenet import MAX_IDENTIFIER
 from harness.trace.model import ChannelKind, FrameKind, Group, MarkKind, Verdict
 
 TimeNs = Annotated[int, Field(ge=0, description="Nanoseconds of the plant's own clock.")]
@@ -79,7 +80,7 @@ class ChannelLine(_Line):
     title: str
     kind: ChannelKind
     group: Group
-    owner: str = Field("", description="Gateway, line, drive, or data block.")
+    owner: str = Field("", description="Gateway, line, network, drive, or data block.")
     unit: str = ""
     bits: int = Field(0, ge=0, le=64, description="How many a word has.")
     word: str | None = Field(None, description="Name of the word that decodes it.")
@@ -99,15 +100,18 @@ class ChangeLine(_Line):
 
 
 class FrameLine(_Line):
-    """Bytes on the line of a gateway."""
+    """Bytes on a line, or a CAN frame on a DeviceNet network."""
 
     type: Literal["frame"]
     t: TimeNs = Field(description="When the first byte began.")
     end_ns: TimeNs = Field(description="When the last byte was over.")
-    line: str = Field(description="The gateway whose line it is.")
+    line: str = Field(description="The gateway whose line it is, the serial line, or the network.")
     sender: str | None = Field(None, description="Missing for bytes that come from outside.")
     to_drives: bool
     kind: FrameKind
+    identifier: int | None = Field(
+        None, ge=0, le=MAX_IDENTIFIER, description="Of a CAN frame: what its data are."
+    )
     data: Octets = Field(description="What was sent.")
     heard: Octets | None = Field(None, description="What arrived, if that is something else.")
     damaged: bool = Field(False, description="Characters have a parity or framing error.")

@@ -12,12 +12,16 @@ from fbgen.dataclass import dataclass
 
 ChannelKind: TypeAlias = Literal["bool", "word", "integer", "real", "text", "bytes"]
 """What values a channel has: bool, int, int, float, str, bytes. A `word` is a row of bits."""
-Group: TypeAlias = Literal["cpu", "plc", "bus", "gateway", "line", "drive"]
+Group: TypeAlias = Literal["cpu", "plc", "bus", "gateway", "line", "devicenet", "drive"]
 """What a channel belongs to, in the order in which people look at a plant."""
 MarkKind: TypeAlias = Literal["step", "check", "fault"]
 Verdict: TypeAlias = Literal["passed", "failed"]
-FrameKind: TypeAlias = Literal["request", "reply", "refusal", "heartbeat", "answer", "unknown"]
-"""`answer` is what drives say to the gateway's heartbeat; `unknown` is no frame of the protocol."""
+FrameKind: TypeAlias = Literal[
+    "request", "reply", "refusal", "heartbeat", "answer",
+    "output", "input", "acknowledge", "fragment", "check", "unknown",
+]  # fmt: skip
+"""`answer` is what drives say to the gateway's heartbeat; `unknown` is no frame of the protocol. On
+DeviceNet `output` and `input` are I/O messages as the PLC sees them, `check` is about MAC IDs."""
 TraceValue: TypeAlias = bool | int | float | str | bytes
 
 
@@ -113,9 +117,10 @@ class Change:
 class Frame:
     """Bytes on a line, from `start_ns` to `end_ns`.
 
-    `line` is the gateway's name. `sender` is a gateway or a drive, None for bytes that come from
-    outside. `data` is what was sent, `heard` what an undisturbed receiver got of it, None if that
-    is the same. `meaning` is what the frame says, in words.
+    `line` is the name of the gateway, the serial line or the DeviceNet network. `sender` is the
+    same for the gateway, the module of the PLC or the scanner, else a drive; None for bytes that
+    come from outside. `data` is what was sent, `heard` what an undisturbed receiver got of it, None
+    if that is the same. `meaning` is what the frame says, in words. `identifier` is that of CAN.
     """
 
     start_ns: int
@@ -129,6 +134,7 @@ class Frame:
     damaged: bool = False
     collided: bool = False
     meaning: str = ""
+    identifier: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

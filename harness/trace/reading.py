@@ -202,6 +202,7 @@ def _frame(line: FrameLine) -> Frame:
         line.damaged,
         line.collided,
         line.meaning,
+        line.identifier,
     )
 
 

@@ -16,6 +16,8 @@ from fbgen.source import Span
 from harness.engine.loading import engine_name
 from harness.fieldbus import Station, Transfer
 from harness.trace.cpu import CpuWatch
+from harness.trace.devicenet import NetworkWatch
+from harness.trace.devicenet_frames import CanFrameWatch
 from harness.trace.drives import DriveWatch
 from harness.trace.frame_meanings import FrameMeanings
 from harness.trace.frames import FrameWatch
@@ -27,6 +29,7 @@ from harness.trace.meaning import telegram_meaning
 from harness.trace.model import Channel, Telegram, Trace, TraceWord
 from harness.trace.places import Places
 from harness.trace.plc import PlcWatch
+from harness.trace.serial_lines import SerialLineWatch
 from harness.trace.telegrams import TelegramRecorder
 from harness.trace.variables import variable_channels
 from harness.trace.who_wrote import who_wrote
@@ -77,10 +80,21 @@ class Recorder:
             )
             for entry in plant.interface_entries
         }
+        self._frames: list[FrameWatch | CanFrameWatch]
         self._frames = [_frame_watch(plant, entry) for entry in plant.telegram_entries]
         self._frames += [
             watch for entry in plant.interface_entries for watch in _cable_watches(plant, entry)
         ]
+        self._serial = [SerialLineWatch(self._log, plant, entry) for entry in plant.plan.serial]
+        self._networks = [
+            NetworkWatch(
+                *(self._log, plant.kernel, plant.catalog, network, plant.drives),
+                writer=self._image_writer,
+            )
+            for network in plant.networks.values()
+        ]
+        self._frames += [watch.frames for watch in self._serial]
+        self._frames += [watch.frames for watch in self._networks]
         for drive in plant.drives.values():
             DriveWatch(self._log, plant.kernel, drive)
         channels = _variables(plant, variables)
@@ -89,6 +103,8 @@ class Recorder:
         stations = {id(plant.stations[name]): watch for name, watch in watches.items()}
         plant.master.taps.append(partial(_to_gateway, stations))
         plant.cpu.after_scan.append(self._scanned)
+        plant.cpu.on_mode.append(lambda _: self._look_at_scanners())
+        plant.cpu.on_supply.append(lambda _: self._look_at_scanners())
 
     @property
     def now_ns(self) -> int:
@@ -98,6 +114,12 @@ class Recorder:
     def _scanned(self) -> None:
         self._cpu.scanned()
         self._plc.look(self._plant.kernel.now_ns)
+        for line in self._serial:
+            line.look()
+
+    def _look_at_scanners(self) -> None:
+        for network in self._networks:
+            network.look_at_scanner()
 
     def variables_written(self, by: Mapping[str, Span | None] = MappingProxyType({})) -> None:
         """Somebody has written variables of the PLC: its program, or who drives the plant.
@@ -114,6 +136,9 @@ class Recorder:
         if self._who is None or self._plant.master.clearing or not station.exchanging:
             return None
         return self._who.output(station, offset)
+
+    def _image_writer(self, address: int) -> int | None:
+        return None if self._who is None else self._who.output_byte(address)
 
     def finish(self, title: str = "", scenario: str = "") -> Trace:
         """All that was recorded so far. Recording goes on."""
@@ -149,6 +174,10 @@ class Recorder:
             gateway.look()
         for interface in self._interfaces.values():
             interface.look()
+        for line in self._serial:
+            line.look()
+        for network in self._networks:
+            network.look()
 
     def _sent(self) -> tuple[Telegram, ...]:
         catalog = self._plant.catalog

@@ -48,7 +48,11 @@ class WhoWrote:
                 at = offset - (slot.output_offset or 0)
                 if 0 <= at < len(entries):
                     return self.number(entries[at])
-        return self.number(writers.outputs.get(station.settings.output_address + offset))
+        return self.output_byte(station.settings.output_address + offset)
+
+    def output_byte(self, address: int) -> int | None:
+        """Who wrote this byte of the outputs of the PLC last."""
+        return self.number(self._writers.outputs.get(address))
 
     def number(self, entry: Entry | None) -> int | None:
         """The number of an entry's place; None for none."""

@@ -137,6 +137,7 @@ def _frame(frame: Frame) -> str:
         sender=frame.sender,
         to_drives=frame.to_drives,
         kind=frame.kind,
+        identifier=frame.identifier,
         data=octets(frame.data),
         heard=None if frame.heard is None else octets(frame.heard),
         damaged=frame.damaged or None,

@@ -37,7 +37,8 @@ class CanPort:
 
 
 class CanBus:
-    """One cable. Functions in `taps` get every frame, with the instant of its end."""
+    """One cable. Functions in `taps` get every frame with the instant of its end and its sender,
+    when everybody else has heard it."""
 
     __slots__ = ("_kernel", "_ports", "_sending", "_sequence", "_waiting", "bit_rate", "taps")
 
@@ -48,7 +49,7 @@ class CanBus:
         self._sequence = 0
         self._sending = False
         self.bit_rate = bit_rate
-        self.taps: list[Callable[[int, Frame], None]] = []
+        self.taps: list[Callable[[int, Frame, CanPort], None]] = []
 
     def attach(self, receive: Receiver) -> CanPort:
         """Connect a node, by what it does with the frames of others."""
@@ -82,9 +83,9 @@ class CanBus:
         self._kernel.after(self.duration_ns(frame), lambda: self._end(sender, frame))
 
     def _end(self, sender: CanPort, frame: Frame) -> None:
-        for tap in self.taps:
-            tap(self._kernel.now_ns, frame)
         for port in self._ports:
             if port is not sender:
                 port.hear(frame)
+        for tap in self.taps:
+            tap(self._kernel.now_ns, frame, sender)
         self._kernel.after(0, self._begin, priority=1)

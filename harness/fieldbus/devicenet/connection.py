@@ -12,6 +12,8 @@ from harness.kernel import NS_PER_MS, Event, Kernel
 _PERIODS = 4
 EXPLICIT, POLLED, COS = 1, 2, 4
 """Instances of the Connection object."""
+CONNECTIONS = {"explicit": EXPLICIT, "polled": POLLED, "change_of_state": COS}
+"""The same by their names; change of state is cyclic, too."""
 _AFTER_MESSAGES = 1
 """A message that ends at the very instant of the time-out is in time."""
 

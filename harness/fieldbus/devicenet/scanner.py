@@ -8,6 +8,7 @@ as the expected packet rate asks for. With change of state alone there are no ou
 from collections.abc import Callable, Sequence
 from enum import Enum
 from functools import partial
+from typing import Literal
 
 from fbgen.dataclass import dataclass
 from fbgen.wire.devicenet import BodyFormat, Choice, Frame, Service
@@ -85,9 +86,17 @@ class ScannedSlave:
         self.sent_ns = self.heard_ns = 0
         self.refused: Answer = None
 
+    @property
+    def exchanging(self) -> bool:
+        """Whether data come and go."""
+        return self.state is SlaveState.RUNNING
+
 
 class Scanner:
-    """The master on the bus. While `idle` it polls without data: slaves go on as they were told."""
+    """The master on the bus. While `idle` it polls without data: slaves go on as they were told.
+
+    Functions in `on_state` are called with a slave whose state is another.
+    """
 
     __slots__ = (
         "_kernel",
@@ -98,6 +107,7 @@ class Scanner:
         "idle",
         "mac",
         "on",
+        "on_state",
         "serial",
         "slaves",
         "vendor",
@@ -117,6 +127,7 @@ class Scanner:
         self.mac = mac
         self.vendor, self.serial = 0, 0
         self.idle = self.on = False
+        self.on_state: list[Callable[[ScannedSlave], None]] = []
         self._life = 0
         self.slaves = {
             entry.mac: ScannedSlave(entry, Requester(kernel, mac, entry.mac, send))
@@ -129,6 +140,13 @@ class Scanner:
             polled = slave_message(SlaveMessage.POLL_RESPONSE, address)
             self._receivers[polled] = partial(self._polled, slave)
             self._receivers[slave_message(SlaveMessage.COS, address)] = partial(self._cos, slave)
+
+    @property
+    def mode(self) -> Literal["OFF", "IDLE", "RUN"]:
+        """What it does: nothing, poll without data, exchange data."""
+        if not self.on:
+            return "OFF"
+        return "IDLE" if self.idle else "RUN"
 
     def start(self) -> None:
         """Say who it is, twice, and then begin to scan."""
@@ -143,7 +161,12 @@ class Scanner:
         self._life += 1
         for slave in self.slaves.values():
             slave.requester.clear()
-            slave.state = SlaveState.WAITING
+            self._becomes(slave, SlaveState.WAITING)
+
+    def _becomes(self, slave: ScannedSlave, state: SlaveState) -> None:
+        slave.state = state
+        for told in self.on_state:
+            told(slave)
 
     def _later(self, delay_ns: int, action: Callable[[], None]) -> None:
         """Do it then, if the scanner has been on all the time."""
@@ -171,7 +194,7 @@ class Scanner:
     # Coming to a slave
 
     def _connect(self, slave: ScannedSlave) -> None:
-        slave.state = SlaveState.CONNECTING
+        self._becomes(slave, SlaveState.CONNECTING)
         choice = slave.entry.choice | Choice.EXPLICIT
         request = Request(Service.ALLOCATE, 3, 1, bytes([choice, self.mac]))
         slave.requester.request(request, partial(self._allocated, slave), unconnected=True)
@@ -191,9 +214,9 @@ class Scanner:
         has = {POLLED: bool(choice & Choice.POLLED), COS: bool(choice & _COS_CHOICE)}
         left = [instance for instance in instances if has[instance]]
         if not left:
-            slave.state = SlaveState.RUNNING
             slave.waits, slave.sent, slave.missed = False, None, 0
             slave.heard_ns = self._kernel.now_ns
+            self._becomes(slave, SlaveState.RUNNING)
             return
         rate = slave.entry.rate_ms.to_bytes(2, "little")
         request = Request(Service.SET_ATTRIBUTE_SINGLE, 5, left[0], bytes([_RATE_ATTRIBUTE]) + rate)
@@ -214,7 +237,7 @@ class Scanner:
             slave.requester.request(request, lambda _: None, unconnected=True)
 
     def _lose(self, slave: ScannedSlave) -> None:
-        slave.state = SlaveState.LOST
+        self._becomes(slave, SlaveState.LOST)
         self._later(_RETRY_NS, partial(self._connect, slave))
 
     # Exchanging data
@@ -223,7 +246,7 @@ class Scanner:
         for slave in self.slaves.values():
             if slave.state is SlaveState.WAITING:
                 self._connect(slave)
-            elif slave.state is SlaveState.RUNNING:
+            elif slave.exchanging:
                 self._exchange(slave)
         self._later(self._scan_ns, self._scan)
 
@@ -254,7 +277,7 @@ class Scanner:
 
     def _polled(self, slave: ScannedSlave, frame: bytes) -> None:
         data = slave.poll_reader.feed(frame)
-        if data is not None and slave.state is SlaveState.RUNNING:
+        if data is not None and slave.exchanging:
             slave.waits, slave.missed = False, 0
             self._take(slave, data)
 

@@ -91,7 +91,8 @@ function spanDetails(item, view) {
     make("h4", { textContent: `${item.kind} from ${item.sender ?? "outside"}` }),
     make("p", { className: "value", textContent: item.meaning || "no frame of the protocol" }),
     facts([
-      ["bytes", item.bytes],
+      ["identifier", item.identifier === null ? null : item.identifier.toString(16).toUpperCase().padStart(3, "0")],
+      ["bytes", item.bytes || "none"],
       ["heard as", item.heard],
       ["trouble", trouble.join(", ")],
       ...times,

@@ -16,10 +16,15 @@ const FRAME_COLOURS = {
   heartbeat: "violet",
   answer: "violet",
   refusal: "orange",
+  output: "blue",
+  input: "green",
+  acknowledge: "violet",
+  fragment: "violet",
+  check: "violet",
   unknown: "grey",
 };
-const GOOD = new Set(["RUN", "OPERATE", "green"]);
-const BAD = new Set(["STOP", "CLEAR", "red"]);
+const GOOD = new Set(["RUN", "OPERATE", "green", "running", "established"]);
+const BAD = new Set(["STOP", "CLEAR", "IDLE", "red", "lost", "timed_out", "fault", "faulted"]);
 
 class Painter {
   constructor(context, view, colours) {

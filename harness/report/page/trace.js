@@ -63,6 +63,7 @@ class Trace {
       damaged: (data.hurt[index] & 1) !== 0,
       collided: (data.hurt[index] & 2) !== 0,
       meaning: this._text(data.says[index]),
+      identifier: data.id[index] < 0 ? null : data.id[index],
     }));
   }
 

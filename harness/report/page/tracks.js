@@ -9,7 +9,7 @@ const HEIGHTS = { bool: 24, bus: 26, analog: 66, lane: 24 };
 
 /** What of the devices is worth a look first. Of the PLC: how far blocks are. */
 const ESSENTIAL =
-  /^(cpu\.mode|bus\.mode|gateway\..+\.(control|status|trigger|online)|drive\..+\.(frequency|set_point|running|tripped|trip|word\..+)|plc\..+\.(busy|done|error|status|step|state|execute|online|ready|running|trip|alarms?|valid|atSetPoint|run|reverse|reset|enable))$/i;
+  /^(cpu\.mode|bus\.mode|gateway\..+\.(control|status|trigger|online)|devicenet\..+\.(mode|exchanging|scanner|state|(output|input)\..+|connection\..+)|drive\..+\.(frequency|set_point|running|tripped|trip|word\..+)|plc\..+\.(busy|done|error|status|step|state|execute|online|ready|running|trip|alarms?|valid|atSetPoint|run|reverse|reset|enable))$/i;
 
 /** A channel: it has one value at any time, from one change to the next. */
 class ChannelTrack {
@@ -127,7 +127,8 @@ function namesOf({ path, group, owner }) {
     const [front, cut] = [`plc.${owner}.`, path.lastIndexOf(".")];
     return [`PLC ${path.slice(front.length, cut) || owner}`, path.slice(cut + 1)];
   }
-  const [heading, front] = [`${group[0].toUpperCase()}${group.slice(1)} ${owner}`, `${group}.${owner}.`];
+  const named = group === "devicenet" ? "DeviceNet" : group[0].toUpperCase() + group.slice(1);
+  const [heading, front] = [`${named} ${owner}`, `${group}.${owner}.`];
   return [heading, path.startsWith(front) ? path.slice(front.length) : path];
 }
 
@@ -146,7 +147,14 @@ function tracksOf(trace) {
   tracks.push(...of("cpu"), ...of("bus"));
   for (const gateway of owners(of("gateway"))) {
     tracks.push(telegramTrack(trace, gateway), ...of("gateway").filter((c) => c.owner === gateway));
-    tracks.push(...lineTracks(trace, gateway));
+    tracks.push(...lineTracks(trace, gateway, "gateway"));
+  }
+  for (const line of owners(of("line"))) {
+    tracks.push(...of("line").filter((c) => c.owner === line), ...lineTracks(trace, line, "module"));
+  }
+  for (const owner of owners(of("devicenet"))) {
+    tracks.push(...of("devicenet").filter((c) => c.owner === owner));
+    if (trace.frames.some((frame) => frame.line === owner)) tracks.push(...lineTracks(trace, owner, "scanner"));
   }
   tracks.push(...inOrder(of("drive")), ...underHeadings(of("plc")));
   return tracks;
@@ -168,8 +176,9 @@ function telegramTrack(trace, gateway) {
   return new SpanTrack(`telegrams.${gateway}`, "telegrams", "telegrams with their replies", heading, items);
 }
 
-function lineTracks(trace, line) {
-  const heading = `Line of ${line}`;
+/** What goes each way on a line or a network; `master` is what asks there. */
+function lineTracks(trace, line, master) {
+  const heading = { gateway: `Line of ${line}`, module: `Line ${line}`, scanner: `DeviceNet ${line}` }[master];
   const frames = trace.frames.filter((frame) => frame.line === line);
   const side = (toDrives, id, name, title) => {
     const items = frames
@@ -178,8 +187,8 @@ function lineTracks(trace, line) {
     return new SpanTrack(`line.${line}.${id}`, name, title, heading, items);
   };
   return [
-    side(true, "to_drives", "to drives", "frames from the gateway to the drives"),
-    side(false, "from_drives", "from drives", "frames from the drives to the gateway"),
+    side(true, "to_drives", "to drives", `frames from the ${master} to the drives`),
+    side(false, "from_drives", "from drives", `frames from the drives to the ${master}`),
   ];
 }
 

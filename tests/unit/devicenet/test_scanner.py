@@ -43,7 +43,7 @@ def network(
     kernel = Kernel()
     bus = CanBus(kernel)
     log: list[tuple[int, Frame]] = []
-    bus.taps.append(lambda at, frame: log.append((at, frame)))
+    bus.taps.append(lambda at, frame, _: log.append((at, frame)))
     pairs = {pair.output.instance: pair for pair in GATEWAY.assemblies}
     entries = [
         ScanEntry(mac, pairs[instance].output.length, pairs[instance].input.length, choice, rate_ms)

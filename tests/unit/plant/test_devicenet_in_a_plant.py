@@ -142,9 +142,7 @@ def test_a_cpu_in_stop_leaves_drives_running_and_nothing_stale_goes_out(
     ) == bytes.fromhex("00 C4 D0 07")
     commanded = []
     scanner = plant.networks["net1"].scanner
-    plant.networks["net1"].bus.taps.append(
-        lambda _, frame: commanded.append(scanner.slaves[5].outputs)
-    )
+    plant.networks["net1"].bus.taps.append(lambda *_: commanded.append(scanner.slaves[5].outputs))
     made.clear()
     plant.run_for(1 * NS_PER_S)
     assert commanded
@@ -158,7 +156,7 @@ def test_a_cpu_without_supply_silences_its_scanner(plant: Installation) -> None:
     made.inject()
     plant.run_for(20 * NS_PER_MS)
     frames: list[int] = []
-    plant.networks["net1"].bus.taps.append(lambda _, frame: frames.append(frame.identifier))
+    plant.networks["net1"].bus.taps.append(lambda _, frame, __: frames.append(frame.identifier))
     plant.run_for(3 * NS_PER_S)
     assert not [one for one in frames if one & 0x400 and one & 7 != 7], "the master is silent"
     assert not plant.drives["outfeed"].told_to_run, "c101"

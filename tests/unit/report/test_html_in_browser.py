@@ -9,7 +9,7 @@ from playwright.sync_api import Locator, Page, expect
 
 from harness.results import ScenarioReport
 from tests.unit.report.results import FAILED, PASSED
-from tests.unit.report.traces import long_trace, short_trace
+from tests.unit.report.traces import long_trace, network_trace, short_trace
 
 Show = Callable[..., Page]
 TRACED = replace(FAILED, observations=(short_trace(),))
@@ -97,6 +97,21 @@ def test_a_frame_says_what_it_means_and_what_happened_to_it(shown: Show) -> None
     tip = hover(page, "line.gw1.from_drives", 32)
     expect(tip.locator("h4")).to_have_text("reply from pump")
     expect(tip).to_contain_text("damaged, collided")
+
+
+def test_serial_lines_and_networks_have_their_frames_under_a_heading_of_their_own(
+    shown: Show,
+) -> None:
+    page = shown(ScenarioReport((replace(PASSED, observations=(network_trace(),)),)))
+    whole(page)
+    headings = page.locator(".labels .heading").all_inner_texts()
+    assert headings[-3:] == ["Line line1", "DeviceNet net1", "DeviceNet infeed"], headings
+    expect(hover(page, "line.line1.from_drives", 32)).to_contain_text("reply from pump")
+    tip = hover(page, "line.net1.to_drives", 42)
+    expect(tip.locator("h4")).to_have_text("output from net1")
+    expect(tip).to_contain_text("42D")
+    expect(tip.locator(".value")).to_have_text("infeed: command = C400")
+    expect(hover(page, "devicenet.infeed.scanner", 70).locator(".value")).to_have_text('"lost"')
 
 
 def test_marks_telegrams_and_faults_have_their_texts(shown: Show) -> None:

@@ -66,6 +66,38 @@ def short_trace() -> Trace:
     )
 
 
+def network_trace() -> Trace:
+    """100 ms of a serial line and of DeviceNet."""
+    channels = (
+        Channel("line.line1.available", "the module answers the CPU", "bool", "line", "line1"),
+        Channel("devicenet.net1.mode", "what the scanner does", "text", "devicenet", "net1"),
+        Channel("devicenet.infeed.scanner", "its state", "text", "devicenet", "infeed"),
+    )
+    changes = (
+        *(Change(0, number, value) for number, value in enumerate((True, "IDLE", "waiting"))),
+        Change(10 * MS, 1, "RUN"),
+        Change(20 * MS, 2, "running"),
+        Change(60 * MS, 2, "lost"),
+    )
+    reply, polled = bytes.fromhex("2F0B47FC90000E1B"), bytes.fromhex("00C4D007")
+    frames = (
+        Frame(22 * MS, 26 * MS, "line1", "line1", True, "request", reply[:5], meaning="ask"),
+        Frame(30 * MS, 34 * MS, "line1", "pump", False, "reply", reply, meaning="say"),
+        Frame(
+            *(40 * MS, 44 * MS, "net1", "net1", True, "output", polled),
+            meaning="infeed: command = C400",
+            identifier=0x42D,
+        ),
+        Frame(46 * MS, 50 * MS, "net1", "infeed", False, "input", b"", identifier=0x3C5),
+    )
+    return Trace(
+        *("Networks", "networks.scenario.yaml", 0, "compiled", "tia", False, 0, 100 * MS),
+        channels=channels,
+        changes=changes,
+        frames=frames,
+    )
+
+
 def long_trace(events: int) -> Trace:
     """So many changes, spread over the channels, a millisecond apart, without a failure."""
     return Trace(

@@ -20,7 +20,7 @@ from harness.scenario import (
     scenario_cases,
 )
 from harness.scenario.devicenet_paths import DEVICENET_ITEMS
-from harness.scenario.paths import COMNO_ITEMS, DRIVE_ITEMS, GATEWAY_ITEMS, ROOTS
+from harness.scenario.paths import COMNO_ITEMS, DRIVE_ITEMS, GATEWAY_ITEMS, LINE_ITEMS, ROOTS
 from tests.unit.scenario.scenario_files import PLANT, ROOT
 
 PAGE = (ROOT / "docs" / "reference" / "scenario-files.md").read_text("utf-8")
@@ -78,7 +78,8 @@ def test_every_path_is_explained_and_none_that_there_is_not() -> None:
     wanted |= {f"drive.*.{item}" for item in DRIVE_ITEMS}
     wanted |= {f"drive.*.{item}.*" for item in COMNO_ITEMS}
     wanted |= {f"devicenet.*.{item}" for item in DEVICENET_ITEMS}
-    wanted |= {"devicenet.*.output.*", "devicenet.*.led.*"}
+    wanted |= {"devicenet.*.output.*", "devicenet.*.led.*", "devicenet.*.connection.*"}
+    wanted |= {"devicenet.*.mode", *(f"line.*.{item}" for item in LINE_ITEMS)}
     generic = {path for path in paths if "*" in path or path.startswith(("cpu", "bus"))}
     assert generic == wanted
 

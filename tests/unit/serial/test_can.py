@@ -187,7 +187,7 @@ def test_a_log_of_a_simulated_bus_has_its_times(tmp_path: Path) -> None:
     bus = CanBus(kernel)
     node = bus.attach(lambda _: None)
     with CanLog(path) as log:
-        bus.taps.append(log.write)
+        bus.taps.append(lambda at_ns, frame, _: log.write(at_ns, frame))
         kernel.at(NS_PER_MS, lambda: node.send(Frame(0x3C5, bytes(4))))
         kernel.at(11 * NS_PER_MS, lambda: node.send(Frame(0x3C5, bytes(8))))
         kernel.run_for(20 * NS_PER_MS)
