@@ -29,6 +29,14 @@ _EPOCH = datetime(1970, 1, 1, tzinfo=UTC)
 _LATIN = "latin-1"
 
 
+def _is_row_of_bytes(kind: ArrayType) -> bool:
+    """Whether elements stand as they are, one behind the other: the buffers of telegrams."""
+    element = kind.element
+    if not isinstance(element, Elementary) or len(kind.bounds) != 1:
+        return False
+    return element.bits == 8 and element.family in (Family.BITS, Family.UNSIGNED)
+
+
 @dataclass(frozen=True, slots=True)
 class Layout(Sizes):
     """The rules of one kind of controller."""
@@ -54,6 +62,10 @@ class Layout(Sizes):
                     self.write(memory, bit + start, field.type, value[field.name])
         elif isinstance(kind, ArrayType):
             assert isinstance(value, Sequence)
+            if _is_row_of_bytes(kind):
+                assert len(value) == kind.count
+                memory[bit >> 3 : (bit >> 3) + kind.count] = bytes(value)  # type: ignore[arg-type]
+                return
             for start, element in zip(self.element_bits(kind), value, strict=True):
                 self.write(memory, bit + start, kind.element, element)
         elif isinstance(kind, Elementary) and kind.bits == 1 and self.is_s7:
@@ -72,6 +84,8 @@ class Layout(Sizes):
                 for field, start in self.placed(kind)
             }
         if isinstance(kind, ArrayType):
+            if _is_row_of_bytes(kind):
+                return list(memory[bit >> 3 : (bit >> 3) + kind.count])
             return [
                 self.read(memory, bit + start, kind.element) for start in self.element_bits(kind)
             ]

@@ -102,11 +102,13 @@ class _DriveWatch:
         self._kernel = kernel
         self._entry = entry
         self._option = option = network.options[entry.name]
+        self._drive = drive
         self._slave = network.scanner.slaves[entry.mac]
         self._pair = option.assemblies.chosen
         self._writer = writer
         self._before = b""
         self._came: bytes | None = None
+        self._seen: tuple[object, ...] = ()
         add = self._add
         self._online = add("online", "is on the network", "bool")
         self._exchanging = add("exchanging", "exchanges data with the scanner", "bool")
@@ -155,6 +157,12 @@ class _DriveWatch:
         """Note everything as it is now."""
         note, now_ns, option = self._log.note, self._kernel.now_ns, self._option
         node = option.node
+        self.data_passed()
+        connections = [(key, found.state) for key, found in node.connections.items()]
+        seen = node.network, self._slave.state, connections, self._drive.tripped
+        if seen == self._seen:
+            return
+        self._seen = seen
         note(self._online, now_ns, node.network is Network.ONLINE)
         note(self._exchanging, now_ns, self._slave.exchanging)
         note(self._network, now_ns, node.network.name.lower())
@@ -165,7 +173,6 @@ class _DriveWatch:
             note(channel, now_ns, state.name.lower())
         for light in option.lights:
             note(self._lamps[light.lamp], now_ns, self._lights[light.lamp][light.state])
-        self.data_passed()
 
     def data_passed(self) -> None:
         """Note the data, and the state that follows from them."""

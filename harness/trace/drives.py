@@ -74,7 +74,9 @@ class DriveWatch:
             (self._command_number, self._command),
             (self._status_number, self._status),
         ):
-            note(channel, now_ns, drive.read_word(number))
+            word = drive.monitors.read(number)
+            assert word is not None, "every ComNo of the catalogue has a cell"
+            note(channel, now_ns, word)
         self._look_again(now_ns)
 
     def _look_again(self, now_ns: int) -> None:
