@@ -5,6 +5,7 @@ entry ends with a semicolon. The maker's own file is not public; this one says s
 """
 
 from collections.abc import Iterable, Iterator
+from fractions import Fraction
 
 from fbgen.catalog import Assembly, DeviceNetGateway, Drive
 from fbgen.wire.devicenet_paths import Logical, Segment, assembly_path, encode_path
@@ -13,7 +14,9 @@ _DATE, _TIME = "01-01-2026", "12:00:00"
 """Fixed: the same catalogue gives the same file."""
 _REVISION = "1.0"
 _POLLED, _COS, _CYCLIC = 0x0001, 0x0004, 0x0008
-_NO_DESCRIPTOR = 0x0000
+_ALL = _POLLED | _COS | _CYCLIC
+"""Outputs too: beside polls the master sends them when they change, or cyclically."""
+_NO_DESCRIPTOR, _SCALED = 0x0000, 0x0004
 _UINT, _UINT_CODE = 2, 0xC7
 _NAME, _HELP = 32, 64
 """Characters that names and helps may have."""
@@ -73,20 +76,20 @@ def _device(gateway: DeviceNetGateway, series: Drive) -> Iterator[tuple[str, lis
 
 def _io(gateway: DeviceNetGateway) -> Iterator[tuple[str, list[str]]]:
     yield "Default", [_hex(_POLLED)]
-    yield "PollInfo", [_hex(_POLLED | _COS | _CYCLIC), "1", "1"]
+    yield "PollInfo", [_hex(_ALL), "1", "1"]
     yield "COSInfo", [_hex(_POLLED | _COS), "1", "1"]
     yield "CyclicInfo", [_hex(_POLLED | _CYCLIC), "1", "1"]
     for number, pair in enumerate(gateway.assemblies, start=1):
-        yield f"Input{number}", _connection(pair.input, _POLLED | _COS | _CYCLIC)
+        yield f"Input{number}", _connection(pair.input)
     for number, pair in enumerate(gateway.assemblies, start=1):
-        yield f"Output{number}", _connection(pair.output, _POLLED)
+        yield f"Output{number}", _connection(pair.output)
 
 
-def _connection(assembly: Assembly, kinds: int) -> list[str]:
+def _connection(assembly: Assembly) -> list[str]:
     path = assembly_path(assembly.instance)
     name = f"Instance {assembly.instance}"
     return [
-        *(str(assembly.length), "0", _hex(kinds), _text(name)),
+        *(str(assembly.length), "0", _hex(_ALL), _text(name)),
         *(str(len(path)), _path(path), _text(assembly.title, _HELP)),
     ]
 
@@ -107,14 +110,17 @@ def _parameters(gateway: DeviceNetGateway) -> Iterator[tuple[str, list[str]]]:
                 Logical(Segment.ATTRIBUTE, rule.attribute),
             )
         )
+        step = Fraction(str(item.resolution))
+        decimals = len(str(step.denominator)) - 1
         yield (
             f"Param{number}",
             [
-                *("0", str(len(path)), _path(path), _hex(_NO_DESCRIPTOR)),
+                *("0", str(len(path)), _path(path), _hex(_NO_DESCRIPTOR if step == 1 else _SCALED)),
                 *(_hex(_UINT_CODE, 2), str(_UINT), _text(item.display)),
                 *(_text(item.unit), _text(item.title, _HELP)),
                 *(str(item.minimum), str(item.maximum), str(item.default)),
-                *("1", "1", "1", "0", "0", "0", "0", "0", "0"),
+                *(str(step.numerator), str(step.denominator), "1", "0"),
+                *("0", "0", "0", "0", str(decimals)),
             ],
         )
 

@@ -15,7 +15,7 @@ from fbgen.catalog.sourced import Sourced, Status
 from fbgen.diagnostics import Diagnostic
 
 DataType = Literal[
-    "bool", "byte", "word", "sint", "usint", "int", "uint", "udint", "short_string",
+    "bool", "byte", "word", "sint", "usint", "int", "uint", "dint", "udint", "short_string",
     "byte_array", "usint_array", "uint_array", "struct",
 ]  # fmt: skip
 NUMBERS: dict[DataType, tuple[int, int]] = {
@@ -26,6 +26,7 @@ NUMBERS: dict[DataType, tuple[int, int]] = {
     "usint": (0, 0xFF),
     "int": (-0x8000, 0x7FFF),
     "uint": (0, 0xFFFF),
+    "dint": (-0x80000000, 0x7FFFFFFF),
     "udint": (0, 0xFFFFFFFF),
 }
 """What types of numbers can hold; they have their low byte first."""

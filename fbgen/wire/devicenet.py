@@ -73,7 +73,8 @@ class AllocationError(IntEnum):
 
     ALLOCATED_TO_ANOTHER = 0x01
     INVALID_CHOICE = 0x02
-    NOT_ALLOCATED_WITHOUT_EXPLICIT = 0x03
+    NEITHER_ALLOCATE_NOR_RELEASE = 0x03
+    """What came to the unconnected port of a "group 2 only" server."""
 
 
 class Choice(IntFlag):

@@ -4,6 +4,7 @@ DeviceNet has identifiers of 11 bits and data frames only: anything else on the 
 """
 
 import logging
+from collections import deque
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Protocol
 
@@ -17,6 +18,10 @@ if TYPE_CHECKING:
 TICK_S = 0.005
 """How long an interface waits for a frame: so often the server looks what else there is to do."""
 _HELP = "--can INTERFACE:CHANNEL, such as socketcan:can0, slcan:/dev/ttyACM0 or virtual:desk"
+_ECHOING = ("udp_multicast",)
+"""Interfaces that give back what was sent, which no CAN controller does."""
+_ECHOES = 64
+"""Frames sent whose echo is waited for, at most; older ones got lost."""
 
 
 class CanInterface(Protocol):
@@ -46,9 +51,11 @@ class CanInterface(Protocol):
 class PythonCan:
     """An interface of python-can that is open."""
 
-    def __init__(self, name: str, bus: "can.BusABC") -> None:
+    def __init__(self, name: str, bus: "can.BusABC", *, echoes: bool = False) -> None:
+        """`echoes`: the interface gives back what was sent."""
         self._name = name
         self._bus = bus
+        self._echoes: deque[Frame] | None = deque(maxlen=_ECHOES) if echoes else None
 
     @property
     def name(self) -> str:
@@ -67,7 +74,8 @@ class PythonCan:
             return None
         if message.is_remote_frame or message.is_error_frame:
             return None
-        return Frame(message.arbitration_id, bytes(message.data))
+        frame = Frame(message.arbitration_id, bytes(message.data))
+        return None if self._is_echo(frame) else frame
 
     def write(self, frame: Frame) -> None:
         """Send a frame."""
@@ -80,10 +88,20 @@ class PythonCan:
             self._bus.send(message)
         except (can.CanError, OSError) as problem:
             raise self._gone(problem) from None
+        if self._echoes is not None:
+            self._echoes.append(frame)
 
     def close(self) -> None:
         """Give the interface back."""
         self._bus.shutdown()
+
+    def _is_echo(self, frame: Frame) -> bool:
+        """Whether it is the next of those sent; the ones sent before it got lost then."""
+        if self._echoes is None or frame not in self._echoes:
+            return False
+        while self._echoes.popleft() != frame:
+            pass
+        return True
 
     def _gone(self, problem: Exception) -> DiagnosticError:
         message = f"{self._name} cannot be used any more: {problem}"
@@ -114,4 +132,4 @@ def can_interface(name: str, bit_rate: int) -> PythonCan:
     except Exception as problem:  # each interface has errors of its own, down to those of drivers
         reason = str(problem) or type(problem).__name__
         raise error("FB9031", f"{name} cannot be opened: {reason}", None, _HELP) from None
-    return PythonCan(name, bus)
+    return PythonCan(name, bus, echoes=interface in _ECHOING)

@@ -373,6 +373,26 @@ def test_factory_address_follows_the_switch_rule(entry: Entry) -> None:
     assert entry["switch_b"] * 10 + entry["switch_a"] == entry["address"]
 
 
+@_of("status_bits")
+def test_flags_and_numbers_of_a_status_do_not_overlap(entry: Entry) -> None:
+    flags = [row["bit"] for row in entry["flags"]]
+    number = range(entry["number"]["lowest"], entry["number"]["highest"] + 1)
+    assert flags == sorted(set(flags) - set(number))
+    values = [row["value"] for row in entry["values"]]
+    assert values == sorted(set(values))
+    assert values[-1] < 1 << len(number)
+
+
+@_of("object_attributes")
+def test_attributes_and_services_are_named_once_each(entry: Entry) -> None:
+    numbers = [row["attribute"] for row in entry["attributes"]]
+    assert numbers == sorted(set(numbers))
+    assert entry.get("count", len(numbers)) == len(numbers)
+    services = [row["service"] for row in entry["services"]]
+    assert services == sorted(set(services))
+    assert all(row["class"] or row["instance"] for row in entry["services"])
+
+
 def test_every_kind_of_entry_is_known() -> None:
     assert not CHECKED & PROSE
     assert {entry["kind"] for entry in ENTRIES} == CHECKED | PROSE

@@ -34,6 +34,7 @@ def serve_option(interface: str, known: "Catalog", wanted: OptionWanted) -> None
     Raises DiagnosticError FB9030, FB9031, FB9033, FB9034, FB7106, FB1105 for what cannot be.
     """
     from contextlib import nullcontext
+    from time import time
 
     from harness.gateways.dev003z import Dev003zSettings
     from harness.serial import CanLog, OptionServer
@@ -48,7 +49,7 @@ def serve_option(interface: str, known: "Catalog", wanted: OptionWanted) -> None
     )
     opened = _open(interface, rate)
     try:
-        with nullcontext() if wanted.log is None else CanLog(wanted.log) as log:
+        with nullcontext() if wanted.log is None else CanLog(wanted.log, time()) as log:
             _serve(OptionServer(known, gateway.id, settings, opened, log=log), opened.name, rate)
     finally:
         opened.close()

@@ -45,9 +45,7 @@ def refuse_allocation(now: Allocation, request: Request) -> ErrorResponse | None
     if choice & now.choice & _CONNECTIONS or (choice & _COS and now.choice & _COS):
         return _refusal(Status.ALREADY_IN_REQUESTED_STATE, AllocationError.INVALID_CHOICE)
     if not (choice | now.choice) & Choice.EXPLICIT:
-        return _refusal(
-            Status.OBJECT_STATE_CONFLICT, AllocationError.NOT_ALLOCATED_WITHOUT_EXPLICIT
-        )
+        return _refusal(Status.INVALID_ATTRIBUTE_VALUE, AllocationError.INVALID_CHOICE)
     return None
 
 
@@ -71,6 +69,11 @@ def is_allocation(request: Request) -> bool:
     """Whether a request is one of the DeviceNet object's own services, for its one instance."""
     own = (Service.ALLOCATE, Service.RELEASE)
     return request.service in own and (request.class_id, request.instance) == (3, 1)
+
+
+def refuse_unconnected() -> ErrorResponse:
+    """The answer to what the unconnected port does not take."""
+    return _refusal(Status.OBJECT_STATE_CONFLICT, AllocationError.NEITHER_ALLOCATE_NOR_RELEASE)
 
 
 def _contradicts(choice: int) -> bool:

@@ -40,7 +40,8 @@ class Connection:
     """One instance of the Connection object. `expire` is called when its watchdog has waited.
 
     `produced_size` and `consumed_size` are fixed when it is made. `watched` is False for one that
-    takes nothing, so that there is nothing to wait for.
+    takes nothing, so that there is nothing to wait for. `idle`: no data have come, or the last
+    message had none, as a master sends it that does not run.
     """
 
     __slots__ = (
@@ -52,6 +53,7 @@ class Connection:
         "_unused_ns",
         "action",
         "consumed_size",
+        "idle",
         "inhibit_ms",
         "instance",
         "produced_size",
@@ -77,6 +79,7 @@ class Connection:
         self.produced_size, self.consumed_size = sizes
         self.inhibit_ms = 0
         self.watched = True
+        self.idle = bool(self.consumed_size)
         explicit = instance == EXPLICIT
         self.action = WatchdogAction.AUTO_DELETE if explicit else WatchdogAction.TIMED_OUT
         self.state = ConnectionState.ESTABLISHED if explicit else ConnectionState.CONFIGURING
@@ -101,7 +104,9 @@ class Connection:
             self._wait(self._patience_ns())
 
     def message(self) -> None:
-        """A message was taken: the watchdog begins anew."""
+        """A message was taken: the watchdog begins anew, and nothing is deleted later."""
+        if self.state is ConnectionState.DEFERRED_DELETE:
+            self.state = ConnectionState.ESTABLISHED
         self._wait(self._patience_ns())
 
     def reset(self) -> bool:

@@ -13,7 +13,14 @@ from typing import Literal
 from fbgen.dataclass import dataclass
 from fbgen.wire.devicenet import BodyFormat, Choice, Frame, Service
 from fbgen.wire.devicenet_ids import Group2, SlaveMessage, group_2, slave_message
-from fbgen.wire.devicenet_messages import DuplicateCheck, ErrorResponse, Request, Response
+from fbgen.wire.devicenet_messages import (
+    DuplicateCheck,
+    ErrorResponse,
+    MessageError,
+    Request,
+    Response,
+    parse_duplicate_check,
+)
 from harness.fieldbus.devicenet.connection import COS, POLLED
 from harness.fieldbus.devicenet.io_data import IoReader, io_frames
 from harness.fieldbus.devicenet.requester import Answer, Done, Requester
@@ -95,12 +102,14 @@ class ScannedSlave:
 class Scanner:
     """The master on the bus. While `idle` it polls without data: slaves go on as they were told.
 
+    `on` until it is stopped, or finds out that another node has its MAC ID.
     Functions in `on_state` are called with a slave whose state is another.
     """
 
     __slots__ = (
         "_kernel",
         "_life",
+        "_online",
         "_put",
         "_receivers",
         "_scan_ns",
@@ -129,6 +138,7 @@ class Scanner:
         self.idle = self.on = False
         self.on_state: list[Callable[[ScannedSlave], None]] = []
         self._life = 0
+        self._online = False
         self.slaves = {
             entry.mac: ScannedSlave(entry, Requester(kernel, mac, entry.mac, send))
             for entry in entries
@@ -151,9 +161,14 @@ class Scanner:
     def start(self) -> None:
         """Say who it is, twice, and then begin to scan."""
         self.on = True
+        self._online = False
         for number in range(_CHECKS):
             self._later(number * _CHECK_NS, lambda: self._put(self._check(response=False)))
-        self._later(_CHECKS * _CHECK_NS, self._scan)
+        self._later(_CHECKS * _CHECK_NS, self._begin)
+
+    def _begin(self) -> None:
+        self._online = True
+        self._scan()
 
     def stop(self) -> None:
         """No supply: silence, and all slaves are forgotten."""
@@ -181,7 +196,18 @@ class Scanner:
         if receiver is not None:
             receiver(frame.data)
         elif frame.identifier == group_2(Group2.DUPLICATE_MAC_CHECK, self.mac):
+            self._same_mac(frame.data)
+
+    def _same_mac(self, data: bytes) -> None:
+        """Another node has this MAC ID, or asks whether somebody has it."""
+        try:
+            check = parse_duplicate_check(data)
+        except MessageError:
+            return
+        if self._online and not check.response:
             self._put(self._check(response=True))
+        else:
+            self.stop()
 
     def request(self, mac: int, request: Request, done: Done) -> None:
         """Send a slave an explicit request; `done` gets its answer, None for none."""

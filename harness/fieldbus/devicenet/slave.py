@@ -1,8 +1,9 @@
 """A DeviceNet slave: duplicate MAC check, predefined connection set, explicit messages and I/O.
 
 It is a "group 2 only" server: a master reaches it by the unconnected port first, and by nothing but
-Allocate and Release there. What DeviceNet does not say of a frame is not answered. Facts: DEV003Z-1
-manual E6581737, pages 7, 8, 14 and 33 to 36; IEC 62026-3 as public implementations have it.
+Allocate and Release there; messages of group 3 are not for it. What DeviceNet does not say of a
+frame is not answered. Facts: DEV003Z-1 manual E6581737, pages 7, 8, 14 and 33 to 36; IEC 62026-3 as
+public implementations have it.
 """
 
 from collections.abc import Callable
@@ -27,6 +28,7 @@ from harness.fieldbus.devicenet.allocation import (
     is_allocation,
     refuse_allocation,
     refuse_release,
+    refuse_unconnected,
 )
 from harness.fieldbus.devicenet.application import Application
 from harness.fieldbus.devicenet.change_of_state import Producer
@@ -167,6 +169,15 @@ class DeviceNetSlave:
         return any(item.established for key, item in self.connections.items() if key != EXPLICIT)
 
     @property
+    def io_running(self) -> bool:
+        """Whether an I/O connection is, and not idle."""
+        return any(
+            item.established and not item.idle
+            for key, item in self.connections.items()
+            if key != EXPLICIT
+        )
+
+    @property
     def io_timed_out(self) -> bool:
         """Whether an I/O connection timed out and was not established again."""
         timed_out = ConnectionState.TIMED_OUT
@@ -208,15 +219,23 @@ class DeviceNetSlave:
     # Explicit messages
 
     def _unconnected(self, data: bytes) -> None:
-        """Allocate and Release for whoever asks. Anything else is not for this port."""
+        """Allocate and Release for whoever asks. Any other request is refused."""
         if not data or (header := parse_header(data[0])).fragment:
             return
+        if len(data) == 1 or data[1] & RESPONSE:
+            return
+        answer: Response | ErrorResponse = refuse_unconnected()
         try:
             request = parse_request(data[1:], _UNCONNECTED_FORM)
         except MessageError:
-            return
-        if is_allocation(request):
-            self._respond(header, self._allocate_or_release(request, header.mac))
+            pass
+        else:
+            if is_allocation(request):
+                answer = self._allocate_or_release(request, header.mac)
+        # Short, and beside the connection: what goes on there in fragments goes on.
+        identifier = group_2(Group2.EXPLICIT_RESPONSE, self.settings.mac)
+        frame = Frame(identifier, bytes([header.byte]) + encode_response(answer))
+        self._later(self.settings.response_ns, lambda: self._put(frame))
 
     def _explicit_frame(self, data: bytes) -> None:
         connection = self.connections.get(EXPLICIT)
@@ -349,6 +368,7 @@ class DeviceNetSlave:
         if data is None or len(data) > connection.consumed_size:
             return
         connection.message()
+        connection.idle = not data
         if len(data) == connection.consumed_size:
             self._application.consume(data)
         self._later(self.settings.response_ns, self._answer_poll)

@@ -13,6 +13,7 @@ from fbgen.diagnostics import error
 from fbgen.wire.devicenet import BodyFormat, Frame, Service, Status
 from fbgen.wire.devicenet_messages import ErrorResponse, Request, Response
 from harness.fieldbus.devicenet import DeviceNetSlave, Network, NodeSettings
+from harness.fieldbus.devicenet.connection import POLLED
 from harness.gateways.dev003z.assemblies import Assemblies
 from harness.gateways.dev003z.cells import Cells
 from harness.gateways.dev003z.commands import Commands
@@ -203,13 +204,19 @@ class Dev003z:
         return self._drive.set(object_class, attribute, value)
 
     def call(self, object_class: ObjectClass, request: Request) -> bytes | Status:
-        """Reset of the Identity object or of a connection."""
+        """Reset of the Identity object, of a connection, or of the Control Supervisor."""
         if object_class.name == "connection":
             if request.data:
                 return Status.TOO_MUCH_DATA
             done = self.node.connections[request.instance].reset()
             self.node.changed()
             return b"" if done else Status.OBJECT_STATE_CONFLICT
+        if object_class.name == "control_supervisor":
+            if request.data:
+                return Status.TOO_MUCH_DATA
+            self.commands.withdraw()
+            self.supervisor.reset()
+            return b""
         if object_class.name == "identity" and request.service == Service.RESET:
             if len(request.data) > 1:
                 return Status.TOO_MUCH_DATA
@@ -243,7 +250,8 @@ class Dev003z:
         if len(data) != assembly.length:
             short = len(data) < assembly.length
             return Status.NOT_ENOUGH_DATA if short else Status.TOO_MUCH_DATA
-        if self.node.io_established:
+        polled = self.node.connections.get(POLLED)
+        if polled is not None and polled.established:
             return Status.OBJECT_STATE_CONFLICT
         self.assemblies.take(pair, data, self.state)
         return None

@@ -71,7 +71,7 @@ class Assemblies:
         }
         bits = self._control_bits(pair.output, values)
         if "speed" in values:
-            self._commands.set_speed(values["speed"])
+            self._commands.set_speed(_signed(values["speed"]))
         if bits is not None:
             self._take_control(bits, state)
         if "frequency" in values:
@@ -174,3 +174,8 @@ class Assemblies:
 
     def _read(self, number: int) -> int:
         return self._cells.read(number) or 0
+
+
+def _signed(word: int) -> int:
+    """A word as INT, which speeds are."""
+    return word - 0x10000 if word & 0x8000 else word

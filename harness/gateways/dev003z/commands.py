@@ -4,7 +4,8 @@ Instances 20, 21 and 101 and the attributes of Control Supervisor and AC/DC Driv
 run/stop event matrix; instances 100, 102 and 105 write the words themselves. Our own, because the
 text at hand does not say it: a run edge counts only while the network has the command and the drive
 is Ready, Enabled or Stopping; after a trip, or when communication was lost, it takes a new edge; a
-fault reset acts once, when its bit comes; a set-point over the maximum frequency becomes that.
+fault reset acts once, when its bit comes; a set-point over the maximum frequency becomes that, and
+a speed below 0 becomes 0.
 """
 
 from fbgen.catalog import Word
@@ -73,8 +74,8 @@ class Commands:
         self._put()
 
     def set_speed(self, speed: int) -> None:
-        """The speed reference, in min-1."""
-        self.speed = speed
+        """The speed reference, in min-1; a negative one becomes 0."""
+        self.speed = speed = max(0, speed)
         self.write_frequency(self._speeds.hundredths_of_hz(speed))
 
     def set_fault_reset(self, wanted: bool) -> None:
@@ -88,6 +89,11 @@ class Commands:
         """It tripped: it will not go on by itself."""
         self._run_type = RunType.NONE
         self._word &= ~self._bits["run"]
+
+    def withdraw(self) -> None:
+        """The Control Supervisor was reset: what runs stops, and takes a new edge."""
+        self._run_type = RunType.NONE
+        self._put()
 
     def write_command(self, word: int) -> None:
         """A command word from instance 100, 102 or 105. Its reset bit acts once."""

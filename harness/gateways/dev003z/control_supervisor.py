@@ -1,8 +1,8 @@
 """The Control Supervisor's states, and its run/stop event matrix, as tables.
 
 Facts: DEV003Z-1 manual E6581737, page 40 (printed 39). The matrix is there whole but for its
-arrows. Of the diagram only the beginning is left; the rest is as the CIP profile of AC drives has
-it, and marked so in the table. The states have the numbers of the attribute, page 39.
+arrows. Of the diagram all names of states and events are there, but no arrows: what leads where is
+as the CIP profile of AC drives has it. The states have the numbers of the attribute, page 39.
 """
 
 from collections.abc import Mapping
@@ -46,7 +46,6 @@ TRANSITIONS: Mapping[tuple[State, Event], State] = MappingProxyType(
         (State.NON_EXISTENT, Event.SWITCH_ON): State.STARTUP,
         (State.STARTUP, Event.INITIALISED): State.NOT_READY,
         (State.NOT_READY, Event.MAIN_POWER_ON): State.READY,
-        # From here on as the CIP profile has it: the manual's text is cut off.
         (State.READY, Event.RUN): State.ENABLED,
         (State.ENABLED, Event.STOP): State.STOPPING,
         (State.STOPPING, Event.RUN): State.ENABLED,

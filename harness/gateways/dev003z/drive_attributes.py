@@ -1,7 +1,7 @@
 """Attributes of the inverter's side: Motor Data, Control Supervisor, AC/DC Drive.
 
 Currents are in 100 mA of the rated current that Motor Data holds, torque in Nm of the rated torque
-that an option of the catalogue gives, times as those of the inverter are, in ms.
+that an option of the catalogue gives, times as those of the inverter are, in ms / 2^TimeScale.
 """
 
 from collections.abc import Callable, Mapping
@@ -14,6 +14,7 @@ from harness.gateways.dev003z.commands import MAXIMUM_FREQUENCY
 from harness.gateways.dev003z.parts import Parts
 
 _ALARM, _CURRENT, _TORQUE, _POWER = 0xFC91, 0xFD03, 0xFD18, 0xFD30
+_HOURS = 0xFE14
 _ACCELERATION, _DECELERATION = 0x0009, 0x0010
 _UPPER, _LOWER = 0x0012, 0x0013
 _WHOLE = 10_000
@@ -70,6 +71,7 @@ class DriveAttributes:
         self._getters: Mapping[tuple[str, str], Getter] = {
             **{("control_supervisor", name): get for name, get in self._of_supervisor().items()},
             **{("ac_dc_drive", name): get for name, get in self._of_drive().items()},
+            ("motor_data", "pole_count"): lambda: self._speeds.poles,
         }
         self._setters: Mapping[tuple[str, str], Setter] = {
             **{("control_supervisor", name): put for name, put in self._to_supervisor().items()},
@@ -138,22 +140,28 @@ class DriveAttributes:
             ),
             "torque_actual": lambda: round(self._read(_TORQUE) * self._rated_torque / _WHOLE),
             "power_actual": lambda: min(0x7FFF, self._read(_POWER) * _TEN_WATT),
-            "acceleration_time": lambda: self._ramp_ms(_ACCELERATION),
-            "deceleration_time": lambda: self._ramp_ms(_DECELERATION),
+            "acceleration_time": lambda: self._ramp(_ACCELERATION),
+            "deceleration_time": lambda: self._ramp(_DECELERATION),
             "low_speed_limit": lambda: speeds.per_minute(self._read(_LOWER)),
             "high_speed_limit": lambda: speeds.per_minute(self._read(_UPPER)),
             "reference_from_net": lambda: int(host.network_frequency),
+            "drive_on_hours": lambda: self._read(_HOURS),
         }
 
     def _at_reference(self) -> int:
         running = self._host.running
         return int(running and self._read(OUTPUT_FREQUENCY) == self._read(FREQUENCY_COMMAND))
 
-    def _ramp_ms(self, number: int) -> int:
+    def _ramp(self, number: int) -> int:
         """From 0 to the high speed limit; the inverter's own times go to its maximum frequency."""
         maximum = self._read(MAXIMUM_FREQUENCY)
         part = self._read(_UPPER) / maximum if maximum else 1.0
-        return min(0xFFFF, round(self._read(number) * _TENTH_MS * part))
+        return min(0xFFFF, round(self._read(number) * _TENTH_MS * part * self._per_ms))
+
+    @property
+    def _per_ms(self) -> float:
+        """How many units of the times a millisecond has."""
+        return 2.0 ** self._kept["ac_dc_drive", "time_scale"]
 
     # Writing
 
@@ -194,7 +202,8 @@ class DriveAttributes:
     def _set_ramp(self, number: int, value: int) -> Status | None:
         upper = self._read(_UPPER)
         part = self._read(MAXIMUM_FREQUENCY) / upper if upper else 1.0
-        return refusal(self._cells.write(number, min(0xFFFF, round(value * part / _TENTH_MS))))
+        tenths = round(value / self._per_ms * part / _TENTH_MS)
+        return refusal(self._cells.write(number, min(0xFFFF, tenths)))
 
     def _set_limit(self, number: int, value: int) -> Status | None:
         return refusal(self._cells.write(number, self._speeds.hundredths_of_hz(value)))

@@ -22,8 +22,8 @@ _STATES = {
     Network.ONLINE: 3,
     Network.FAULT: 5,
 }
-_OWNED, _RECOVERABLE_FAULT = 0x0001, 0x0400
-_NO_IO, _IO_FAULT, _RUN_MODE = 0x0030, 0x0020, 0x0060
+_OWNED, _MINOR_RECOVERABLE_FAULT = 0x0001, 0x0100
+_NO_IO, _IO_FAULT, _RUN_MODE, _IDLE_MODE = 0x0030, 0x0020, 0x0060, 0x0070
 """Bits 4 to 7 of the status (E6581737, page 11)."""
 
 Value = int | bytes
@@ -113,12 +113,14 @@ class NetworkAttributes:
 
     def _status(self, tripped: bool) -> int:
         node = self._node
-        status = _RUN_MODE if node.io_established else _NO_IO
+        status = _NO_IO
+        if node.io_established:
+            status = _RUN_MODE if node.io_running else _IDLE_MODE
         if node.io_timed_out:
             status = _IO_FAULT
         if node.connections:
             status |= _OWNED
-        return status | _RECOVERABLE_FAULT if tripped else status
+        return status | _MINOR_RECOVERABLE_FAULT if tripped else status
 
     def _classes(self) -> bytes:
         codes = [item.code for item in self._gateway.objects]
@@ -173,6 +175,8 @@ class NetworkAttributes:
 
     def _set_connection(self, connection: Connection, name: str, value: int) -> Status | None:
         if name == "expected_packet_rate":
+            if value and value < connection.inhibit_ms:
+                return Status.INVALID_ATTRIBUTE_VALUE
             connection.set_rate(value)
             self._node.changed()
         elif name == "production_inhibit_time":

@@ -12,9 +12,10 @@ from fbgen.wire.devicenet import NO_ADDITIONAL_CODE, Service, Status
 from fbgen.wire.devicenet_messages import ErrorResponse, Request, Response
 
 _SIZES: Mapping[DataType, int] = {
-    "bool": 1, "byte": 1, "usint": 1, "sint": 1, "word": 2, "int": 2, "uint": 2, "udint": 4,
+    "bool": 1, "byte": 1, "usint": 1, "sint": 1, "word": 2, "int": 2, "uint": 2,
+    "dint": 4, "udint": 4,
 }  # fmt: skip
-_SIGNED = ("sint", "int")
+_SIGNED = ("sint", "int", "dint")
 
 Value = int | bytes
 """A number, or the bytes of what is none."""

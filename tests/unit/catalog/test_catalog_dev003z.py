@@ -148,6 +148,8 @@ def test_instances_of_the_parameter_object_are_numbers_shifted() -> None:
     assert rule.attribute == entry["attribute"]
     for row in entry["examples"]:
         assert rule.instance(int(row["comno"], 16)) == int(row["instance"], 16)
+    for row in ENTRIES["dev.parameter_object.examples"]["examples"]:
+        assert rule.instance(int(row["comno"], 16)) == int(row["instance"], 16)
     assert rule.instance(0xFA00) == 0x7A00
     for number in (0x0000, 0x0003, 0x0268, 0x0880, 0xC101, 0xFA00, 0xFD00, 0xFFFF):
         assert rule.number(rule.instance(number)) == number
@@ -167,6 +169,31 @@ def test_the_classes_are_those_of_the_manual_with_their_attributes() -> None:
         True,
         True,
     )
+
+
+OBJECTS = [entry for entry in ENTRIES.values() if entry["kind"] == "object_attributes"]
+NOT_AS_PRINTED = {("28", "0E")}
+"""It lists attributes of the class without a service for them: finding class_attributes_unread."""
+
+
+@pytest.mark.fact("dev.drive", "dev.motor")
+@pytest.mark.parametrize("entry", OBJECTS, ids=lambda entry: str(entry["id"]))
+def test_tables_of_attributes_and_services_are_those_of_the_manual(entry: dict[str, Any]) -> None:
+    known = next(item for item in GATEWAY.objects if item.code == int(entry["class"], 16))
+    printed = {
+        row["attribute"]: (row["type"].lower().replace(" ", "_"), row["access"] == "Get/Set")
+        for row in entry["attributes"]
+    }
+    if printed:
+        assert {item.id: (item.type, item.settable) for item in known.attributes} == printed
+        assert entry.get("count", len(printed)) == len(known.attributes)
+    for row in entry["services"]:
+        service = next(one for one in known.services if one.code == int(row["service"], 16))
+        assert service.on_instance is row["instance"]
+        if (entry["class"], row["service"]) not in NOT_AS_PRINTED:
+            assert service.on_class is row["class"]
+    printed_services = {row["service"] for row in entry["services"]}
+    assert printed_services == {f"{one.code:02X}" for one in known.services}
 
 
 @pytest.mark.parametrize(

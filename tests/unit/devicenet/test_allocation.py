@@ -44,10 +44,9 @@ def test_every_first_choice_is_taken_or_refused(fresh: Bench) -> None:
             assert release(fresh, choice & 0x33) == Response(Service.RELEASE)
             continue
         assert isinstance(answer, ErrorResponse), hex(choice)
-        refused = {Status.INVALID_ATTRIBUTE_VALUE, Status.RESOURCE_UNAVAILABLE}
-        if not choice & 0x8C and choice & 0x33 and not choice & 1:
-            refused |= {Status.OBJECT_STATE_CONFLICT}
-        assert answer.status in refused, hex(choice)
+        unsupported = bool(choice & 0x0C) and answer.status == Status.RESOURCE_UNAVAILABLE
+        assert unsupported or answer.status == Status.INVALID_ATTRIBUTE_VALUE, hex(choice)
+        assert answer.additional == 2
         assert not fresh.option.node.connections
     assert fresh.option.node.allocation.master == 255
 
@@ -60,7 +59,7 @@ def test_every_first_choice_is_taken_or_refused(fresh: Bench) -> None:
         (0x41, Status.INVALID_ATTRIBUTE_VALUE, 2),
         (0x05, Status.RESOURCE_UNAVAILABLE, 2),
         (0x09, Status.RESOURCE_UNAVAILABLE, 2),
-        (0x02, Status.OBJECT_STATE_CONFLICT, 3),
+        (0x02, Status.INVALID_ATTRIBUTE_VALUE, 2),
     ],
 )
 def test_a_refusal_says_why(fresh: Bench, choice: int, status: int, additional: int) -> None:
@@ -106,24 +105,43 @@ def test_wrong_lengths_are_told(fresh: Bench, data: str) -> None:
     assert frame.data[1:] == bytes([0x94, wanted, 0xFF])
 
 
-@pytest.mark.parametrize(
-    "data",
-    [
-        "",
-        "00",
-        "00 4B",
-        "00 4B 03",
-        "80 00 4B 03 01",
-        "00 0E 01 01 01",
-        "00 CB 03 01 01",
-        "00 4B 03 02 03 00",
-    ],
-)
-def test_nothing_but_allocate_and_release_is_answered_unconnected(fresh: Bench, data: str) -> None:
+@pytest.mark.parametrize("data", ["", "00", "80 00 4B 03 01", "00 CB 03 01 01"])
+def test_what_is_no_request_is_not_answered_unconnected(fresh: Bench, data: str) -> None:
     fresh.taken()
     fresh.put(group_2(Group2.UNCONNECTED_REQUEST, MAC), bytes.fromhex(data))
     fresh.run(5)
     assert fresh.taken() == []
+
+
+@pytest.mark.parametrize(
+    "data", ["41 4B", "41 4B 03", "41 0E 01 01 01", "41 0E", "41 4B 03 02 03 00", "41 4C 05 01 01"]
+)
+def test_requests_but_allocate_and_release_are_refused_unconnected(fresh: Bench, data: str) -> None:
+    fresh.taken()
+    fresh.put(group_2(Group2.UNCONNECTED_REQUEST, MAC), bytes.fromhex(data))
+    fresh.run(5)
+    (frame,) = fresh.taken()
+    assert frame == Frame(group_2(Group2.EXPLICIT_RESPONSE, MAC), bytes.fromhex("41 94 0C 03"))
+
+
+@pytest.mark.parametrize("group_3", [0x600 | MAC, 0x740 | MAC, 0x780 | MAC, 0x780])
+def test_the_unconnected_port_of_group_3_is_not_its(fresh: Bench, group_3: int) -> None:
+    fresh.taken()
+    fresh.put(group_3, bytes([MAC]) + bytes.fromhex("4B 01 3F"))
+    fresh.run(5)
+    assert fresh.taken() == []
+
+
+def test_somebody_who_asks_in_vain_does_not_disturb_a_long_answer() -> None:
+    made = bench()
+    made.allocate(1)
+    made.put(group_2(Group2.EXPLICIT_REQUEST, MAC), bytes.fromhex("00 0E 01 01 00 07"))
+    made.run(2)
+    (first,) = made.taken()
+    assert made.allocate(1, master=9) == ErrorResponse(Status.OBJECT_STATE_CONFLICT, 1)
+    made.put(group_2(Group2.EXPLICIT_REQUEST, MAC), bytes([0x80, 0xC0 | first.data[1], 0]))
+    (second,) = made.taken()
+    assert first.data[2:] + second.data[2:] == b"\x8e\x07DEV003Z"
 
 
 # Duplicate MAC check

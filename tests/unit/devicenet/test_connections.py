@@ -108,6 +108,20 @@ def test_deferred_delete_waits_for_the_io_connections() -> None:
     assert made.option.node.connections == {}
 
 
+def test_a_message_in_deferred_delete_brings_the_connection_back() -> None:
+    made = bench(C203[21])
+    made.connect(rate_ms=0)
+    made.set(5, 1, 12, b"\x03")
+    made.set(5, 1, 9, words(10))
+    made.run(50)
+    assert state(made, 1) is ConnectionState.DEFERRED_DELETE
+    assert made.get(5, 1, 1) == bytes([ConnectionState.ESTABLISHED])
+    made.put(group_2(Group2.UNCONNECTED_REQUEST, MAC), bytes.fromhex("00 4C 03 01 02"))
+    assert list(made.option.node.connections) == [1]
+    made.run(50)
+    assert made.option.node.connections == {}, "no I/O is left to wait for"
+
+
 @pytest.mark.fact("dev.consumed")
 def test_shorter_data_are_ignored_but_answered_longer_ones_are_not_answered() -> None:
     made = bench(C203[21])
@@ -221,6 +235,8 @@ def test_the_inhibit_time_keeps_changes_apart() -> None:
     made.connect(Choice.CHANGE_OF_STATE, rate_ms=1000)
     assert made.set(5, 4, 17, words(1001)) == Status.INVALID_ATTRIBUTE_VALUE
     assert made.set(5, 4, 17, words(200)) == 0
+    assert made.set(5, 4, 9, words(199)) == Status.INVALID_ATTRIBUTE_VALUE
+    assert made.get(5, 4, 9) == words(1000)
     assert made.get(5, 2, 17) == Status.OBJECT_DOES_NOT_EXIST
     made.frames.clear()
     times: list[int] = []

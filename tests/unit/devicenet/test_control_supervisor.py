@@ -4,13 +4,15 @@ from itertools import product
 
 import pytest
 
-from fbgen.wire.devicenet import Choice
+from fbgen.wire.devicenet import Choice, Service
+from fbgen.wire.devicenet_messages import Request, Response
 from harness.drives import Panel
 from harness.gateways.dev003z import Event, RunType, State, Trigger, next_state, run_stop
 from tests.unit.devicenet.bench import C203, bench, words
 from tests.vectors.reading import entries
 
-ROWS = entries("dev003z_words")["dev.run_stop_matrix"]["rows"]
+ENTRIES = entries("dev003z_words")
+ROWS = ENTRIES["dev.run_stop_matrix"]["rows"]
 TRIGGERS = {"Stop": Trigger.STOP, "Run": Trigger.RUN, "No Action": Trigger.NONE}
 TYPES = {"Run1": RunType.RUN_1, "Run2": RunType.RUN_2, "No Action": RunType.NONE}
 PAIRS = list(product((False, True), repeat=2))
@@ -79,6 +81,53 @@ def test_every_event_in_every_state(event: Event) -> None:
         if wanted == 0 and event is not Event.SWITCH_OFF:
             wanted = state
         assert next_state(state, event) is State(wanted), state
+
+
+def test_states_and_events_are_those_of_the_diagram() -> None:
+    """Our names of events say the same a little longer."""
+    diagram = ENTRIES["dev.state_diagram"]
+    ours = {"initialization": "initialisation", "fault_stop": "fault stop", "existant": "existent"}
+
+    def plain(names: list[str]) -> set[str]:
+        found = set()
+        for name in names:
+            name = name.lower()
+            for theirs, own in ours.items():
+                name = name.replace(theirs, own)
+            found.add(name)
+        return found
+
+    assert plain(diagram["events"]) == {event.value for event in Event}
+    states = {name.replace("-", "_").replace(" ", "_") for name in plain(diagram["states"])}
+    assert states == {state.name.lower() for state in State}
+
+
+def test_its_reset_stops_what_runs_until_the_next_edge_and_leaves_a_trip() -> None:
+    made = bench(C203[21])
+    made.connect(rate_ms=0)
+    made.keep_polling(words(0x0061, 1800), 300)
+    reset = Request(Service.RESET, 0x29, 1)
+    assert made.ask(reset) == Response(Service.RESET)
+    answer = made.keep_polling(words(0x0061, 1800), 300)
+    assert answer == words(0x0370, 0), "ready, and Run that is still there is no edge"
+    made.poll(words(0x0060, 1800))
+    assert made.keep_polling(words(0x0061, 1800), 300) == words(0x04F4, 1800)
+    made.drive.trip("OC1")
+    assert made.ask(reset) == Response(Service.RESET)
+    assert made.drive.tripped
+    assert made.option.state is State.FAULTED
+
+
+def test_a_speed_below_0_becomes_0() -> None:
+    made = bench(C203[21])
+    made.connect()
+    made.keep_polling(words(0x0061, 1800), 300)
+    answer = made.keep_polling(words(0x0061, 0xFFFF), 300)
+    assert answer[2:] == words(0)
+    assert made.get(0x2A, 1, 8) == words(0)
+    assert made.keep_polling(words(0x0061, 0x7FFF), 300)[2:] == words(
+        made.drive.read_word("0011") * 3 // 10
+    ), "over the maximum frequency it is that"
 
 
 def test_the_states_follow_the_inverter() -> None:

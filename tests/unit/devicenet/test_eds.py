@@ -66,3 +66,17 @@ def test_every_parameter_is_reached_by_its_path(sheet: Any) -> None:
         default = sheet.get_value("Params", key, 11)
         assert found == int(default).to_bytes(2, "little")
         assert sheet.get_value("Params", key, 6) == item.display
+        values = [int(sheet.get_value("Params", key, at)) for at in (12, 13, 20)]
+        multiplier, divisor, decimals = values
+        assert multiplier / divisor == pytest.approx(item.resolution)
+        assert round(item.resolution, decimals) == item.resolution
+        scaled = int(sheet.get_value("Params", key, 3), 16) & 4
+        assert bool(scaled) is (item.resolution != 1)
+
+
+@pytest.mark.fact("dev.eds")
+def test_every_kind_of_connection_has_inputs_and_outputs_that_are_for_it(sheet: Any) -> None:
+    for kind, bit in (("PollInfo", 1), ("COSInfo", 4), ("CyclicInfo", 8)):
+        for place, side in ((1, "Input"), (2, "Output")):
+            number = int(sheet.get_value("IO_Info", kind, place))
+            assert int(sheet.get_value("IO_Info", f"{side}{number}", 2), 16) & bit

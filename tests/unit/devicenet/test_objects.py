@@ -6,8 +6,14 @@ from fbgen.catalog.devicenet_objects import Attribute, ObjectClass
 from fbgen.wire.devicenet import Choice, Service, Status
 from fbgen.wire.devicenet_messages import ErrorResponse, Request, Response
 from tests.unit.devicenet.bench import C203, GATEWAY, MAC, Bench, bench, words
+from tests.vectors.reading import entries
 
-SIZES = {"bool": 1, "byte": 1, "usint": 1, "sint": 1, "word": 2, "int": 2, "uint": 2, "udint": 4}
+ENTRIES = entries("dev003z_words")
+
+SIZES = {
+    "bool": 1, "byte": 1, "usint": 1, "sint": 1, "word": 2, "int": 2, "uint": 2,
+    "dint": 4, "udint": 4,
+}  # fmt: skip
 INSTANCES = {"connection": (1, 2, 4), "assembly": (20, 155), "parameter": (0x4003, 0x7A00, 0x0203)}
 ALL = [
     pytest.param(known, item, instance, id=f"{known.name} {instance} {item.name}")
@@ -112,6 +118,9 @@ def test_every_attribute_takes_what_it_may_and_nothing_else(
         ((0x01, 1), 0x05, "02", Status.INVALID_PARAMETER),
         ((0x01, 1), 0x05, "00 00", Status.TOO_MUCH_DATA),
         ((0x05, 2), 0x05, "00", Status.TOO_MUCH_DATA),
+        ((0x29, 1), 0x05, "00", Status.TOO_MUCH_DATA),
+        ((0x29, 0), 0x05, "", Status.SERVICE_NOT_SUPPORTED),
+        ((0x65, 1), 0x0E, "03", Status.OBJECT_DOES_NOT_EXIST),
     ],
 )
 def test_a_refusal_has_its_general_status_code(
@@ -127,10 +136,44 @@ def test_the_identity_says_what_it_is(made: Bench) -> None:
     assert whole(made, 1, 1, 2) == words(2)
     assert whole(made, 1, 1, 3) == words(GATEWAY.devicenet.product_codes["vf-s15"])
     assert whole(made, 1, 1, 4) == b"\x01\x01"
-    assert whole(made, 1, 1, 5) == words(0x0061)
     assert whole(made, 1, 1, 7) == b"\x07DEV003Z"
     assert whole(made, 1, 1, 8) == b"\x03"
     assert whole(bench(series="vf-mb1"), 1, 1, 3) == words(3000)
+
+
+STATUS = ENTRIES["dev.identity.status"]
+EXTENDED = {row["name"]: row["value"] << STATUS["number"]["lowest"] for row in STATUS["values"]}
+FLAGS = {row["name"]: 1 << row["bit"] for row in STATUS["flags"]}
+
+
+@pytest.mark.fact("dev.ident")
+def test_the_status_of_the_identity_says_what_the_manual_says() -> None:
+    made = bench(C203[21])
+
+    def status(name: str, *flags: str) -> bool:
+        wanted = EXTENDED[name] | sum(FLAGS[flag] for flag in flags)
+        return whole(made, 1, 1, 5) == words(wanted)
+
+    assert status("No I/O connection established")
+    made.connect(rate_ms=50)
+    assert status("Connection in idle mode", "Owned by Master")
+    made.poll(words(0, 0))
+    assert status("Connection in run mode", "Owned by Master")
+    made.poll(b"")
+    assert status("Connection in idle mode", "Owned by Master")
+    made.drive.trip("OC1")
+    assert status("Connection in idle mode", "Owned by Master", "Minor Recoverable Fault")
+    assert whole(made, 1, 1, 8) == b"\x03", "the option itself works"
+    made.run(300)
+    assert status("Faulted I/O connection", "Owned by Master", "Minor Recoverable Fault")
+
+
+def test_connections_that_only_send_are_in_run_mode() -> None:
+    made = bench(C203[21])
+    made.connect(Choice.CYCLIC)
+    assert whole(made, 1, 1, 5) == words(
+        EXTENDED["Connection in run mode"] | FLAGS["Owned by Master"]
+    )
 
 
 def test_the_router_lists_classes_and_connections(made: Bench) -> None:
@@ -225,6 +268,38 @@ def test_times_and_limits_are_in_the_units_of_the_attributes() -> None:
     assert made.drive.read_parameter("0013") == 10.0
 
 
+@pytest.mark.fact("dev.drive")
+def test_time_scale_says_what_a_unit_of_the_times_is() -> None:
+    made = bench(drive={"0009": 10.0, "0011": 80.0, "0012": 80.0})
+    made.allocate(1)
+    assert made.set(0x2A, 1, 28, b"\xfc") == 0
+    assert made.get(0x2A, 1, 18) == words(625), "units of 2^4 ms"
+    assert made.set(0x2A, 1, 19, words(1000)) == 0
+    assert made.drive.read_parameter("0010") == 16.0
+    assert made.set(0x2A, 1, 28, b"\x02") == 0
+    assert made.get(0x2A, 1, 18) == words(40_000), "quarters of a ms"
+    for extreme in (b"\x7f", b"\x80"):
+        assert made.set(0x2A, 1, 28, extreme) == 0
+        assert made.get(0x2A, 1, 18) == words(0xFFFF if extreme == b"\x7f" else 0)
+        assert made.set(0x2A, 1, 19, words(0xFFFF)) in (0, Status.INVALID_ATTRIBUTE_VALUE)
+
+
+def test_the_motor_has_the_poles_by_which_speeds_are_converted() -> None:
+    made = bench(options={"motor_poles": 6})
+    made.allocate(1)
+    assert made.get(0x28, 1, 12) == words(6)
+    assert made.set(0x28, 1, 12, words(4)) == Status.ATTRIBUTE_NOT_SETTABLE
+    assert made.set(0x2A, 1, 8, words(900)) == 0
+    assert made.drive.registers.ram[0xFA07] == 4500
+
+
+def test_hours_of_operation_are_those_of_the_inverter() -> None:
+    made = bench()
+    made.drive.registers.ram[0xFE14] = 0
+    made.allocate(1)
+    assert made.get(0x2A, 1, 46) == made.drive.read_word("FE14").to_bytes(4, "little")
+
+
 def test_current_and_torque_are_in_the_units_of_the_motor() -> None:
     made = bench(options={"rated_torque": 20})
     made.allocate(1)
@@ -255,3 +330,8 @@ def test_an_output_assembly_can_be_written_by_an_explicit_message() -> None:
     assert put(100, b"\x00") == ErrorResponse(Status.NOT_ENOUGH_DATA, 0xFF)
     assert put(100, bytes(5)) == ErrorResponse(Status.TOO_MUCH_DATA, 0xFF)
     assert put(150, words(0, 0)) == ErrorResponse(Status.ATTRIBUTE_NOT_SETTABLE, 0xFF)
+    made.connect(Choice.CYCLIC, rate_ms=0)
+    assert put(100, words(0xC400, 1000)) == Response(Service.SET_ATTRIBUTE_SINGLE)
+    made.allocate(Choice.POLLED)
+    made.set(5, 2, 9, words(0))
+    assert put(100, words(0xC400, 1000)) == ErrorResponse(Status.OBJECT_STATE_CONFLICT, 0xFF)

@@ -7,7 +7,7 @@ import pytest
 from fbgen.dataclass import dataclass
 from fbgen.wire.devicenet import BodyFormat, Choice, Frame, Service
 from fbgen.wire.devicenet_ids import parse_identifier
-from fbgen.wire.devicenet_messages import ErrorResponse, Request, Response
+from fbgen.wire.devicenet_messages import DuplicateCheck, ErrorResponse, Request, Response
 from harness.drives import Inverter, InverterSettings
 from harness.fieldbus.devicenet import (
     CanBus,
@@ -185,6 +185,35 @@ def test_two_options_with_one_mac_id_keep_each_other_off() -> None:
     made.run(3000)
     assert option.lights[1].state == "link_failure"
     assert first[0].lights[1].state == "connected"
+
+
+@pytest.mark.parametrize(("at_ms", "response"), [(1500, False), (1500, True), (4000, True)])
+def test_a_scanner_whose_mac_id_another_has_is_silent(at_ms: int, response: bool) -> None:
+    made = network({3: 21})
+    other = made.bus.attach(lambda _: None)
+    check = DuplicateCheck(response, 1, 2).encode()
+    made.kernel.after(at_ms * NS_PER_MS, lambda: other.send(Frame(0x407, check)))
+    made.run(at_ms + 5)
+    assert not made.scanner.on
+    heard = len(made.log)
+    made.run(3000)
+    assert all(frame.identifier == 0x41F for _, frame in made.log[heard:]), "the option alone"
+    made.scanner.start()
+    made.run(4000)
+    assert made.scanner.slaves[3].state is SlaveState.RUNNING
+
+
+def test_a_scanner_on_line_answers_the_check_of_another_once() -> None:
+    made = network({3: 21})
+    other = made.bus.attach(lambda _: None)
+    made.run(4000)
+    heard = len(made.log)
+    other.send(Frame(0x407, DuplicateCheck(False, 1, 2).encode()))
+    other.send(Frame(0x407, b"\x00"))
+    made.run(100)
+    answers = [frame.data[0] for _, frame in made.log[heard:] if frame.identifier == 0x407]
+    assert answers == [0x00, 0x00, 0x80], "what is too short is no check"
+    assert made.scanner.on
 
 
 def test_the_same_seed_gives_the_same_frames_and_all_are_devicenet() -> None:

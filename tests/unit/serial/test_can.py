@@ -14,6 +14,7 @@ from harness.fieldbus.devicenet import CanBus
 from harness.gateways.dev003z import Dev003zSettings
 from harness.kernel import NS_PER_MS, Kernel
 from harness.serial import CanLog, OptionServer, can_interface
+from harness.serial.can_interfaces import PythonCan
 from tests.unit.devicenet.bench import CATALOG
 
 CHECK = 0x42F
@@ -157,6 +158,54 @@ def test_an_interface_that_goes_away_is_told(
     port.close()
 
 
+class Echoing:
+    """A bus that gives back what was sent, as UDP does, between the frames of others."""
+
+    def __init__(self) -> None:
+        self.come: list[can.Message] = []
+
+    def send(self, message: can.Message) -> None:
+        self.come.append(message)
+
+    def recv(self, _: float) -> can.Message | None:
+        return self.come.pop(0) if self.come else None
+
+
+def test_what_an_interface_gives_back_of_what_was_sent_is_not_heard() -> None:
+    bus = Echoing()
+    port = PythonCan("desk", bus, echoes=True)  # type: ignore[arg-type]
+    check, other = Frame(CHECK, bytes(7)), can.Message(arbitration_id=1, is_extended_id=False)
+    lost, late = Frame(2, b""), Frame(3, b"")
+    for frame in (check, lost, late):
+        port.write(frame)
+    del bus.come[1]
+    bus.come.insert(1, other)
+    assert [port.read(0) for _ in range(3)] == [None, Frame(1, b""), None]
+    for frame in (check, late, lost):
+        bus.send(
+            can.Message(arbitration_id=frame.identifier, data=frame.data, is_extended_id=False)
+        )
+        assert port.read(0) == frame, "nothing is waited for any more: this is somebody else"
+
+
+def test_with_an_interface_that_echoes_the_option_comes_on_line() -> None:
+    clock, bus = Clock(), Echoing()
+    server = served(PythonCan("desk", bus, echoes=True), clock)  # type: ignore[arg-type]
+    online(server, clock)
+    assert server.state.startswith("MAC ID 5: MS operational, NS not connected")
+    assert (server.received, server.sent) == (0, 2)
+
+
+@pytest.mark.parametrize(("name", "echoes"), [("virtual:a", False), ("udp_multicast:a", True)])
+def test_interfaces_that_echo_are_known(
+    monkeypatch: pytest.MonkeyPatch, name: str, echoes: bool
+) -> None:
+    monkeypatch.setattr(can, "Bus", lambda **_: Echoing())
+    port = can_interface(name, 500_000)
+    port.write(Frame(1, b""))
+    assert (port.read(0) is None) is echoes
+
+
 @pytest.mark.fact("dev.can")
 @pytest.mark.parametrize("ending", [".asc", ".blf", ".log"])
 def test_a_log_of_the_served_option_is_read_by_python_can(tmp_path: Path, ending: str) -> None:
@@ -164,20 +213,23 @@ def test_a_log_of_the_served_option_is_read_by_python_can(tmp_path: Path, ending
     clock = Clock()
     allocate = Frame(0x42E, bytes.fromhex("00 4B 03 01 01 00"))
     port = Heard()
-    with CanLog(path) as log:
+    with CanLog(path, 1_800_000_000.0) as log:
         server = served(port, clock, log)
         online(server, clock)
         port.come.append(allocate)
         for _ in range(3):
             clock.ns += NS_PER_MS
             server.step()
-    with can.LogReader(path) as reader:
+    absolute = {"relative_timestamp": False} if ending == ".asc" else {}
+    with can.LogReader(path, **absolute) as reader:
         read = list(reader)
     frames = [Frame(item.arbitration_id, bytes(item.data)) for item in read]
     assert frames == [*port.sent[:2], allocate, port.sent[2]]
     assert not any(item.is_extended_id for item in read)
     gaps = [later.timestamp - earlier.timestamp for earlier, later in pairwise(read)]
     assert gaps[0] == pytest.approx(1.0, abs=0.001)
+    assert read[0].timestamp == pytest.approx(1_800_000_000.1, abs=0.002)
+    assert {item.channel for item in read} <= {0, "can0"}
 
 
 @pytest.mark.fact("dev.can")
