@@ -67,7 +67,7 @@ def run() -> tuple[Installation, Trace]:
         Request(Service.SET_ATTRIBUTE_SINGLE, 0x64, 0x4003, bytes.fromhex("03 02 00")),
         Request(Service.GET_ATTRIBUTE_SINGLE, 0x29, 1, b"\x06"),
         Request(Service.GET_ATTRIBUTE_SINGLE, 0x29, 1, b"\x63"),
-        Request(Service.RESET, 0x29, 1),
+        Request(Service.RESET, 0x2A, 1),
         Request(Service.GET_ATTRIBUTE_SINGLE, 1, 1, b"\x07"),
     )
     happens(plant, "devicenet_interrupted", "net1")
@@ -116,7 +116,7 @@ def test_explicit_messages_are_told_by_name(run: tuple[Installation, Trace]) -> 
         "infeed: read control_supervisor state",
         "infeed: control_supervisor state is 4 (Enabled)",
         "infeed refuses to read control_supervisor attribute 99: attribute not supported",
-        "infeed refuses to reset control_supervisor: service not supported",
+        "infeed refuses to reset ac_dc_drive: service not supported",
     ):
         assert text in said, said
 
