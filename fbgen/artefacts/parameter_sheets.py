@@ -7,8 +7,13 @@ the same as one table in CSV. What the sequence `check_parameters` compares is m
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from fbgen.artefacts.devicenet_settings import (
+    OptionSetting,
+    inverter_settings,
+    option_settings,
+)
 from fbgen.artefacts.text_table import csv_table
-from fbgen.artefacts.view import PlantLists
+from fbgen.artefacts.view import PlantLists, place_in
 from fbgen.blocks.checked_settings import sheets, spelled_out
 from fbgen.blocks.drive_settings import drive_settings, value_of
 from fbgen.catalog import (
@@ -21,7 +26,15 @@ from fbgen.catalog import (
     TelegramGateway,
 )
 from fbgen.emit.generated import Artefact
-from fbgen.plant import PlantDrive, PlantGateway, SerialLine, module_of
+from fbgen.plant import (
+    DeviceNetDrive,
+    DeviceNetNetwork,
+    PlantDrive,
+    PlantGateway,
+    PlantUnit,
+    SerialLine,
+    module_of,
+)
 
 CHECK = "check_parameters"
 _HEADINGS = {
@@ -93,15 +106,39 @@ class _Lines:
             )
         return self._settings[key]
 
-    def lines(self, gateway: PlantGateway | SerialLine, drive: PlantDrive) -> Iterator[_Line]:
+    def lines(self, unit: PlantUnit, drive: PlantDrive | DeviceNetDrive) -> Iterator[_Line]:
         """Those of a drive."""
         series = self._lists.catalog.drive(drive.series)
-        for setting in self.settings(gateway, series):
+        if isinstance(drive, DeviceNetDrive):
+            for item in option_settings(self._lists, drive):
+                yield self._of_option(item)
+            settings = tuple(inverter_settings(self._lists, drive, series))
+        else:
+            assert not isinstance(unit, DeviceNetNetwork), "its drives are of another kind"
+            settings = self.settings(unit, series)
+        for setting in settings:
             value = value_of(setting, drive)
             key = series.id, setting.comno, value, setting.why
             if key not in self._known:
                 self._known[key] = self._line(series, setting, value)
             yield self._known[key]
+
+    def _of_option(self, item: OptionSetting) -> _Line:
+        known, lists = item.parameter, self._lists
+        value = item.value * known.resolution
+        meaning = lists.texts(known.values.get(item.value, ""))
+        title = lists.texts(known.title)
+        source = known.source or lists.in_words("unverified", "unbelegt")
+        cells = (
+            *(known.display, f"{known.number:04X}", title, _number(value), known.unit),
+            *(f"{item.value:04X}", meaning, "", item.why, "", source),
+        )
+        shown = f"**{_number(value)}** {known.unit}".strip()
+        in_document = (
+            *("", known.display, f"{known.number:04X}", shown),
+            *(meaning or title, item.why, source),
+        )
+        return _Line(cells, f"| {' | '.join(_cell(cell) for cell in in_document)} |")
 
     def _line(self, series: Drive, setting: Setting, value: float | None) -> _Line:
         lists = self._lists
@@ -130,7 +167,7 @@ class _Lines:
 def _rows(lists: PlantLists, lines: _Lines) -> Iterator[tuple[str, ...]]:
     for gateway in lists.plant.units:
         for drive in gateway.drives:
-            place = gateway.name, drive.name, drive.channel or str(drive.inv_no)
+            place = gateway.name, drive.name, place_in(drive)
             for line in lines.lines(gateway, drive):
                 yield (*place, *line.cells)
 
@@ -172,6 +209,10 @@ def _document(lists: PlantLists, lines: _Lines) -> Iterator[str]:
         yield from _serial(lists, serial)
         for drive in serial.drives:
             yield from _sheet(lists, lines, serial, drive)
+    for network in plant.devicenet:
+        yield from _network(lists, network)
+        for member in network.drives:
+            yield from _sheet_on_devicenet(lists, lines, network, member)
 
 
 def _gateway(lists: PlantLists, gateway: PlantGateway) -> Iterator[str]:
@@ -192,6 +233,15 @@ def _serial(lists: PlantLists, line: SerialLine) -> Iterator[str]:
     yield ""
     module = module_of(line, lists.plant.plc)
     yield f"{module}; {line.baud} bit/s, 8 bit, {lists.texts(line.parity)}, 1 {stop}"
+
+
+def _network(lists: PlantLists, network: DeviceNetNetwork) -> Iterator[str]:
+    scanner = lists.in_words("scanner with", "Scanner mit")
+    yield ""
+    title = lists.in_words("DeviceNet network", "DeviceNet-Netz")
+    yield f"## {title} {network.title or network.name}"
+    yield ""
+    yield f"{network.rate} kbit/s; {scanner} MAC ID {network.mac}"
 
 
 def _line(lists: PlantLists, entry: Gateway) -> str:
@@ -231,18 +281,36 @@ def _sheet(
             f"**{_number(drive.max_frequency_hz)}** Hz.",
         )
         return
-    head = lists.in_words(
-        "| | parameter | ComNo | value | meaning | why | source |",
-        "| | Parameter | ComNo | Wert | Bedeutung | Grund | Quelle |",
-    )
-    yield from (head, "|---|---|---|---|---|---|---|")
-    yield from (line.markdown for line in lines.lines(gateway, drive))
+    yield from _table(lists, lines.lines(gateway, drive))
     if isinstance(gateway, SerialLine):
         yield ""
         yield from _switches(lists, series.switches, 0)
     elif not lists.is_process_data(gateway):  # the option board is that of the line
         yield ""
         yield from _switches(lists, series.switches, gateway.profibus_address)
+
+
+def _sheet_on_devicenet(
+    lists: PlantLists, lines: _Lines, network: DeviceNetNetwork, drive: DeviceNetDrive
+) -> Iterator[str]:
+    series = lists.catalog.drive(drive.series)
+    option = lists.catalog.devicenet_gateway(drive.type)
+    yield ""
+    yield f"## {lists.in_words('Drive', 'Antrieb')} {drive.title or drive.name}"
+    yield ""
+    of_network = lists.in_words("network", "Netz")
+    yield f"{series.title}, {option.id}, MAC ID {drive.mac}, {of_network} {network.name}"
+    yield ""
+    yield from _table(lists, lines.lines(network, drive))
+
+
+def _table(lists: PlantLists, lines: Iterator[_Line]) -> Iterator[str]:
+    head = lists.in_words(
+        "| | parameter | ComNo | value | meaning | why | source |",
+        "| | Parameter | ComNo | Wert | Bedeutung | Grund | Quelle |",
+    )
+    yield from (head, "|---|---|---|---|---|---|---|")
+    yield from (line.markdown for line in lines)
 
 
 def _switches(lists: PlantLists, switches: tuple[Switch, ...], address: int) -> Iterator[str]:

@@ -16,7 +16,7 @@ from fbgen.artefacts.memory import (
     WorkMemory,
 )
 from fbgen.artefacts.readme_serial import serial_notes, serial_poll, serial_row, serial_worst
-from fbgen.artefacts.view import PlantLists
+from fbgen.artefacts.view import PlantLists, place_in
 from fbgen.blocks.line_times import line_times
 from fbgen.blocks.literals import one_line
 from fbgen.blocks.plan import longest_pause
@@ -27,7 +27,7 @@ from fbgen.emit.environment import TemplateRenderer
 from fbgen.emit.generated import Artefact
 from fbgen.emit.layout import GLOBALS
 from fbgen.lang import ast
-from fbgen.plant import PlantGateway, SerialLine, cpus_of, plugged
+from fbgen.plant import PlantGateway, PlantUnit, cpus_of, plugged
 
 _KINDS = {
     ast.BlockKind.FUNCTION: "FC",
@@ -195,6 +195,7 @@ def _having(lists: PlantLists) -> list[str]:
         "sequences": lists.plant.sequences,
         "parameters": _with_parameters(lists),
         "serial": lists.plant.serial,
+        "devicenet": lists.plant.devicenet,
     }
     return [name for name, items in found.items() if items]
 
@@ -213,13 +214,13 @@ def _gateway(gateway: PlantGateway, lists: PlantLists) -> dict[str, object]:
     }
 
 
-def _unit(unit: PlantGateway | SerialLine) -> dict[str, object]:
+def _unit(unit: PlantUnit) -> dict[str, object]:
     return {
         "name": unit.name,
         "drives": [
             {
                 "name": drive.name,
-                "inv_no": drive.channel or drive.inv_no,
+                "inv_no": place_in(drive),
                 "series": drive.series,
                 "max_frequency": f"{drive.max_frequency_hz:g}",
             }

@@ -5,6 +5,7 @@ from functools import cached_property
 
 from fbgen.artefacts.variables import PlcVariable, variables
 from fbgen.blocks.alarms import LINE_ALARMS, Alarm, drive_alarms, that_can_come
+from fbgen.blocks.dev_alarms import DEV_DRIVE_ALARMS, NETWORK_ALARMS
 from fbgen.blocks.pbdp_alarms import GATEWAY_ALARMS, PBDP_DRIVE_ALARMS
 from fbgen.blocks.serial_alarms import SERIAL_ALARMS
 from fbgen.blocks.texts import ENGLISH, Texts
@@ -12,7 +13,17 @@ from fbgen.catalog import Catalog, Layout, ProcessDataGateway
 from fbgen.dataclass import dataclass
 from fbgen.emit.generated import CanonicalProgram, GeneratedSet
 from fbgen.emit.symbol_table import numbers_of
-from fbgen.plant import Plant, PlantDrive, PlantGateway, SerialLine, layout_of, with_prefix
+from fbgen.plant import (
+    DeviceNetDrive,
+    DeviceNetNetwork,
+    Plant,
+    PlantDrive,
+    PlantGateway,
+    PlantUnit,
+    SerialLine,
+    layout_of,
+    with_prefix,
+)
 
 _SEPARATOR = "\n"
 """Stands between the names of a path, and in none of them."""
@@ -41,9 +52,9 @@ class PlantLists:
         """A block of the plant by its usual name."""
         return with_prefix(usual, self.plant.prefix)
 
-    def is_process_data(self, gateway: PlantGateway | SerialLine) -> bool:
-        """Whether it is a gateway for process data, and not one with a line, or a line."""
-        if isinstance(gateway, SerialLine):
+    def is_process_data(self, gateway: PlantUnit) -> bool:
+        """Whether it is a gateway for process data: no other gateway, no line, no network."""
+        if not isinstance(gateway, PlantGateway):
             return False
         return isinstance(self.catalog.profibus_gateway(gateway.type), ProcessDataGateway)
 
@@ -120,6 +131,8 @@ class PlantLists:
             of_drives = drive_alarms(self.plant.sequences)
             if isinstance(gateway, SerialLine):
                 of_line = SERIAL_ALARMS
+            elif isinstance(gateway, DeviceNetNetwork):
+                of_line, of_drives = NETWORK_ALARMS, DEV_DRIVE_ALARMS
             elif self.is_process_data(gateway):
                 of_line, of_drives = GATEWAY_ALARMS, PBDP_DRIVE_ALARMS
             word = self.variable(gateway.name, "line", "alarms")
@@ -131,14 +144,21 @@ class PlantLists:
                     yield PlacedAlarm(alarm, word, gateway, drive)
 
 
+def place_in(drive: PlantDrive | DeviceNetDrive) -> str:
+    """What a drive is found by: its inverter number, channel or MAC ID."""
+    if isinstance(drive, DeviceNetDrive):
+        return f"MAC ID {drive.mac}"
+    return drive.channel or str(drive.inv_no)
+
+
 @dataclass(frozen=True, slots=True)
 class PlacedAlarm:
     """An alarm of a line, or of one of its drives, and the word in which its bit lies."""
 
     alarm: Alarm
     word: PlcVariable
-    gateway: PlantGateway | SerialLine
-    drive: PlantDrive | None = None
+    gateway: PlantUnit
+    drive: PlantDrive | DeviceNetDrive | None = None
 
     @property
     def name(self) -> str:

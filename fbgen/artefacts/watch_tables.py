@@ -12,7 +12,7 @@ from fbgen.artefacts.text_table import csv_table
 from fbgen.artefacts.variables import PlcVariable
 from fbgen.artefacts.view import PlantLists
 from fbgen.emit.generated import Artefact
-from fbgen.plant import PlantGateway, SerialLine
+from fbgen.plant import DeviceNetNetwork, PlantUnit, SerialLine
 
 _LINE = ("online", "ioError", "ioRetVal", "gatewayFault", "errorCount", "emergencyStop", "stopped")
 _CONTROL = ("enable", "interlock", "run", "reverse", "frequency", "reset")
@@ -36,6 +36,17 @@ _PBDP_DRIVE = (
     ("polled", "tripCode"),
     ("alarms",),
 )
+_DEV_LINE = ("online", "emergencyStop", "stopped")
+_DEV_STATE = (
+    *("online", "ready", "running", "atSetpoint", "tripped", "warning", "inhibited"),
+    *("controlFromNet", "referenceFromNet", "status", "command"),
+    *("frequency", "speed", "text", "trip"),
+)
+_DEV_DRIVE = (
+    *(("control", name) for name in (*_CONTROL, "speed")),
+    *(("state", name) for name in _DEV_STATE),
+    ("alarms",),
+)
 _FORMATS = {"Bool": "Bool", "Real": "Floating-point", "Int": "DEC", "Time": "Time", "String": "-"}
 
 
@@ -50,12 +61,14 @@ def watch_tables(lists: PlantLists) -> list[Artefact]:
     return found
 
 
-def watched(lists: PlantLists, gateway: PlantGateway | SerialLine) -> Iterator[PlcVariable]:
+def watched(lists: PlantLists, gateway: PlantUnit) -> Iterator[PlcVariable]:
     """The variables of the line and its drives that show what goes on."""
     line: tuple[str, ...] = _LINE
     of_drive: tuple[tuple[str, ...], ...] = _DRIVE
     if isinstance(gateway, SerialLine):
         line = _SERIAL_LINE
+    elif isinstance(gateway, DeviceNetNetwork):
+        line, of_drive = _DEV_LINE, _DEV_DRIVE
     elif lists.is_process_data(gateway):
         line, of_drive = _PBDP_LINE, _PBDP_DRIVE
     for name in line:

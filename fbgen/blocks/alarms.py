@@ -9,7 +9,7 @@ from typing import Literal
 
 from fbgen.blocks.literals import SclText, word
 from fbgen.dataclass import dataclass
-from fbgen.plant import PlantGateway, SerialLine
+from fbgen.plant import DeviceNetNetwork, PlantUnit
 
 AlarmClass = Literal["Errors", "Warnings"]
 """As WinCC calls the two classes that every project has: Errors want an acknowledgement."""
@@ -41,8 +41,10 @@ class Alarm:
         """The bit in its word."""
         return word(1 << self.bit)
 
-    def can_come(self, unit: PlantGateway | SerialLine) -> bool:
-        """Whether there is anything at this gateway or line that raises it."""
+    def can_come(self, unit: PlantUnit) -> bool:
+        """Whether there is anything at this gateway, line or network that raises it."""
+        if isinstance(unit, DeviceNetNetwork):
+            return self.needs == "nothing"
         if self.needs == "status_poll":
             return unit.status_poll
         return self.needs == "nothing" or self.needs == getattr(unit, "access", "")
@@ -221,8 +223,6 @@ def drive_alarms(sequences: Sequence[str]) -> tuple[Alarm, ...]:
     return (*_DRIVE_ALARMS, sequence)
 
 
-def that_can_come(
-    alarms: Iterable[Alarm], units: Sequence[PlantGateway | SerialLine]
-) -> tuple[Alarm, ...]:
-    """The alarms that at least one of these gateways or lines can raise."""
+def that_can_come(alarms: Iterable[Alarm], units: Sequence[PlantUnit]) -> tuple[Alarm, ...]:
+    """The alarms that at least one of these gateways, lines or networks can raise."""
     return tuple(one for one in alarms if any(one.can_come(unit) for unit in units))

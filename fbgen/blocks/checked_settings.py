@@ -45,7 +45,7 @@ class Sheet:
 def sheets(plant: Plant, catalog: Catalog) -> tuple[Sheet, ...]:
     """One for each series at each gateway with a line, and on each serial line."""
     found = []
-    for unit in plant.units:
+    for unit in plant.gateways_and_lines:
         names = dict.fromkeys(drive.series for drive in unit.drives if drive.channel is None)
         for name in names:
             series = catalog.drive(name)

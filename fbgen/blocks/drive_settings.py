@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 
 from fbgen.blocks.serial_times import serial_times
 from fbgen.catalog import Catalog, ComNo, Drive, SerialPort, Setting
-from fbgen.plant import Plant, PlantDrive, PlantGateway, SerialLine, port_of
+from fbgen.plant import DeviceNetDrive, Plant, PlantDrive, PlantGateway, SerialLine, port_of
 
 InWords = Callable[[str, str], str]
 """Chooses between a text in English and the same in German."""
@@ -33,9 +33,9 @@ def drive_settings(
     return series.settings
 
 
-def value_of(setting: Setting, drive: PlantDrive) -> float | None:
+def value_of(setting: Setting, drive: PlantDrive | DeviceNetDrive) -> float | None:
     """What a parameter is set to at one drive; None where the machine decides."""
-    if setting.plant == "inv_no":
+    if setting.plant == "inv_no" and isinstance(drive, PlantDrive):
         return drive.inv_no
     return drive.max_frequency_hz if setting.plant == "max_frequency_hz" else setting.value
 

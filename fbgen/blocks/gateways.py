@@ -7,7 +7,7 @@ from fbgen.blocks.literals import SclText, real, truth
 from fbgen.catalog import origin
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic
-from fbgen.plant import Plant, PlantDrive, PlantGateway
+from fbgen.plant import DeviceNetDrive, Plant, PlantDrive, PlantGateway
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +87,7 @@ class GatewayView(UnitView):
         return self.frame.laddr_out
 
 
-def frequency_values(drive: PlantDrive) -> Iterator[FirstValue]:
+def frequency_values(drive: PlantDrive | DeviceNetDrive) -> Iterator[FirstValue]:
     """What a drive's parameters of frequency begin with, whatever it is connected to."""
     place = origin(f"drive {drive.name}", drive)
     yield FirstValue(f"{drive.name}.minFrequency", real(drive.parameters.min_frequency_hz, place))
@@ -95,7 +95,7 @@ def frequency_values(drive: PlantDrive) -> Iterator[FirstValue]:
     yield FirstValue(f"{drive.name}.atSetpoint", real(drive.parameters.at_setpoint_hz, place))
 
 
-def inhibit_values(drive: PlantDrive) -> Iterator[FirstValue]:
+def inhibit_values(drive: PlantDrive | DeviceNetDrive) -> Iterator[FirstValue]:
     """What keeps a drive from running, as chosen in the plant file."""
     place = origin(f"drive {drive.name}", drive)
     own = drive.parameters

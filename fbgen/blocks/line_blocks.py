@@ -127,7 +127,7 @@ def _series(chosen: Sequence[PlantGateway], catalog: Catalog) -> list[Drive]:
 
 def eeprom_writes(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
     """FB5005: a cell lasts about 10,000 writes (TOSPBDP001 manual v1.1, 8 D)."""
-    on_lines = {drive.series for drive in plant.drives if drive.channel is None}
+    on_lines = {drive.series for drive in plant.numbered_drives}
     for name in plant.sequences:
         for step in catalog.sequence(name).steps:
             if isinstance(step, WriteStep) and step.memory == "eeprom":

@@ -75,6 +75,8 @@ def _units(plant: Plant) -> Iterator[Diagnostic]:
     for unit in plant.units:
         if unit.name.lower() in _OF_PLANT:
             what = "gateway" if unit in plant.gateways else "line"
+            if unit in plant.devicenet:
+                what = "network"
             message = f"the {what} is called '{unit.name}' like a variable of TOS_Plant"
             place = unit.span_of("name")
             yield Diagnostic("FB5007", message, place, f"call the {what} otherwise")

@@ -38,18 +38,30 @@ GATEWAY_ALARMS = (
 )
 """The alarms of typePbdpLine.alarms; a cause that a line has too has the same bit."""
 
+TRIPPED = Alarm(
+    0,
+    "tripped",
+    "#drive.state.tripped",
+    "Errors",
+    "Drive has tripped",
+    "Antrieb hat abgeschaltet",
+    "state.trip has the trip in words. Remove the cause, then reset it.",
+    "state.trip zeigt die Störung in Worten. Ursache beseitigen, dann quittieren.",
+    shows_trip=True,
+)
+NOT_RUNNING = Alarm(
+    2,
+    "not_running",
+    "#drive.state.error",
+    "Errors",
+    "Drive does not run although it is told to",
+    "Antrieb läuft nicht, obwohl er soll",
+    "state.status has the reason. Start it again by taking run back once.",
+    "state.status zeigt den Grund. Zum Starten den Laufbefehl einmal wegnehmen.",
+)
+
 PBDP_DRIVE_ALARMS = (
-    Alarm(
-        0,
-        "tripped",
-        "#drive.state.tripped",
-        "Errors",
-        "Drive has tripped",
-        "Antrieb hat abgeschaltet",
-        "state.trip has the trip in words. Remove the cause, then reset it.",
-        "state.trip zeigt die Störung in Worten. Ursache beseitigen, dann quittieren.",
-        shows_trip=True,
-    ),
+    TRIPPED,
     Alarm(
         1,
         "lost",
@@ -60,16 +72,7 @@ PBDP_DRIVE_ALARMS = (
         "Check its supply, the cable to its channel and the settings of its serial port.",
         "Versorgung, Kabel zum Kanal und Einstellungen der seriellen Schnittstelle prüfen.",
     ),
-    Alarm(
-        2,
-        "not_running",
-        "#drive.state.error",
-        "Errors",
-        "Drive does not run although it is told to",
-        "Antrieb läuft nicht, obwohl er soll",
-        "state.status has the reason. Start it again by taking run back once.",
-        "state.status zeigt den Grund. Zum Starten den Laufbefehl einmal wegnehmen.",
-    ),
+    NOT_RUNNING,
     DRIVE_EMERGENCY_STOP,
     INHIBITED,
     INTERLOCK,

@@ -1,12 +1,13 @@
 """The list of blocks, types and data blocks that a plant needs, in the order of dependence.
 
-Each kind of gateway has a family of blocks; only the families that the plant needs are generated.
-What belongs to the plant as a whole, TOS_Plant, TOS_Parameters, TOS_Main, the start and the error
-blocks, and the scaling functions, is called the same whatever gateways it has.
+Each kind of gateway, serial lines and DeviceNet have a family of blocks each; only the families
+that the plant needs are generated. What belongs to the plant as a whole, TOS_Plant, TOS_Parameters,
+TOS_Main, the start and the error blocks, and the scaling functions, is called the same in all.
 """
 
 from collections.abc import Iterable, Mapping
 
+from fbgen.blocks.dev_blocks import devicenet_family, devicenet_problems
 from fbgen.blocks.family import FamilyPlan
 from fbgen.blocks.gateways import several_masters
 from fbgen.blocks.line_blocks import line_family, line_problems
@@ -20,7 +21,7 @@ from fbgen.blocks.texts import ENGLISH, Texts
 from fbgen.catalog import Catalog, ProcessDataGateway, origin
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
-from fbgen.plant import DeviceNetNetwork, Plant, PlantGateway, gsd_warnings
+from fbgen.plant import Plant, PlantGateway, gsd_warnings
 
 _TIMER = "{InstructionName := 'TON_TIME'; LibVersion := '1.0'} : TON_TIME"
 _CLASSIC_TIMER = ": TON"
@@ -58,8 +59,6 @@ def plan_blocks(plant: Plant, catalog: Catalog, texts: Texts = ENGLISH) -> Block
 
     Raises DiagnosticError for what cannot be generated.
     """
-    if plant.devicenet:
-        raise DiagnosticError(map(_without_blocks, plant.devicenet))
     known = [catalog.sequence(name) for name in plant.sequences]
     lines, channels = _by_kind(plant, catalog)
     found = [*name_conflicts(plant, known)]
@@ -67,6 +66,7 @@ def plan_blocks(plant: Plant, catalog: Catalog, texts: Texts = ENGLISH) -> Block
     found += other_counts(plant, catalog)
     if plant.serial:
         found += serial_problems(plant, lines, catalog)
+    found += devicenet_problems(plant, catalog)
     if found:
         raise DiagnosticError(found)
     families = []
@@ -76,6 +76,8 @@ def plan_blocks(plant: Plant, catalog: Catalog, texts: Texts = ENGLISH) -> Block
         families.append(pbdp_family(plant, channels, catalog, texts))
     if plant.serial:
         families.append(serial_family(plant, catalog, texts))
+    if plant.devicenet:
+        families.append(devicenet_family(plant, catalog, texts))
     specs = _once(spec for family in families for spec in family.types)
     specs += [block(name) for name in _SCALING]
     specs += [spec for family in families for spec in family.exchanged]
@@ -92,16 +94,6 @@ def plan_blocks(plant: Plant, catalog: Catalog, texts: Texts = ENGLISH) -> Block
     of_families = (found for family in families for found in family.warnings)
     warnings = (*of_families, *gsd_warnings(plant, catalog))
     return BlockPlan(tuple(specs), context, warnings)
-
-
-def _without_blocks(network: DeviceNetNetwork) -> Diagnostic:
-    return Diagnostic(
-        "FB2054",
-        f"there are no blocks for DeviceNet yet, and so none for '{network.name}'",
-        network.span,
-        "test a program of your own against it, by scenarios with sources:; to generate blocks for "
-        "what else the plant has, take the network out",
-    )
 
 
 def _once(specs: Iterable[BlockSpec]) -> list[BlockSpec]:

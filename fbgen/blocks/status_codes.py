@@ -9,9 +9,9 @@ from typing import Literal
 
 from fbgen.dataclass import dataclass
 
-Having = Literal["lines", "channels", "sequences", "parameters", "serial"]
+Having = Literal["lines", "channels", "sequences", "parameters", "serial", "devicenet"]
 """What a plant must have for a code: gateways for telegrams or process data, sequences, a parameter
-channel, serial lines."""
+channel, serial lines, DeviceNet networks."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,7 +143,7 @@ STATUS_CODES = (
         "ein Antrieb ist nicht angelaufen, oder steht, obwohl er laufen soll",
         "Look at its panel: a trip, a missing terminal, the set-point below its start frequency. "
         "startTimeout may be shorter than it needs.",
-        ("channels",),
+        ("channels", "devicenet"),
     ),
     StatusCodes(
         (0x840B,),
@@ -152,6 +152,15 @@ STATUS_CODES = (
         "CLEAR",
         "Find out why the master was in CLEAR, then take run back and give it again.",
         ("channels",),
+    ),
+    StatusCodes(
+        (0x840D,),
+        "the assemblies of the drive know no reverse, no jog or no preset speed",
+        "die Assemblies des Antriebs kennen keinen Rückwärtslauf, kein Tippen oder keine "
+        "Festfrequenz",
+        "Take it back. 20/70 run forward only; jog and preset speeds need a command word: 100/150, "
+        "102/152 or 105/155.",
+        ("devicenet",),
     ),
     StatusCodes(
         (0x8410, 0x8411, 0x8412, 0x8413, 0x8414),

@@ -5,7 +5,7 @@ from fbgen.plant.commented import write_commented_plant
 from fbgen.plant.commented_sequence import OWN_SEQUENCE_FILE, write_own_sequence
 from fbgen.plant.cpus import CPUS, Cpu, cpus_of
 from fbgen.plant.devicenet import DeviceNetConnection, DeviceNetDrive, DeviceNetNetwork
-from fbgen.plant.devicenet_checks import ACTIVE_LENGTH, assemblies_of
+from fbgen.plant.devicenet_checks import ACTIVE_LENGTH, assemblies_of, instances
 from fbgen.plant.drive import PlantDrive
 from fbgen.plant.families import (
     FAMILIES,
@@ -25,6 +25,7 @@ from fbgen.plant.plant import (
     BlockNumbers,
     Plant,
     PlantGateway,
+    PlantUnit,
 )
 from fbgen.plant.prefix import with_prefix
 from fbgen.plant.reach import OLDER_CPUS_MOVE, Move, Refusal, move_of, not_a_way, refusal
@@ -54,6 +55,7 @@ __all__ = [
     "PlantDialect",
     "PlantDrive",
     "PlantGateway",
+    "PlantUnit",
     "PlcFamily",
     "Refusal",
     "SerialLine",
@@ -62,6 +64,7 @@ __all__ = [
     "cpus_of",
     "gsd_warnings",
     "in_dialect",
+    "instances",
     "layout_of",
     "load_plant",
     "module_of",

@@ -166,7 +166,7 @@ def places_of_drives(item: "PlantGateway") -> Iterator[Diagnostic]:
 def plant(item: "Plant") -> Iterator[Diagnostic]:
     """FB2050 no drives, FB2012, FB2013 and FB2021 names, FB2014 dialect, FB2015 PROFIBUS
     addresses, FB2019 identifiers, FB2022 files."""
-    if not item.units and not item.devicenet:
+    if not item.units:
         yield Diagnostic(
             "FB2050",
             "the plant has nothing that drives are connected to",
@@ -174,8 +174,7 @@ def plant(item: "Plant") -> Iterator[Diagnostic]:
             "add gateways: with a gateway, serial: with a line at a communication module, or "
             "devicenet: with a network at a scanner",
         )
-    named: list[Named] = [*item.units, *item.devicenet, *item.drives]
-    named += item.devicenet_drives
+    named: list[Named] = [*item.units, *item.drives]
     parts: tuple[Plant | Named, ...] = (item, *named)
     for part in parts:
         yield from name_problems(part.name, part.span_of("name"), item.prefix)
@@ -213,7 +212,8 @@ def plant(item: "Plant") -> Iterator[Diagnostic]:
         message="the PROFIBUS address {} is given twice",
         help_text="every slave of a DP master system (dp_master) needs its own address",
     )
-    with_identifier = [part for part in item.units if part.hardware_identifier is not None]
+    placed = item.gateways_and_lines
+    with_identifier = [part for part in placed if part.hardware_identifier is not None]
     yield from _twice(
         with_identifier,
         "hardware_identifier",

@@ -9,6 +9,7 @@ from fbgen.catalog import Catalog, Located, OptionValue
 from fbgen.catalog.scalars import Real, Text, Whole
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import devicenet_checks
+from fbgen.plant.parameters import DeviceNetDriveParameters
 
 DeviceNetConnection = Literal["polled", "change_of_state", "cyclic"]
 
@@ -21,8 +22,9 @@ class DeviceNetDrive(Located):
     100/150. `connection`: change of state and cyclic inputs come beside the polled ones.
     `packet_rate_ms`: the expected packet rate. `input_address`: first byte of its inputs in the
     image that the scanner has in the PLC. `output_address`: the same for its outputs. `settings`:
-    parameters of the option by their names in the catalogue. `options`: those of the option, and of
-    the series. `max_frequency_hz`: its parameter FH.
+    parameters of the option by their names in the catalogue. `parameters`: first values of the
+    block's. `options`: those of the option, and of the series. `max_frequency_hz`: its parameter
+    FH.
     """
 
     name: str
@@ -37,6 +39,7 @@ class DeviceNetDrive(Located):
     input_address: Whole
     output_address: Whole
     settings: dict[str, Whole] = Field(default_factory=dict)
+    parameters: DeviceNetDriveParameters = Field(default_factory=DeviceNetDriveParameters)
     options: dict[str, OptionValue] = Field(default_factory=dict)
 
     def problems_against(self, known: object) -> Iterable[Diagnostic]:
@@ -50,7 +53,8 @@ class DeviceNetNetwork(Located):
 
     `rate`: kbit/s. `mac`: the MAC ID of the scanner. `scan_ms`: how often it polls.
     `active_address`: first of 8 input bytes in which the scanner shows who exchanges data, bit
-    N % 8 of byte N / 8 for MAC ID N; without it nothing shows it. `drives`: who is on the network.
+    N % 8 of byte N / 8 for MAC ID N; blocks need it, a program of your own may do without.
+    `drives`: who is on the network.
     """
 
     name: str

@@ -5,7 +5,7 @@ From then on the block belongs to the user, and its values count. Dialects whose
 each time.
 """
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -28,6 +28,23 @@ class DriveParameters(Located):
     error_pause_ms: Annotated[Whole, Field(ge=0, le=3_600_000)] = 1000
     local_inhibits: Flag = True
     interlock_inhibits: Flag = True
+
+
+class DeviceNetDriveParameters(Located):
+    """First values of a drive's parameters on DeviceNet.
+
+    `min_frequency_hz`: a lower set-point is raised to it. `at_setpoint_hz`: how far the frequency
+    may be off while the drive counts as at set-point. `local_inhibits`: a drive that obeys its
+    panel or terminals is not told to run. `interlock_inhibits`: where the interlock was missing, a
+    new run is needed. `speed_unit`: what the program gives its set-points in, `hz` or `rpm` (1/min
+    of the motor).
+    """
+
+    min_frequency_hz: Annotated[Real, Field(ge=0, le=655.35)] = 0
+    at_setpoint_hz: Annotated[Real, Field(gt=0, le=655.35)] = 0.5
+    local_inhibits: Flag = True
+    interlock_inhibits: Flag = True
+    speed_unit: Literal["hz", "rpm"] = "hz"
 
 
 class LineParameters(Located):

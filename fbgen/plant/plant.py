@@ -1,7 +1,7 @@
 """The user's plant: its PLC, gateways, drives and sequences."""
 
 from collections.abc import Iterable
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import ConfigDict, Field, SerializerFunctionWrapHandler, model_serializer
 
@@ -94,6 +94,10 @@ class PlantGateway(Located):
         return checks.gateway(self, known)
 
 
+PlantUnit: TypeAlias = PlantGateway | SerialLine | DeviceNetNetwork
+"""What drives are connected to; a block is generated for each."""
+
+
 class BlockNumbers(Located):
     """The numbers that FBs, FCs, DBs and UDTs of dialect step7 may have, each kind from `first`."""
 
@@ -113,8 +117,7 @@ class Plant(Located):
     how the names of blocks begin; `files` says whether each stands in a file of its own, None what
     is usual for the dialect. `error_obs` says whether the organization blocks for errors that an
     S7-300 or S7-400 needs are generated, or whether the project has its own. `serial` are lines at
-    communication modules of the PLC itself. `devicenet` are networks at scanners: scenarios test a
-    program of your own against their drives, blocks are not generated for them yet.
+    communication modules of the PLC itself. `devicenet` are networks at scanners of the PLC.
     """
 
     version: Literal[1]
@@ -143,9 +146,8 @@ class Plant(Located):
 
     @property
     def series_of_drives(self) -> dict[str, str]:
-        """The series of every drive, whatever it is connected to, by the drive's name."""
-        known = {drive.name: drive.series for drive in self.drives}
-        return known | {drive.name: drive.series for drive in self.devicenet_drives}
+        """The series of every drive, by the drive's name."""
+        return {drive.name: drive.series for drive in self.drives}
 
     @property
     def devicenet_drives(self) -> tuple[DeviceNetDrive, ...]:
@@ -168,14 +170,25 @@ class Plant(Located):
         return self.family.classic and self.error_obs == "generate" and bool(self.gateways)
 
     @property
-    def units(self) -> tuple[PlantGateway | SerialLine, ...]:
-        """Everything that blocks are generated for, in the order of the file."""
+    def units(self) -> tuple[PlantUnit, ...]:
+        """Everything that drives are connected to."""
+        return (*self.gateways, *self.serial, *self.devicenet)
+
+    @property
+    def drives(self) -> tuple[PlantDrive | DeviceNetDrive, ...]:
+        """All drives of all gateways, lines and networks."""
+        return tuple(drive for unit in self.units for drive in unit.drives)
+
+    @property
+    def gateways_and_lines(self) -> tuple[PlantGateway | SerialLine, ...]:
+        """All units but DeviceNet networks."""
         return (*self.gateways, *self.serial)
 
     @property
-    def drives(self) -> tuple[PlantDrive, ...]:
-        """All drives of all gateways and lines, in the order of the file; none on DeviceNet."""
-        return tuple(drive for unit in self.units for drive in unit.drives)
+    def numbered_drives(self) -> tuple[PlantDrive, ...]:
+        """Those that get telegrams, by their inverter numbers."""
+        drives = (drive for unit in self.gateways_and_lines for drive in unit.drives)
+        return tuple(drive for drive in drives if drive.channel is None)
 
     def problems(self) -> Iterable[Diagnostic]:
         """What the parts of the plant say about each other."""

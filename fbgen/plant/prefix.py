@@ -3,7 +3,8 @@
 Templates, pages and scenarios call everything by the usual prefix. With `prefix: ACME_` the block
 `TOS_Main` is called `ACME_Main`, and the type `typeTosDrive` is called `typeAcmeDrive`. Blocks of
 gateways for process data keep their family behind it: `PBDP_Drive` is called `ACME_PBDP_Drive`, the
-type `typePbdpDrive` is called `typeAcmePbdpDrive`; so do those of serial lines (`TIP_`, `MB_`).
+type `typePbdpDrive` is called `typeAcmePbdpDrive`; so do those of serial lines (`TIP_`, `MB_`) and
+of DeviceNet (`DEV_`).
 """
 
 import re
@@ -15,10 +16,10 @@ from fbgen.source import Span
 USUAL_PREFIX = "TOS_"
 LONGEST_PREFIX = 12
 _PREFIX = re.compile(r"[A-Za-z][A-Za-z0-9]*_")
-_FAMILIES = ("PBDP_", "TIP_", "MB_", "typePbdp", "typeTip")
+_FAMILIES = ("PBDP_", "TIP_", "MB_", "DEV_", "typePbdp", "typeTip", "typeDev")
 """How the names of blocks and types of another family begin, which stays behind a prefix."""
 _USUAL_NAME = re.compile(
-    r"(?<![A-Za-z0-9_])(?:(?P<block>TOS_)|(?P<type>typeTos)|(?P<other>PBDP_|TIP_|MB_)|type(?=Pbdp|Tip))"
+    r"(?<![A-Za-z0-9_])(?:(?P<block>TOS_)|(?P<type>typeTos)|(?P<other>PBDP_|TIP_|MB_|DEV_)|type(?=Pbdp|Tip|Dev))"
     r"(?=[A-Za-z_])"
 )
 

@@ -100,7 +100,7 @@ class Installation:
         entry = next(entries, None)
         if entry is None:
             return ()
-        on_a_line = entry.name not in self.interfaces
+        on_a_line = entry.name not in self.interfaces and entry not in self.plan.devicenet
         return tuple(item.name for item in entry.drives if item.name != drive and on_a_line)
 
     def gets_telegrams(self, drive: str) -> bool:

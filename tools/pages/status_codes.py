@@ -34,6 +34,7 @@ FAMILIES = {
     "channels": ("PBDP_",),
     "parameters": ("PBDP_",),
     "sequences": ("TOS_Seq",),
+    "devicenet": ("DEV_",),
 }
 """How the names of the blocks begin that a plant must have for a code."""
 PUT_TOGETHER = {

@@ -10,7 +10,7 @@ from random import Random
 
 from fbgen.catalog import Catalog
 from fbgen.dataclass import dataclass
-from fbgen.plant import Plant, PlantDrive, PlantGateway
+from fbgen.plant import DeviceNetDrive, DeviceNetNetwork, Plant, PlantDrive, PlantGateway
 from harness.kernel import NS_PER_MS, NS_PER_S
 from harness.scenario.model import Variation
 from harness.scenario.plant_changes import varied_plant
@@ -101,7 +101,7 @@ def _work(random: Random, plan: Plant, catalog: Catalog, sequences: Sequence[str
         gateway, drive = random.choice(drives)
         if gateway in asked_by_telegrams:
             asked = _asked(random, gateway.name, drive, sequences)
-        elif random.random() < _JOBS_SHARE:
+        elif isinstance(drive, PlantDrive) and random.random() < _JOBS_SHARE:
             asked = asked_in_parameter_channel(random, gateway.name, drive)
         else:
             asked = _asked(random, gateway.name, drive, ())
@@ -110,7 +110,9 @@ def _work(random: Random, plan: Plant, catalog: Catalog, sequences: Sequence[str
     return [*steps, {"wait": written_time(left_ns)}]
 
 
-def _asked(random: Random, gateway: str, drive: PlantDrive, sequences: Sequence[str]) -> Entry:
+def _asked(
+    random: Random, gateway: str, drive: PlantDrive | DeviceNetDrive, sequences: Sequence[str]
+) -> Entry:
     base = f"plc.TOS_Plant.{gateway}.{drive.name}"
     control = f"{base}.control"
     match random.randrange(9):
@@ -159,7 +161,7 @@ def _recovery(
         for drive in gateway.drives
         for name in sequences
     }
-    for gateway in plan.units:
+    for gateway in plan.gateways:
         if gateway not in on_lines:
             for drive in gateway.drives:
                 executes |= {f"plc.TOS_Plant.{gateway.name}.{drive.name}.parameter.execute": False}
@@ -177,15 +179,17 @@ def _recovery(
             {"wait": round_time},
         ]
     well: Entry = {}
-    for gateway in plan.units:
-        for drive in gateway.drives:
-            base = f"plc.TOS_Plant.{gateway.name}.{drive.name}"
-            if isinstance(gateway, PlantGateway) and gateway not in on_lines:
-                well |= well_at_an_interface(plan, gateway, drive, catalog)
-            elif gateway.status_poll:
+    for unit in plan.units:
+        for member in unit.drives:
+            base = f"plc.TOS_Plant.{unit.name}.{member.name}"
+            if isinstance(member, DeviceNetDrive):
+                well |= {f"{base}.state.online": True, f"{base}.state.inhibited": False}
+            elif isinstance(unit, PlantGateway) and unit not in on_lines:
+                well |= well_at_an_interface(plan, unit, member, catalog)
+            elif not isinstance(unit, DeviceNetNetwork) and unit.status_poll:
                 well |= {f"{base}.polled.valid": True, f"{base}.polled.lost": False}
             well |= {f"{base}.state.tripped": False, f"{base}.state.running": False}
-            well |= {f"{base}.alarms": 0, f"drive.{drive.name}.running": False}
+            well |= {f"{base}.alarms": 0, f"drive.{member.name}.running": False}
     for line in lines:
         well |= {f"{line}.online": True, f"{line}.alarms": 0}
     return [*steps, {"expect": well, "within": written_time(round(patience * _WELL_NS))}]

@@ -10,7 +10,7 @@ import yaml
 import fbgen
 from fbgen.blocks.literals import one_line
 from fbgen.blocks.texts import texts_in
-from fbgen.catalog import Located, ProcessDataGateway, load_catalog
+from fbgen.catalog import DeviceNetGateway, Located, ProcessDataGateway, load_catalog
 from fbgen.diagnostics import DiagnosticError
 from fbgen.emit.generator import generate
 from fbgen.emit.template_texts import texts_of, translated
@@ -88,6 +88,26 @@ def of_catalogue() -> set[str]:
     return found
 
 
+def of_devicenet() -> set[str]:
+    """What blocks, parameter sheets and tables of inputs and outputs show of DeviceNet options."""
+    found: set[str] = set()
+    for gateway in CATALOG.gateways.values():
+        if isinstance(gateway, DeviceNetGateway):
+            found |= {text for item in gateway.parameters for text in shown(item, ("title",))}
+            found |= {text for item in gateway.parameters for text in item.values.values()}
+            found |= set(gateway.word("extended_status").field("drive_status").values.values())
+            for pair in gateway.assemblies:
+                fields = (*pair.output.fields, *pair.input.fields)
+                found |= {text for field in fields for text in shown(field, ("title",))}
+    return found
+
+
+def test_everything_shown_of_a_devicenet_option_has_german_texts() -> None:
+    found = {text for text in of_devicenet() if re.search("[a-z]{4}", text)}
+    assert "Startup" in found
+    assert not {text for text in found if text not in GERMAN}
+
+
 def test_every_trip_and_sequence_of_the_catalogue_has_german_texts() -> None:
     found = of_catalogue()
     assert len(found) > 60
@@ -95,7 +115,8 @@ def test_every_trip_and_sequence_of_the_catalogue_has_german_texts() -> None:
 
 
 def test_no_german_text_is_left_of_what_is_not_said_any_more() -> None:
-    used = of_catalogue() | {
+    used = of_catalogue() | of_devicenet()
+    used |= {
         node.value
         for folder in ("blocks", "emit")
         for path in (PACKAGE / folder).rglob("*.py")

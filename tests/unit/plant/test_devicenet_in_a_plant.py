@@ -6,7 +6,6 @@ import pytest
 
 from fbgen.catalog import load_catalog
 from fbgen.diagnostics import DiagnosticError
-from fbgen.emit.generator import generate
 from fbgen.plant import load_plant, read_plant
 from fbgen.source import Source
 from harness.faults import FAULTS
@@ -91,12 +90,6 @@ def test_what_does_not_fit_is_reported(old: str, new: str, code: str, words: str
     assert {item.code for item in found} == {code}
     assert words in found[0].message
     assert found[0].span is not None
-
-
-def test_nothing_is_generated_for_a_plant_with_devicenet() -> None:
-    with pytest.raises(DiagnosticError) as failure:
-        generate(load_plant(PLANT, CATALOG), CATALOG)
-    assert [item.code for item in failure.value.diagnostics] == ["FB2054"]
 
 
 def test_options_below_gateways_are_told_where_they_belong() -> None:
