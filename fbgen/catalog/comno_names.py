@@ -14,6 +14,10 @@ _SHORT = {
 """Names that the catalogue gives to a part of the link between a master and an inverter."""
 
 
+_ROLES = ("command", "setpoint", "status", "trip", "alarm")
+"""Those of the link that are no words of a ComNo's own name."""
+
+
 def named_comno(series: Drive, key: str) -> ComNo:
     """The ComNo of a name or number of the catalogue, of the panel (`F802`), or a short name.
 
@@ -25,6 +29,7 @@ def named_comno(series: Drive, key: str) -> ComNo:
             if known in (comno.name, comno.hex) or known.upper() in (comno.hex, f"0X{comno.hex}"):
                 return comno
     names = [comno.name for comno in series.comnos] + [comno.hex for comno in series.comnos]
+    names += [*_SHORT, *(role for role in type(series.link).model_fields if role in _ROLES)]
     raise error("FB1105", f"'{series.id}' has no ComNo '{key}'", help=nearest(key, names))
 
 

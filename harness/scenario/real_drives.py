@@ -11,6 +11,7 @@ from fbgen.catalog import Located
 from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.nearest import nearest
+from fbgen.plant import PlantGateway, SerialLine
 from fbgen.source import Span
 from harness.drives import Inverter
 from harness.engine.compiled.watching.probes import ProbeMaker
@@ -27,8 +28,9 @@ from harness.scenario.model import (
     WaitUntilStep,
 )
 from harness.scenario.places import key_span
-from harness.serial import Port, RealDrives, RealTime
-from harness.serial.real_drives import stop_drives
+from harness.serial import RealDrives, RealTime
+from harness.serial.ports import SettablePort
+from harness.serial.real_drives import BEHIND_A_GATEWAY, SpokenTo, on_line, stop_drives
 
 if TYPE_CHECKING:
     from harness.scenario.cases import ScenarioCase
@@ -50,11 +52,12 @@ class KeptTime:
 class RealDrivesObserver:
     """Puts the port in the place of simulated inverters before a run, and stops them behind it."""
 
-    def __init__(self, scenario: Scenario, names: tuple[str, ...], port: Port) -> None:
+    def __init__(self, scenario: Scenario, names: tuple[str, ...], port: SettablePort) -> None:
         self._scenario = scenario
         self._names = names
         self._port = port
         self._drives: tuple[Inverter, ...] = ()
+        self._served = BEHIND_A_GATEWAY
         self._real: RealDrives | None = None
 
     @property
@@ -70,9 +73,13 @@ class RealDrivesObserver:
         found = list(_misfits(self._scenario, plant, self._names))
         if found:
             raise DiagnosticError(found)
-        gateway = _gateway_of(plant, self._names[0])
+        unit = _unit_of(plant, self._names[0])
+        assert unit is not None, "checked with what does not fit"
         self._drives = tuple(plant.drives[name] for name in self._names)
-        self._real = RealDrives(plant, gateway, self._names, self._port, late_ns=LATE_NS)
+        self._served = _spoken_to(unit)
+        self._real = RealDrives(
+            *(plant, unit.name, self._served, self._names, self._port), late_ns=LATE_NS
+        )
 
     def finish(self, result: ScenarioResult) -> KeptTime | None:
         """Stop the inverters."""
@@ -82,13 +89,13 @@ class RealDrivesObserver:
 
     def stop(self) -> tuple[str, ...]:
         """Tell the inverters to stop; the names of those that do not answer."""
-        return stop_drives(self._drives, self._port)
+        return stop_drives(self._drives, self._served, self._port)
 
 
 class RealDrivesMaker:
     """Makes the observer of each run. `stop` ends what a run that was broken off has left."""
 
-    def __init__(self, names: tuple[str, ...], port: Port) -> None:
+    def __init__(self, names: tuple[str, ...], port: SettablePort) -> None:
         self._names = names
         self._port = port
         self._last: RealDrivesObserver | None = None
@@ -103,10 +110,15 @@ class RealDrivesMaker:
         return () if self._last is None else self._last.stop()
 
 
-def _gateway_of(plant: Installation, drive: str) -> str:
+def _unit_of(plant: Installation, drive: str) -> PlantGateway | SerialLine | None:
+    """Gateway or line of a drive; None for one on DeviceNet."""
     return next(
-        entry.name for entry in plant.plan.gateways if drive in {item.name for item in entry.drives}
+        (unit for unit in plant.plan.units if drive in {item.name for item in unit.drives}), None
     )
+
+
+def _spoken_to(unit: PlantGateway | SerialLine) -> SpokenTo:
+    return on_line(unit) if isinstance(unit, SerialLine) else BEHIND_A_GATEWAY
 
 
 def _misfits(
@@ -117,14 +129,19 @@ def _misfits(
         yield _refused(f"there is no drive '{name}'", None, nearest(name, plant.drives))
     if unknown:
         return
-    gateways = {_gateway_of(plant, name) for name in names}
-    if len(gateways) > 1:
-        help_ = "one port is one line: choose drives behind one gateway"
+    places = {name: _unit_of(plant, name) for name in names}
+    units = {unit.name for unit in places.values() if unit is not None}
+    if len(units) > 1:
+        help_ = "one port is one line: choose drives behind one gateway, or on one serial line"
         yield _refused(f"{' and '.join(names)} are on different lines", None, help_)
-    for gateway in gateways:
-        if gateway not in plant.gateways:
-            message = f"the drives at '{gateway}' have a cable of their own, not a line"
-            yield _refused(message, None, "choose drives behind a gateway for telegrams")
+    way_out = "choose drives behind a gateway for telegrams, or on a serial line"
+    for name, unit in places.items():
+        if unit is None:
+            yield _refused(f"'{name}' is on DeviceNet, not on a line", None, way_out)
+    for unit_name in sorted(units):
+        if unit_name not in plant.lines:
+            message = f"the drives at '{unit_name}' have a cable of their own, not a line"
+            yield _refused(message, None, way_out)
     yield from _of_steps(scenario, names)
     for name in names:
         if name in scenario.drives:

@@ -91,12 +91,16 @@ class Asking:
                     others.append(frame.data)
                 else:
                     rest += frame.data
+        took_ns = self._clock_ns() - begin_ns
         for frame in self._splitter.flush():
+            if answered and _answers(self._protocol, request, frame):
+                # behind the rest of another one, which looked like the begin of a frame
+                return Heard(frame.data, tuple(others), rest, took_ns)
             if frame.direction == "reply":
                 others.append(frame.data)
             else:
                 rest += frame.data
-        return Heard(None, tuple(others), rest, self._clock_ns() - begin_ns)
+        return Heard(None, tuple(others), rest, took_ns)
 
     def _drain(self) -> None:
         """Let what still comes go by."""

@@ -10,6 +10,7 @@ What is sent while something else is on the wire is garbled from there on: what 
 before cannot be taken back, as it could not on a wire that is already being read.
 """
 
+from fbgen.wire.line_frames import FrameSplitter
 from harness.kernel import Kernel
 from harness.line import Line, Reception, Role, SerialFormat, Transmission
 from harness.serial.asking import without_echo
@@ -19,7 +20,9 @@ from harness.serial.ports import Port
 class LineBridge:
     """Carries bytes between a port and a line. `received` and `sent` count those of the port.
 
-    `echoes` says that the adapter gives back what is sent: that is taken off what comes.
+    `echoes` says that the adapter gives back what is sent: that is taken off what comes. With
+    `replies` what comes is put on the line by whole replies: adapters hold bytes back, and to who
+    tells telegrams by silence one that comes in two pieces would be two.
     """
 
     def __init__(
@@ -32,12 +35,14 @@ class LineBridge:
         *,
         byte_times: bool,
         echoes: bool = False,
+        replies: FrameSplitter | None = None,
     ) -> None:
         self._kernel = kernel
         self._port = port
         self._byte_times = byte_times
         self._echoes = echoes
         self._echo = b""
+        self._replies = replies
         self._busy_until_ns = kernel.now_ns
         self.received = self.sent = 0
         self.node = line.attach(self, role, characters)
@@ -51,6 +56,19 @@ class LineBridge:
         if not data:
             return
         self.received += len(data)
+        if self._replies is None:
+            self._put_on_line(data)
+            return
+        for frame in self._replies.feed(data, self._kernel.now_ns):
+            self._put_on_line(frame.data)
+
+    def nothing_came(self) -> None:
+        """The port was looked at: what no reply has become by now will not."""
+        if self._replies is not None and not self._replies.idle:
+            for frame in self._replies.end(self._kernel.now_ns):
+                self._put_on_line(frame.data)
+
+    def _put_on_line(self, data: bytes) -> None:
         if self._byte_times:
             self.node.transmit(data)
             return

@@ -54,6 +54,17 @@ class Port(Protocol):
         ...
 
 
+class SettablePort(Port, Protocol):
+    """A port that goes on with other characters when it is told to."""
+
+    def set_characters(self, characters: SerialFormat) -> None:
+        """Take another speed and parity.
+
+        Raises DiagnosticError FB9031 for some that the port cannot have.
+        """
+        ...
+
+
 class SerialPort:
     """A port of pyserial that is open and never waits by itself."""
 
@@ -89,6 +100,16 @@ class SerialPort:
             self._device.write(data)
         except OSError as problem:
             raise _gone(self._name, problem) from problem
+
+    def set_characters(self, characters: SerialFormat) -> None:
+        """As `SettablePort.set_characters`."""
+        parity = Parity.NONE if _is_pseudo_terminal(self._name) else characters.parity
+        try:
+            self._device.baudrate = characters.baud
+            self._device.parity = parity.value
+            self._device.stopbits = characters.stop_bits
+        except (OSError, ValueError, OverflowError) as problem:
+            raise _not_opened(self._name, characters, problem) from problem
 
     def close(self) -> None:
         """As `Port.close`."""
@@ -174,6 +195,11 @@ def _not_opened(name: str, characters: SerialFormat, problem: Exception) -> Diag
             f"it cannot have {characters.parity.name.lower()} parity or {characters.baud} bit/s"
         )
         help_text = "a pseudo terminal keeps no parity: let --pty make one; else try --baud 19200"
+    elif "://" in name:
+        reason = text
+        help_text = (
+            "is the other end listening there? write socket://HOST:PORT or rfc2217://HOST:PORT"
+        )
     else:
         reason, help_text = text, _list_ports()
     return error("FB9031", f"{name} cannot be opened: {reason}", None, help_text)

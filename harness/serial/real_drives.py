@@ -1,4 +1,4 @@
-"""Real inverters at the line of a simulated gateway: the plant's clock follows the wall clock.
+"""Real inverters at a simulated gateway or communication module: the plant follows the wall clock.
 
 An event of the plant's own clock waits until its instant has come on the wall, a millisecond ahead
 of what follows at most, and takes what the port has heard meanwhile. If the machine is too slow,
@@ -9,17 +9,19 @@ from collections.abc import Callable
 from time import monotonic_ns
 from typing import NamedTuple
 
-from fbgen.wire import toshiba_binary
+from fbgen.plant import SerialLine
+from fbgen.wire import modbus, modbus_rtu, toshiba_ascii, toshiba_binary
+from fbgen.wire.line_frames import FrameSplitter
 from fbgen.wire.line_protocols import LINE_PROTOCOLS
 from fbgen.wire.toshiba import Command, Request
 from harness.drives import Inverter
 from harness.installation import Installation
 from harness.kernel import NS_PER_MS, NS_PER_S, Kernel
-from harness.line import DRIVE_FORMAT, GATEWAY_FORMAT, Role
+from harness.line import DRIVE_FORMAT, GATEWAY_FORMAT, Parity, Role, SerialFormat
 from harness.serial.asking import Asking, echoes
 from harness.serial.bridge import LineBridge
 from harness.serial.pace import Pace
-from harness.serial.ports import Port
+from harness.serial.ports import SettablePort
 
 _TICK_NS = NS_PER_MS
 _FIRST = -1
@@ -38,20 +40,22 @@ class RealTime(NamedTuple):
 class RealDrives:
     """Takes simulated inverters off a line and puts a port in their place.
 
+    `unit` is the name of the gateway or of the serial line, `served` how its drives are spoken to.
     `late_ns`: from there on the plant counts as behind.
     """
 
     def __init__(
         self,
         plant: Installation,
-        gateway: str,
+        unit: str,
+        served: "SpokenTo",
         names: tuple[str, ...],
-        port: Port,
+        port: SettablePort,
         *,
         late_ns: int,
         clock_ns: Callable[[], int] = monotonic_ns,
     ) -> None:
-        line = plant.lines[gateway]
+        line = plant.lines[unit]
         for name in names:
             drive = plant.drives[name]
             drive.power_off()
@@ -62,10 +66,13 @@ class RealDrives:
         self._late_ns = late_ns
         self._pace: Pace | None = None
         self._longest_ns = self._late_ticks = self._ticks = 0
+        port.set_characters(served.characters)
+        protocol = LINE_PROTOCOLS[served.protocol]
         self._bridge = LineBridge(
-            *(plant.kernel, line, port, Role.SLAVE, DRIVE_FORMAT),
+            *(plant.kernel, line, port, Role.SLAVE, served.drives),
             byte_times=False,
             echoes=echoes(port, clock_ns),
+            replies=FrameSplitter(protocol, "reply") if served.by_silence else None,
         )
         self._kernel.at(self._kernel.now_ns, self._tick, _FIRST)
 
@@ -88,6 +95,8 @@ class RealDrives:
             data = self._port.read(max(left_ns, 0) / NS_PER_S)
             if data:
                 self._bridge.take(data)
+            else:
+                self._bridge.nothing_came()
             if left_ns <= 0 and not data:
                 break
         kernel.at(_next_ns(kernel), self._tick, _FIRST)
@@ -99,21 +108,57 @@ def _next_ns(kernel: Kernel) -> int:
     return min(ahead_ns, kernel.now_ns + _TICK_NS)
 
 
+class SpokenTo(NamedTuple):
+    """How the drives of a line are spoken to: `characters` are the master's, `drives` theirs.
+
+    `by_silence`: the master is a module that tells messages by silence, and gets whole ones.
+    """
+
+    protocol: str
+    characters: SerialFormat
+    drives: SerialFormat
+    in_ascii: bool = False
+    by_silence: bool = False
+
+    def stop(self, drive: Inverter) -> bytes:
+        """The frame that stops an inverter by its ramp."""
+        series, facts = drive.series, drive.communication.facts
+        word = series.command_word.encode(["network_command"])
+        number = series.comno(facts.command).number
+        own = drive.registers.word(facts.inv_no)
+        if self.protocol == "modbus":
+            return modbus_rtu.encode_request(modbus.WriteRequest(own, number, word))
+        request = Request(own, Command.P, number, word)
+        if self.in_ascii:
+            return toshiba_ascii.encode_request(request)
+        return toshiba_binary.encode_request(request)
+
+
+BEHIND_A_GATEWAY = SpokenTo("toshiba", GATEWAY_FORMAT, DRIVE_FORMAT)
+
+
+def on_line(line: SerialLine) -> SpokenTo:
+    """How the drives of a serial line are spoken to."""
+    parity = Parity[line.parity.upper()]
+    return SpokenTo(
+        line.family,
+        SerialFormat(line.baud, parity, 1),
+        SerialFormat(line.baud, parity, 2),
+        in_ascii=line.protocol == "toshiba_ascii",
+        by_silence=True,
+    )
+
+
 def stop_drives(
-    drives: tuple[Inverter, ...], port: Port, clock_ns: Callable[[], int] = monotonic_ns
+    drives: tuple[Inverter, ...],
+    served: SpokenTo,
+    port: SettablePort,
+    clock_ns: Callable[[], int] = monotonic_ns,
 ) -> tuple[str, ...]:
     """Tell real inverters to stop by their ramps; the names of those that have not answered.
 
     Nothing of the plant runs any more, so nobody else sends.
     """
-    asking = Asking(port, LINE_PROTOCOLS["toshiba"], GATEWAY_FORMAT, _STOP_TIMEOUT_NS, clock_ns)
-    silent = []
-    for drive in drives:
-        series = drive.series
-        word = series.command_word.encode(["network_command"])
-        number = series.comno(series.link.command).number
-        own = drive.registers.word(series.link.inv_no)
-        frame = toshiba_binary.encode_request(Request(own, Command.P, number, word))
-        if asking.ask(frame).reply is None:
-            silent.append(drive.name)
-    return tuple(silent)
+    protocol = LINE_PROTOCOLS[served.protocol]
+    asking = Asking(port, protocol, served.characters, _STOP_TIMEOUT_NS, clock_ns)
+    return tuple(drive.name for drive in drives if asking.ask(served.stop(drive)).reply is None)

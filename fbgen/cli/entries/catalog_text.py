@@ -180,7 +180,7 @@ def _step(step: Step) -> tuple[str, str]:
         bits = [*(step.bits or ()), *(f"{bit}={name}" for bit, name in step.bits_from.items())]
         return f"write {step.write} = {' '.join(bits) or '0000'}", title
     if isinstance(step, CheckStep):
-        wanted = "as its setting" if step.equals is None else f"{step.equals:g}"
+        wanted = "as its sheet says" if step.equals is None else f"{step.equals:g}"
         return f"check that {step.check} is {wanted}", title
     if isinstance(step, SettingsStep):
         return "check everything that the parameter sheet says", title

@@ -124,7 +124,7 @@ class TableDisplay:
                 *(f"{state.current_percent:.1f}", state.trip, str(state.replies)),
             )
         log = self._served.log
-        counts = f"{log.requests} requests, {log.replies} replies, {log.unknown} unknown"
+        counts = f"{log.requests} requests, {log.replies} replies, {log.unknown} unknown frames"
         faults = ", ".join(f"{name} on {place}" for name, place in self._faults.on)
         below = [*self._said, counts, f"faults: {faults or 'none'}", KEYS, self._keys.told]
         return Group(table, Text("\n".join(below), no_wrap=True, overflow="ellipsis"))

@@ -46,12 +46,16 @@ def hardware_writer(
         yield None
         return
     _check(port, real, jobs)
-    _confirm(real or (), yes)
     from harness.line import GATEWAY_FORMAT
     from harness.scenario.real_drives import RealDrivesMaker
     from harness.serial import serial_port
 
     opened = serial_port(port or "", GATEWAY_FORMAT)
+    try:
+        _confirm(real or (), yes)
+    except BaseException:
+        opened.close()
+        raise
     maker = RealDrivesMaker(tuple(real or ()), opened)
     try:
         yield _TimeWriter(maker)

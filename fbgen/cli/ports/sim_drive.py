@@ -178,7 +178,7 @@ def _serve(
     log = served.log
     late_ms = server.longest_delay_ns / 1e6
     say(
-        f"{log.requests} requests, {log.replies} replies, {log.unknown} unknown; "
+        f"{log.requests} requests, {log.replies} replies, {log.unknown} unknown frames; "
         f"nothing was more than {late_ms:.1f} ms late"
     )
 

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from fbgen.catalog import ComNo
 from fbgen.cli.frames.cell_texts import CellTexts
 from fbgen.cli.frames.frame_lines import frame_bytes
 from fbgen.cli.frames.modbus_reading import EXCEPTIONS
@@ -59,13 +60,25 @@ def _modbus(question: Question, frame: bytes, took_ms: float) -> Answer:
 
 def _refused(question: Question, code: str, text: str, frame: bytes) -> DiagnosticError:
     what = "to be read" if question.word is None else f"{question.word:04X}"
-    help_ = "fbgen catalog show lists the ComNos of a series with their ranges"
+    known = "" if question.word is None or question.comno is None else _range(question.comno)
+    help_ = known or "fbgen catalog show lists the ComNos of a series with their ranges"
     if question.comno is not None and question.comno.requires_stop:
         help_ = "it can be written while the inverter stands"
     message = f"inverter {question.inv_no} refuses {question.com_no:04X} {what}: {text} ({code})"
     return DiagnosticError(
         [Diagnostic("FB9052", message, None, help_, (Note(f"it said {frame_bytes(frame)}"),))]
     )
+
+
+def _range(comno: ComNo) -> str:
+    """What a ComNo takes by the catalogue; nothing where that says nothing."""
+    if comno.access == "r":
+        return f"{comno.name} can only be read"
+    if comno.minimum is None and comno.maximum is None:
+        return ""
+    low, high = comno.to_value(comno.minimum_word), comno.to_value(comno.maximum_word)
+    limit = f", and not more than {comno.limited_by}" if comno.limited_by else ""
+    return f"{comno.name} takes {low:g} to {high:g} {comno.unit}".rstrip() + limit
 
 
 def _none(question: Question, heard: "Heard", talking: Talking) -> Diagnostic:

@@ -65,7 +65,8 @@ def questions(words: Sequence[str], talking: Talking) -> list[Question]:
     plain = [word for word in words if word != "--eeprom"]
     verb = plain[0] if plain else ""
     if verb not in HOW:
-        raise error("FB9050", f"'{verb}' is nothing that can be asked", None, nearest(verb, HOW))
+        known = nearest(verb, (*HOW, "scan", "names", "help", "quit"))
+        raise error("FB9050", f"'{verb}' is nothing that can be asked", None, known)
     numbers, rest = _inverters(plain[1:], verb, talking)
     eeprom = len(plain) < len(words)
     if verb == "read":
@@ -99,7 +100,8 @@ def _inverters(
         highest = _highest(talking)
         if not found or found[-1] > highest:
             message = f"'{first}' is no INV-NO"
-            raise error("FB9050", message, None, f"they go from 0 to {highest}")
+            more = "; in ASCII (--ascii) to 99" if highest == toshiba.HIGHEST_BINARY_INV_NO else ""
+            raise error("FB9050", message, None, f"they go from 0 to {highest}{more}")
         return [*found], words[1:]
     if talking.inv_no is None:
         raise error(

@@ -99,7 +99,7 @@ def test_a_process_serves_drives_tells_what_they_do_and_ends_with_ctrl_c(tmp_pat
     assert "2F 0B 50 FA 00 C4 00 48  inverter 11: write FA00 command_word C400" in err
     assert "vf11 (INV-NO 11) running forward, set-point 0.00 Hz, commanded by network" in err
     assert "vf11 (INV-NO 11) tripped OC1" in err
-    assert "10 requests, 10 replies, 0 unknown" in err
+    assert "10 requests, 10 replies, 0 unknown frames" in err
     assert not control.exists()
 
 
@@ -159,7 +159,7 @@ def test_the_table_shows_drives_frames_faults_and_keys(
     shown = capsys.readouterr().err
     assert "vf-s11" in shown
     assert "inverter 1: read FD01 status" in shown
-    assert "1 requests, 1 replies, 0 unknown" in shown
+    assert "1 requests, 1 replies, 0 unknown frames" in shown
     assert "faults: drive_disconnected on vf2, line_noise on line" in shown
     assert "q end" in shown
 

@@ -86,6 +86,9 @@ def test_a_series_that_keeps_what_modbus_writes_wants_that_to_be_said() -> None:
     ("text", "code", "says"),
     [
         ("turn 11", "FB9050", "nothing that can be asked"),
+        ("scann", "FB9050", "did you mean 'scan'"),
+        ("read 99 status", "FB9050", "0 to 63; in ASCII (--ascii) to 99"),
+        ("read 11 frequncy", "FB1105", "'frequency'"),
         ("read", "FB9050", "not said which inverter"),
         ("read 11", "FB9050", "not all of 'read'"),
         ("write 11 frequency", "FB9050", "not all of 'write'"),
@@ -161,6 +164,11 @@ def test_what_an_inverter_says_no_to_is_fb9052(fbgen: Fbgen, line: Serving) -> N
     run = talk(fbgen, line, "read 2 1234")
     assert (run.status, run.out) == (1, "")
     assert "FB9052]: inverter 2 refuses 1234 to be read: there is no such ComNo (0002)" in run.err
+    run = talk(fbgen, line, "write 2 frequency 600")
+    assert "FB9052]: inverter 2 refuses FA01 EA60" in run.err
+    assert "takes 0 to 500 Hz, and not more than maximum_frequency" in run.err
+    run = talk(fbgen, line, "write 2 status 0")
+    assert "status can only be read" in run.err
     run = talk(fbgen, line, "write 2 frequency 600 --ascii")
     assert "the data are outside of the range (0001)" in run.err
     line.drives["vf2"].trip("OC1")

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from harness.kernel import NS_PER_S
+from harness.line import SerialFormat
 from tests.unit.serial.virtual_port import ServedLine
 
 
@@ -23,6 +24,7 @@ class MasterPort:
         self._change = change
         self._waiting = b""
         self.sent: list[bytes] = []
+        self.characters: SerialFormat | None = None
 
     def clock(self) -> int:
         return self._line.port.now_ns
@@ -45,6 +47,9 @@ class MasterPort:
         port.limit_ns = None
         found, self._waiting = self._waiting, b""
         return found
+
+    def set_characters(self, characters: SerialFormat) -> None:
+        self.characters = characters
 
     def close(self) -> None:
         pass

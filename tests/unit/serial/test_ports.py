@@ -9,7 +9,8 @@ import pytest
 import serial
 
 from fbgen.diagnostics import Diagnostic, DiagnosticError
-from harness.serial import PseudoTerminal, profibus_port
+from harness.line import Parity, SerialFormat
+from harness.serial import PseudoTerminal, profibus_port, serial_port
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux makes pseudo terminals")
 
@@ -67,6 +68,35 @@ def test_a_port_that_cannot_be_opened_says_why(
     assert found.code == "FB9031"
     assert says in found.message
     assert found.help
+
+
+@pytest.mark.parametrize("scheme", ["socket", "rfc2217"])
+def test_an_address_where_nobody_listens_is_not_looked_for_among_ports(scheme: str) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        place = f"{scheme}://127.0.0.1:{server.getsockname()[1]}"
+    found = refused(place)
+    assert "refused" in found.message
+    assert found.help == (
+        "is the other end listening there? write socket://HOST:PORT or rfc2217://HOST:PORT"
+    )
+
+
+@linux
+def test_a_port_goes_on_with_other_characters() -> None:
+    import termios  # noqa: PLC0415 - there is none on Windows
+
+    terminal = PseudoTerminal()
+    port = serial_port(terminal.name, SerialFormat(19_200, Parity.EVEN, 1))
+    port.set_characters(SerialFormat(9_600, Parity.ODD, 2))
+    end = os.open(terminal.name, os.O_RDWR | os.O_NOCTTY)
+    assert termios.tcgetattr(end)[4] == termios.B9600
+    os.close(end)
+    port.write(b"\x2f")
+    assert terminal.read() == b"\x2f"
+    with pytest.raises(DiagnosticError, match="FB9031"):
+        port.set_characters(SerialFormat(-1, Parity.EVEN, 1))
+    port.close()
+    terminal.close()
 
 
 def test_without_pyserial_there_is_a_hint(monkeypatch: pytest.MonkeyPatch) -> None:
