@@ -112,9 +112,8 @@ class RealDrivesMaker:
 
 def _unit_of(plant: Installation, drive: str) -> PlantGateway | SerialLine | None:
     """Gateway or line of a drive; None for one on DeviceNet."""
-    return next(
-        (unit for unit in plant.plan.units if drive in {item.name for item in unit.drives}), None
-    )
+    units: tuple[PlantGateway | SerialLine, ...] = (*plant.plan.gateways, *plant.plan.serial)
+    return next((unit for unit in units if drive in {item.name for item in unit.drives}), None)
 
 
 def _spoken_to(unit: PlantGateway | SerialLine) -> SpokenTo:
