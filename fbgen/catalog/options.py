@@ -25,7 +25,8 @@ class Option(Sourced):
     """One choice of a gateway or a drive.
 
     `applies_to` says who takes notice: the generated blocks (`plc`), the simulated device
-    (`device`), or both. An integer lies between `minimum` and `maximum` (in `unit`).
+    (`device`), or both. An integer lies between `minimum` and `maximum` (in `unit`),
+    in steps of `step` from the minimum on.
     """
 
     id: SnakeName
@@ -37,6 +38,7 @@ class Option(Sourced):
     unit: str = ""
     minimum: Whole | None = None
     maximum: Whole | None = None
+    step: Whole = 1
     remark: Text | None = None
 
     def check(self, value: OptionValue) -> OptionValue:
@@ -65,7 +67,9 @@ class Option(Sourced):
         elif self.type == "integer":
             low = self.minimum if self.minimum is not None else 0
             high = self.maximum if self.maximum is not None else 0xFFFF
-            if isinstance(value, (bool, str)) or not low <= value <= high:
+            whole = isinstance(value, int) and not isinstance(value, bool)
+            if not whole or value not in range(low, high + 1, max(1, self.step)):
                 message = f"{shown} is no value of the option '{self.id}'"
                 unit = f" {self.unit}" if self.unit else ""
-                yield Diagnostic("FB1109", message, help=f"write {low} to {high}{unit}")
+                steps = f" in steps of {self.step}" if self.step > 1 else ""
+                yield Diagnostic("FB1109", message, help=f"write {low} to {high}{unit}{steps}")

@@ -76,7 +76,7 @@ def gateway(
         typer.Option(
             "--layout",
             metavar="L",
-            help="gsd10, module1 ...: instead of the plant's. On CAN: extended_speed ...",
+            help="gsd10, module1 ...: instead of the plant's. On CAN: 21/71 ...",
         ),
     ] = None,
     address: Annotated[
@@ -114,6 +114,7 @@ def gateway(
         serve_option(can, known, wanted)
         return
     _only_ports(series, log)
+    _served_at_ports(kind, known)
     check_port(port, pty, "the gateway")
     plan = _plant(plant, kind, layout, address, known)
     served = gateways_to_serve(plan, known)
@@ -145,6 +146,17 @@ def _only_ports(series: str | None, log: Path | None) -> None:
         )
 
 
+def _served_at_ports(kind: str | None, known: "Catalog") -> None:
+    """FB9034 for a gateway that is not on PROFIBUS."""
+    from fbgen.diagnostics import error
+    from fbgen.nearest import nearest
+
+    if kind is not None and kind not in _EXAMPLES:
+        on_can = kind in known.gateways and kind not in known.profibus_gateways
+        help_ = "give --can INTERFACE:CHANNEL" if on_can else nearest(kind, _EXAMPLES)
+        raise error("FB9034", f"there is no gateway '{kind}' to serve here", None, help_)
+
+
 def check_port(port: str | None, pty: bool, what: str) -> None:
     """FB9030 unless it is said in one way where the devices shall be."""
     from fbgen.diagnostics import error
@@ -158,7 +170,6 @@ def _plant(
     path: Path | None, kind: str | None, layout: str | None, address: int | None, known: "Catalog"
 ) -> "Plant":
     from fbgen.diagnostics import Diagnostic, DiagnosticError, error
-    from fbgen.nearest import nearest
     from fbgen.plant import load_plant
     from fbgen.resources import shipped
 
@@ -166,14 +177,12 @@ def _plant(
         raise error(
             "FB9030", "--type is for the example plant", None, f"{path.as_posix()} has the types"
         )
-    wanted = kind or "tospbdp001"
-    if wanted not in _EXAMPLES:
-        on_can = wanted in known.gateways and wanted not in known.profibus_gateways
-        help_ = "give --can INTERFACE:CHANNEL" if on_can else nearest(wanted, _EXAMPLES)
-        raise error("FB9034", f"there is no gateway '{wanted}' to serve here", None, help_)
-    plan = load_plant(path or shipped("examples") / _EXAMPLES[wanted] / "plant.yaml", known)
+    example = _EXAMPLES[kind or "tospbdp001"]
+    plan = load_plant(path or shipped("examples") / example / "plant.yaml", known)
     if not plan.gateways:
         what = "all its drives are on serial lines: fbgen sim drive serves drives"
+        if plan.devicenet:
+            what = "drives on DeviceNet are served by --can INTERFACE:CHANNEL, without a plant file"
         raise error("FB9034", f"the plant '{plan.name}' has no gateway to serve", None, what)
     if layout is None and address is None:
         return plan

@@ -3,13 +3,19 @@
 from collections.abc import Iterable
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import BeforeValidator, Field
 
 from fbgen.catalog import Catalog, Located, OptionValue
 from fbgen.catalog.scalars import Real, Text, Whole
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import devicenet_checks
 from fbgen.plant.parameters import DeviceNetDriveParameters
+
+
+def _as_text(value: object) -> object:
+    """A number by itself is one instance of two: the check says so, not the type."""
+    return str(value) if isinstance(value, int) and not isinstance(value, bool) else value
+
 
 DeviceNetConnection = Literal["polled", "change_of_state", "cyclic"]
 
@@ -33,7 +39,7 @@ class DeviceNetDrive(Located):
     series: str
     max_frequency_hz: Real
     mac: Whole
-    assemblies: str
+    assemblies: Annotated[str, BeforeValidator(_as_text)]
     connection: DeviceNetConnection = "polled"
     packet_rate_ms: Annotated[Whole, Field(ge=1, le=65535)] = 100
     input_address: Whole

@@ -1,6 +1,7 @@
 """What can be wrong with a DeviceNet network although every single field is right."""
 
 from collections.abc import Iterator
+from math import ceil
 from typing import TYPE_CHECKING
 
 from fbgen.catalog import Catalog, DeviceNetGateway
@@ -8,12 +9,15 @@ from fbgen.catalog.devicenet_gateways import AssemblyPair
 from fbgen.diagnostics import Diagnostic, Note
 from fbgen.nearest import nearest
 from fbgen.plant.drive_checks import chosen_options, maximum_frequency, unknown_series
+from fbgen.wire.devicenet_fragments import io_frames
 
 if TYPE_CHECKING:
     from fbgen.plant.devicenet import DeviceNetDrive, DeviceNetNetwork
 
 ACTIVE_LENGTH = 8
 """A bit for each of 64 MAC IDs."""
+_PERIODS = 4
+"""Expected packet rates without a message after which a connection is lost."""
 
 
 def macs_twice(item: "DeviceNetNetwork") -> Iterator[Diagnostic]:
@@ -22,23 +26,58 @@ def macs_twice(item: "DeviceNetNetwork") -> Iterator[Diagnostic]:
     for drive in item.drives:
         earlier = first.setdefault(drive.mac, drive)
         if earlier is not drive:
-            place = earlier.span_of("mac") if "mac" in earlier.model_fields_set else earlier.span
+            place, who = earlier.span_of("mac"), "first here"
+            if "mac" not in earlier.model_fields_set:
+                place, who = earlier.span, f"the scanner has {earlier.mac} if nothing is said"
             yield Diagnostic(
                 "FB2053",
                 f"MAC ID {drive.mac} is given twice on this network",
                 drive.span_of("mac"),
                 "every node of a network, the scanner too, needs its own",
-                (Note("first here", place),),
+                (Note(who, place),),
             )
 
 
 def network(item: "DeviceNetNetwork", catalog: Catalog) -> Iterator[Diagnostic]:
-    """FB2053: a rate that an option cannot be set to."""
+    """FB2053: a rate that an option cannot be set to; scans that are too rare, or too many."""
     for entry in {drive.type: option_of(drive, catalog) for drive in item.drives}.values():
         if entry is not None and item.rate not in entry.devicenet.baud_rates.values():
             rates = ", ".join(str(rate) for rate in entry.devicenet.baud_rates.values())
             message = f"a {entry.id} cannot be set to {item.rate} kbit/s"
             yield Diagnostic("FB2053", message, item.span_of("rate"), f"use {rates}")
+            return
+    for drive in item.drives:
+        waits_ms = _PERIODS * drive.packet_rate_ms
+        if waits_ms <= item.scan_ms:
+            yield Diagnostic(
+                "FB2053",
+                f"'{drive.name}' takes its connection for lost {waits_ms} ms after a poll, and is "
+                f"polled every {item.scan_ms} ms",
+                drive.span_of("packet_rate_ms"),
+                f"use {item.scan_ms // _PERIODS + 1} ms at least, or scan more often",
+            )
+    needed_ms = _scan_bits(item, catalog) / item.rate
+    if needed_ms > item.scan_ms:
+        place = "scan_ms" if "scan_ms" in item.model_fields_set else "drives"
+        yield Diagnostic(
+            "FB2053",
+            f"the frames of one scan take {needed_ms:.1f} ms at {item.rate} kbit/s, and a scan "
+            f"begins every {item.scan_ms} ms",
+            item.span_of(place),
+            f"let scan_ms: be {ceil(needed_ms)} at least, better twice that",
+        )
+
+
+def _scan_bits(item: "DeviceNetNetwork", catalog: Catalog) -> int:
+    """Bits on the cable in one scan: outputs and inputs of every drive."""
+    found = 0
+    for drive in item.drives:
+        entry = option_of(drive, catalog)
+        pair = None if entry is None else assemblies_of(drive, entry)
+        if pair is not None:
+            for size in (pair.output.length, pair.input.length):
+                found += sum(frame.bits for frame in io_frames(0, bytes(size), size))
+    return found
 
 
 def option_of(item: "DeviceNetDrive", catalog: Catalog) -> DeviceNetGateway | None:
@@ -83,11 +122,14 @@ def drive(item: "DeviceNetDrive", catalog: Catalog) -> Iterator[Diagnostic]:
         message = f"a {entry.id} cannot have the MAC ID {item.mac}"
         yield Diagnostic("FB2053", message, item.span_of("mac"), f"use {low} to {high}")
     if assemblies_of(item, entry) is None:
+        named = item.assemblies.split("/")
+        fit = [instances(pair) for pair in entry.assemblies]
+        near = [pair for pair in fit if set(pair.split("/")) & set(named)]
         yield Diagnostic(
             "FB2053",
             f"a {entry.id} has no assemblies '{item.assemblies}'",
             item.span_of("assemblies"),
-            f"write output and input: {', '.join(map(instances, entry.assemblies))}",
+            f"write output and input: {' or '.join(near) if near else ', '.join(fit)}",
         )
     yield from _settings(item, entry)
     of_series = () if series is None else series.options
@@ -99,7 +141,10 @@ def _settings(item: "DeviceNetDrive", entry: DeviceNetGateway) -> Iterator[Diagn
     for name, value in item.settings.items():
         place = item.item_span_of("settings", name)
         if name not in known:
+            shown = {one.display: one.name for one in known.values()}
             help_text = nearest(name, known)
+            if name in shown:
+                help_text = f"{name} is '{shown[name]}'"
             if name == entry.assembly_parameter:
                 help_text = "assemblies: says it already; leave it out"
             message = f"{entry.id} has no parameter '{name}' to be set here"

@@ -14,6 +14,8 @@ MAX_MAC = 63
 MAX_IDENTIFIER = 0x7FF
 FRAME_BYTES = 8
 """Data that a CAN frame can carry."""
+_AROUND_BITS = 47
+"""Around the data of a frame with an identifier of 11 bits, the pause behind it included."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +33,11 @@ class Frame:
 
     def __str__(self) -> str:
         return f"{self.identifier:03X} {self.data.hex(' ').upper()}".rstrip()
+
+    @property
+    def bits(self) -> int:
+        """Its length on the cable, with the pause behind it and without stuff bits."""
+        return _AROUND_BITS + 8 * len(self.data)
 
 
 class Service(IntEnum):

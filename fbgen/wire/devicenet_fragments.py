@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from enum import IntEnum
 
 from fbgen.dataclass import dataclass
-from fbgen.wire.devicenet import FRAME_BYTES
+from fbgen.wire.devicenet import FRAME_BYTES, Frame
 
 COUNT = 0x3F
 ONLY = 0x3F
@@ -62,6 +62,15 @@ def cut(data: bytes, size: int) -> Iterator[Fragment]:
         last = number == len(pieces) - 1
         kind = Kind.FIRST if number == 0 else Kind.LAST if last else Kind.MIDDLE
         yield Fragment(kind, number & COUNT, piece)
+
+
+def io_frames(identifier: int, data: bytes, size: int) -> Iterator[Frame]:
+    """The frames of I/O data on a connection for `size` bytes: one, or fragments."""
+    if size <= FRAME_BYTES:
+        yield Frame(identifier, data)
+        return
+    for fragment in cut(data, IO_BYTES):
+        yield Frame(identifier, fragment.encode())
 
 
 class Reassembly:

@@ -17,7 +17,12 @@ if TYPE_CHECKING:
 
 TICK_S = 0.005
 """How long an interface waits for a frame: so often the server looks what else there is to do."""
-_HELP = "--can INTERFACE:CHANNEL, such as socketcan:can0, slcan:/dev/ttyACM0 or virtual:desk"
+_UDP = "udp_multicast:239.74.163.2"
+_HELP = f"--can INTERFACE:CHANNEL, such as socketcan:can0, slcan:/dev/ttyACM0 or {_UDP}"
+_OPEN_HELP = (
+    f"is the adapter there, with its driver? between programs on one computer {_UDP} needs none"
+)
+_UDP_HELP = "the channel is an address of a group: 239.74.163.2, or another from 224.0.0.0 on"
 _ECHOING = ("udp_multicast",)
 """Interfaces that give back what was sent, which no CAN controller does."""
 _ECHOES = 64
@@ -131,5 +136,6 @@ def can_interface(name: str, bit_rate: int) -> PythonCan:
         bus = can.Bus(interface=interface, channel=channel, bitrate=bit_rate)
     except Exception as problem:  # each interface has errors of its own, down to those of drivers
         reason = str(problem) or type(problem).__name__
-        raise error("FB9031", f"{name} cannot be opened: {reason}", None, _HELP) from None
+        help_ = _UDP_HELP if interface in _ECHOING else _OPEN_HELP
+        raise error("FB9031", f"{name} cannot be opened: {reason}", None, help_) from None
     return PythonCan(name, bus, echoes=interface in _ECHOING)

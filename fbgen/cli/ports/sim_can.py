@@ -96,5 +96,19 @@ def _rate(gateway: "DeviceNetGateway", rate: int) -> int:
     raise error("FB9030", f"{rate} bit/s is no rate of DeviceNet", None, f"use {rates}")
 
 
-def _assemblies(gateway: "DeviceNetGateway", name: str) -> dict[str, int]:
-    return {gateway.assembly_parameter: gateway.pair(name).setting}
+def _assemblies(gateway: "DeviceNetGateway", named: str) -> dict[str, int]:
+    """As a plant file names them, or by their name in the catalogue."""
+    from fbgen.diagnostics import error
+
+    by_instances = {
+        f"{pair.output.instance}/{pair.input.instance}": pair for pair in gateway.assemblies
+    }
+    if "/" in named and named not in by_instances:
+        raise error(
+            "FB1105",
+            f"'{gateway.id}' has no assemblies '{named}'",
+            None,
+            f"known: {', '.join(by_instances)}",
+        )
+    pair = by_instances.get(named) or gateway.pair(named)
+    return {gateway.assembly_parameter: pair.setting}

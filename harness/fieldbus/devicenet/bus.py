@@ -9,9 +9,6 @@ from collections.abc import Callable
 from fbgen.wire.devicenet import Frame
 from harness.kernel import NS_PER_S, Kernel
 
-_AROUND_BITS = 47
-_DATA_BITS = 8
-
 Receiver = Callable[[Frame], None]
 
 
@@ -59,7 +56,7 @@ class CanBus:
 
     def duration_ns(self, frame: Frame) -> int:
         """How long a frame takes."""
-        return (_AROUND_BITS + _DATA_BITS * len(frame.data)) * NS_PER_S // self.bit_rate
+        return frame.bits * NS_PER_S // self.bit_rate
 
     def queue(self, port: CanPort, frame: Frame) -> None:
         """A frame waits until the bus is free and no lower identifier waits; in order if equal."""

@@ -1,21 +1,10 @@
-"""I/O data of a connection as frames: one, or fragments where the connection is for more than 8."""
+"""I/O data of a connection from its frames: one, or fragments if it is for more than 8 bytes."""
 
-from collections.abc import Iterator
-
-from fbgen.wire.devicenet import FRAME_BYTES, Frame
-from fbgen.wire.devicenet_fragments import IO_BYTES, Reassembly, cut, parse_fragment
+from fbgen.wire.devicenet import FRAME_BYTES
+from fbgen.wire.devicenet_fragments import Reassembly, parse_fragment
 
 _LONGEST = 512
 """Bytes that are put together before their length is looked at."""
-
-
-def io_frames(identifier: int, data: bytes, size: int) -> Iterator[Frame]:
-    """The frames of a message on a connection for `size` bytes."""
-    if size <= FRAME_BYTES:
-        yield Frame(identifier, data)
-        return
-    for fragment in cut(data, IO_BYTES):
-        yield Frame(identifier, fragment.encode())
 
 
 class IoReader:

@@ -12,6 +12,7 @@ from typing import Literal
 
 from fbgen.dataclass import dataclass
 from fbgen.wire.devicenet import BodyFormat, Choice, Frame, Service
+from fbgen.wire.devicenet_fragments import io_frames
 from fbgen.wire.devicenet_ids import Group2, SlaveMessage, group_2, slave_message
 from fbgen.wire.devicenet_messages import (
     DuplicateCheck,
@@ -22,7 +23,7 @@ from fbgen.wire.devicenet_messages import (
     parse_duplicate_check,
 )
 from harness.fieldbus.devicenet.connection import COS, POLLED
-from harness.fieldbus.devicenet.io_data import IoReader, io_frames
+from harness.fieldbus.devicenet.io_data import IoReader
 from harness.fieldbus.devicenet.requester import Answer, Done, Requester
 from harness.kernel import NS_PER_MS, NS_PER_S, Kernel
 

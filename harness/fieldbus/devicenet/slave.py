@@ -9,6 +9,7 @@ public implementations have it.
 from collections.abc import Callable
 
 from fbgen.wire.devicenet import NO_ADDITIONAL_CODE, BodyFormat, Choice, Frame, Service, Status
+from fbgen.wire.devicenet_fragments import io_frames
 from fbgen.wire.devicenet_ids import Group2, SlaveMessage, group_2, slave_message
 from fbgen.wire.devicenet_messages import (
     RESPONSE,
@@ -41,7 +42,7 @@ from harness.fieldbus.devicenet.connection import (
     WatchdogAction,
 )
 from harness.fieldbus.devicenet.explicit import ExplicitEnd
-from harness.fieldbus.devicenet.io_data import IoReader, io_frames
+from harness.fieldbus.devicenet.io_data import IoReader
 from harness.fieldbus.devicenet.settings import Network, NodeSettings
 from harness.kernel import Event, Kernel
 

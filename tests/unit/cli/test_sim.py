@@ -181,13 +181,14 @@ class QuietNetwork:
         self.closed = True
 
 
+@pytest.mark.parametrize("layout", ["toshiba_parameter", "101/151"])
 def test_a_dev003z_is_served_at_a_can_interface(
-    fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    fbgen: Fbgen, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, layout: str
 ) -> None:
     network = QuietNetwork()
     monkeypatch.setattr("fbgen.cli.ports.sim_can._open", lambda name, rate: network)
     monkeypatch.setattr("fbgen.cli.ports.state_line.on_error_terminal", lambda: True)
-    options = ["--address", "5", "--layout", "toshiba_parameter", "--series", "vf-mb1"]
+    options = ["--address", "5", "--layout", layout, "--series", "vf-mb1"]
     log = tmp_path / "desk.asc"
     run = fbgen("sim", "gateway", "--can", "virtual:desk", *options, "--log", str(log))
     assert (run.status, run.out) == (0, "")
@@ -199,7 +200,7 @@ def test_a_dev003z_is_served_at_a_can_interface(
 
 
 @pytest.mark.parametrize(
-    ("options", "code"),
+    ("options", "told"),
     [
         (["--can", "virtual:desk", "--port", "COM3"], "FB9030"),
         (["--can", "virtual:desk", "--pty"], "FB9030"),
@@ -210,13 +211,25 @@ def test_a_dev003z_is_served_at_a_can_interface(
         (["--can", "virtual:desk", "--series", "vf-s11"], "FB7106"),
         (["--can", "virtual:desk", "--series", "vf-s99"], "FB1205"),
         (["--can", "virtual:desk", "--baud", "19200"], "FB9030"),
+        (["--can", "virtual:desk", "--layout", "100/151"], "known: 20/70, 21/71, 100/150"),
+        (["--can", "udp_multicast:9.9.9.9"], "the channel is an address of a group"),
+        (["--can", "serial:/dev/ttyNONE9"], "udp_multicast:239.74.163.2 needs none"),
         (["--pty", "--series", "vf-s15"], "FB9030"),
         (["--pty", "--log", "x.asc"], "FB9030"),
         (["--pty", "--type", "dev003z"], "FB9034"),
+        (["--type", "dev003z"], "give --can INTERFACE:CHANNEL"),
     ],
 )
-def test_what_does_not_go_together_on_can(fbgen: Fbgen, options: list[str], code: str) -> None:
+def test_what_does_not_go_together_on_can(fbgen: Fbgen, options: list[str], told: str) -> None:
     run = fbgen("sim", "gateway", *options)
     assert run.status in (1, 2)
-    assert code in run.err
+    assert told in run.err
     assert run.out == ""
+
+
+def test_a_plant_with_devicenet_alone_is_told_how_it_is_served(fbgen: Fbgen) -> None:
+    plant = Path(__file__).parents[3] / "examples" / "devicenet" / "plant.yaml"
+    run = fbgen("sim", "gateway", str(plant), "--pty")
+    assert run.status in (1, 2)
+    assert "FB9034" in run.err
+    assert "served by --can INTERFACE:CHANNEL" in run.err

@@ -92,6 +92,33 @@ def test_what_does_not_fit_is_reported(old: str, new: str, code: str, words: str
     assert found[0].span is not None
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "message", "help_text"),
+    [
+        ("assemblies: 100/150", "assemblies: 100", "no assemblies '100'", "input: 100/150"),
+        ("assemblies: 100/150", "assemblies: 100/71", "'100/71'", "input: 21/71 or 100/150"),
+        ("{timeout_action: 2}", "{c101: 2}", "no parameter 'c101'", "c101 is 'timeout_action'"),
+        ("packet_rate_ms: 250", "packet_rate_ms: 2", "lost 8 ms after a poll", "use 3 ms at least"),
+        ("rate: 500", "rate: 125\n    scan_ms: 1", "take 2.5 ms at 125", "scan_ms: be 3 at least"),
+        ("mac: 6", "options: {motor_poles: 5}\n        mac: 6", "'5' is no value", "steps of 2"),
+    ],
+)
+def test_the_help_says_what_to_write(old: str, new: str, message: str, help_text: str) -> None:
+    assert old in TEXT
+    with pytest.raises(DiagnosticError) as failure:
+        read_plant(Source("plant.yaml", TEXT.replace(old, new)), CATALOG)
+    (found,) = failure.value.diagnostics
+    assert message in found.message
+    assert help_text in (found.help or "")
+
+
+def test_the_mac_id_that_the_scanner_has_unsaid_is_told() -> None:
+    with pytest.raises(DiagnosticError) as failure:
+        read_plant(Source("plant.yaml", TEXT.replace("mac: 5", "mac: 0")), CATALOG)
+    (found,) = failure.value.diagnostics
+    assert [note.message for note in found.notes] == ["the scanner has 0 if nothing is said"]
+
+
 def test_options_below_gateways_are_told_where_they_belong() -> None:
     text = (Path(__file__).parents[2] / "scenarios" / "one_drive.yaml").read_text("utf-8")
     with pytest.raises(DiagnosticError) as failure:
