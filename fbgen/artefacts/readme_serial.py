@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from fbgen.artefacts.view import PlantLists
+from fbgen.blocks.serial_lines import instructions_of
 from fbgen.blocks.serial_times import READS_A_DRIVE, serial_times
 from fbgen.plant import SerialLine, buffer_numbers, module_of, place_of
 
@@ -11,6 +12,7 @@ _TITLES = {
     "cm_1241": "CM 1241 RS422/485",
     "cp_340": "CP 340",
     "cp_341": "CP 341",
+    "cp_440": "CP 440",
     "adapter": "adapter",
 }
 _PROTOCOLS = {
@@ -97,12 +99,8 @@ def serial_notes(lists: PlantLists) -> Iterator[str]:
 
 
 def _instructions(lists: PlantLists) -> set[str]:
-    by_block = {module_of(line, lists.plant.plc) == "cp_340" for line in lists.plant.serial}
-    return {
-        name
-        for one in by_block
-        for name in (("P_SEND", "P_RCV") if one else ("P_SND_RK", "P_RCV_RK"))
-    }
+    modules = {module_of(line, lists.plant.plc) for line in lists.plant.serial}
+    return {name for one in modules for name in instructions_of(one)}
 
 
 def _buffers(lists: PlantLists) -> str:
@@ -117,7 +115,7 @@ def _buffers(lists: PlantLists) -> str:
 
 _KINDS = {
     **{"cm_ptp": "freeport", "cm_1241": "freeport"},
-    **{"cp_340": "cp34x", "cp_341": "cp34x", "adapter": "adapter"},
+    **{"cp_340": "cp34x", "cp_341": "cp34x", "cp_440": "cp34x", "adapter": "adapter"},
 }
 
 

@@ -10,16 +10,29 @@ from fbgen.plant import Plant, SerialLine, buffer_numbers, module_of, place_of
 
 _PORT_KINDS = {
     **{"cm_ptp": "freeport", "cm_1241": "freeport"},
-    **{"cp_340": "cp34x", "cp_341": "cp34x", "adapter": "adapter"},
+    **{"cp_340": "cp34x", "cp_341": "cp34x", "cp_440": "cp34x", "adapter": "adapter"},
 }
 """Module of the plant file -> the template that reaches it."""
+
+
+_INSTRUCTIONS = {
+    "cp_340": ("P_SEND", "P_RCV"),
+    "cp_341": ("P_SND_RK", "P_RCV_RK"),
+    "cp_440": ("SEND_440", "RECV_440"),
+}
+"""What sends and receives at modules whose instructions take a data block by number."""
+
+
+def instructions_of(module: str) -> tuple[str, str]:
+    """Those of a module, to send and to receive; empty names where the template knows them."""
+    return _INSTRUCTIONS.get(module, ("", ""))
 
 
 @dataclass(frozen=True, slots=True)
 class SerialLineView(UnitView):
     """A line with everything its blocks need; `port_kind` is the template of its module.
 
-    `buffer_number` is that of the data block that a CP 340 or CP 341 works with.
+    `buffer_number` is that of the data block that a CP 340, CP 341 or CP 440 works with.
     """
 
     port_kind: str
@@ -47,7 +60,6 @@ def serial_line_view(plant: Plant, line: SerialLine, catalog: Catalog) -> Serial
     timeout = milliseconds(times.timeout_ms, place)
     modbus = line.family == "modbus"
     module = module_of(line, plant.plc)
-    by_block = module == "cp_340"
     return SerialLineView(
         name=line.name,
         block=f"TIP_Serial_{line.name}",
@@ -59,8 +71,8 @@ def serial_line_view(plant: Plant, line: SerialLine, catalog: Catalog) -> Serial
             *(value for drive in line.drives for value in drive_values(drive)),
         ),
         port_kind=_PORT_KINDS[module],
-        send_instruction="P_SEND" if by_block else "P_SND_RK",
-        receive_instruction="P_RCV" if by_block else "P_RCV_RK",
+        send_instruction=instructions_of(module)[0],
+        receive_instruction=instructions_of(module)[1],
         buffer_number=SclText(
             str(buffer_numbers(plant).get(f"TIP_Buffer_{line.name}", 0)),
             origin("block_numbers", plant.block_numbers),

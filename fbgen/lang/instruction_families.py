@@ -51,10 +51,10 @@ _LATER = {
     **dict.fromkeys(("IEC_COUNTER", "CTU_INT", "CTD_INT", "CTUD_INT"), "use CTU, CTD or CTUD"),
 }
 _OF_CP_34X = {
-    **dict.fromkeys(("P_SND_RK", "P_SEND"), "use Send_P2P, with a CM PtP or CM 1241"),
-    **dict.fromkeys(("P_RCV_RK", "P_RCV"), "use Receive_P2P, with a CM PtP or CM 1241"),
+    **dict.fromkeys(("P_SND_RK", "P_SEND", "SEND_440"), "use Send_P2P, with a CM PtP or CM 1241"),
+    **dict.fromkeys(("P_RCV_RK", "P_RCV", "RECV_440"), "use Receive_P2P, with a CM PtP or CM 1241"),
 }
-"""They work on the modules CP 340, 341 and 441, which plug into an S7-300 or S7-400 alone."""
+"""They work on the modules CP 340, 341 and 440, which plug into an S7-300 or S7-400 alone."""
 _NARROW = ("SINT", "DINT", "USINT", "UINT", "UDINT")
 _LONG = ("LINT", "ULINT")
 _COUNTERS = {

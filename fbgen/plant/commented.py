@@ -74,9 +74,9 @@ sequences:
 #
 #   serial:
 #     - name: line1
-#       module: cm_ptp             # cm_1241 (S7-1200), cp_340, cp_341 (S7-300), adapter (iec,
-#                                  # twincat); without it the usual one of the PLC
-#       hardware_identifier: 271   # of its port, on S7-1200 and S7-1500; on S7-300 address:
+#       module: cm_ptp             # cm_1241 (S7-1200), cp_340, cp_341 (S7-300), cp_440
+#                                  # (S7-400), adapter (iec, twincat); else the usual one
+#       hardware_identifier: 271   # of its port, on S7-1200 and S7-1500; on S7-300/400 address:
 #       protocol: toshiba_binary   # or toshiba_ascii, modbus
 #       baud: 19200
 #       parity: even               # none, even, odd

@@ -16,7 +16,7 @@ MODULES_OF: dict[str, tuple[str, ...]] = {
     "s7-1200": ("cm_1241",),
     "s7-1500": ("cm_ptp",),
     "s7-300": ("cp_340", "cp_341"),
-    "s7-400": (),
+    "s7-400": ("cp_440",),
     "iec": ("adapter",),
     "twincat": ("adapter",),
 }
@@ -154,7 +154,7 @@ def place_of(item: "SerialLine", plant: "Plant") -> int | None:
 
 
 def buffer_numbers(plant: "Plant") -> dict[str, int]:
-    """The data blocks through which a CP 340 or CP 341 gets and gives bytes, by their usual names.
+    """The data blocks through which a CP gets and gives bytes, by their usual names.
 
     Its instructions take them by number: the last ones that blocks of the plant may have.
     """
@@ -173,9 +173,8 @@ def module_problems(item: "SerialLine", family: Family) -> Iterator[Diagnostic]:
     if module not in known:
         place = item.span if item.module is None else item.span_of("module")
         what = f"a {item.module}" if item.module else "a serial line"
-        way_out = f"use {' or '.join(known)}" if known else "use another PLC, or gateways"
         message = f"blocks for {family.title} cannot reach {what}"
-        yield Diagnostic("FB2051", message, place, way_out)
+        yield Diagnostic("FB2051", message, place, f"use {' or '.join(known)}")
         return
     if module == "adapter":
         return

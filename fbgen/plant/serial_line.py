@@ -12,7 +12,7 @@ from fbgen.plant import serial_checks
 from fbgen.plant.drive import PlantDrive
 from fbgen.plant.parameters import LineParameters
 
-SerialModuleKind = Literal["cm_ptp", "cm_1241", "cp_340", "cp_341", "adapter"]
+SerialModuleKind = Literal["cm_ptp", "cm_1241", "cp_340", "cp_341", "cp_440", "adapter"]
 SerialProtocol = Literal["toshiba_binary", "toshiba_ascii", "modbus"]
 
 
@@ -20,8 +20,8 @@ class SerialLine(Located):
     """One line with its module and its drives.
 
     Without `module` it is the usual one of the PLC. `hardware_identifier` is the port of the module
-    on S7-1200 and S7-1500, `address` its start address on S7-300; an `adapter` of a PLC by IEC
-    61131-3 or TwinCAT needs neither. `protocol`: that of Toshiba in one of its two forms, or
+    on S7-1200 and S7-1500, `address` its start address on S7-300 and S7-400; an `adapter` of a PLC
+    by IEC 61131-3 or TwinCAT needs neither. `protocol`: that of Toshiba in one of its two forms, or
     MODBUS-RTU. `baud`: bit/s of the line, as F800 of the drives. `parity`: that of the line, as
     F801 of them. `wires`: four where master and drives have a pair each. `status_poll`: read trip
     code and status of every drive in turn. `parameters`: first values of the line's parameters.

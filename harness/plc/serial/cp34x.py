@@ -1,8 +1,10 @@
-"""P_SND_RK and P_RCV_RK of the CP 341, P_SEND and P_RCV of the CP 340, with the ASCII driver.
+"""P_SND_RK and P_RCV_RK of the CP 341, P_SEND and P_RCV of the CP 340, SEND_440 and RECV_440 of the
+CP 440, with the ASCII driver.
 
-Source: TIA Portal Information System, "PtP data link CP 341", its parameters and STATUS; those of
-the CP 340 are recalled to be the same without the parameters for RK 512. STATUS is 0 unless ERROR
-is set. What is sent and received lies in a data block that the call names by number.
+Source: TIA Portal Information System, "PtP data link CP 341", "... CP 340", "... CP 440": their
+parameters and STATUS. Those of the CP 340 and CP 440 lack the parameters for RK 512, and a CP 440
+sends 400 bytes at most. STATUS is 0 unless ERROR is set. What is sent and received lies in a data
+block that the call names by number.
 """
 
 from collections.abc import Mapping
@@ -24,6 +26,7 @@ class PSend(PortInstruction):
     __slots__ = ("_job",)
 
     port_name = "LADDR"
+    longest = _LONGEST
     _job: SendJob | None
 
     def forget(self) -> None:
@@ -49,12 +52,20 @@ class PSend(PortInstruction):
         first, length = self.number("DBB_NO"), self.number("LEN")
         if length < 1:
             return failed(WRONG_LENGTH)
-        if length > _LONGEST:
+        if length > self.longest:
             return failed(TOO_LONG)
         if memory is None or first < 0 or first + length > len(memory):
             return failed(NO_DATA_BLOCK)
         self._job = module.send(bytes(memory[first : first + length]))
         return idle(0)
+
+
+class Send440(PSend):
+    """SEND_440."""
+
+    __slots__ = ()
+
+    longest = 400
 
 
 class PReceive(PortInstruction):

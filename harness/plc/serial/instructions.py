@@ -4,7 +4,7 @@ from functools import partial
 
 from harness.engine.block_models import ModelFactory
 from harness.plc.serial.configuring import PortConfig, ReceiveConfig, SendConfig
-from harness.plc.serial.cp34x import PReceive, PSend
+from harness.plc.serial.cp34x import PReceive, PSend, Send440
 from harness.plc.serial.freeport import ReceiveP2p, ReceiveReset, SendP2p
 from harness.plc.serial.jobs import PortInstruction
 from harness.plc.serial.modbus_master import ModbusCommLoad, ModbusMaster
@@ -27,10 +27,12 @@ _OF_CP_34X: dict[str, type[PortInstruction]] = {
     "P_RCV_RK": PReceive,
     "P_SEND": PSend,
     "P_RCV": PReceive,
+    "SEND_440": Send440,
+    "RECV_440": PReceive,
 }
 
 
 def serial_instructions(ports: SerialPorts, *, classic: bool) -> dict[str, ModelFactory]:
-    """By the name of the checker; those of the CP 340 and CP 341 on S7-300 and S7-400 alone."""
+    """By the name of the checker; those of the CP 340, 341 and 440 on S7-300 and S7-400 alone."""
     known = {**_FREEPORT, **(_OF_CP_34X if classic else {})}
     return {name: partial(model, ports) for name, model in known.items()}

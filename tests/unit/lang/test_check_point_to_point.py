@@ -41,4 +41,6 @@ def test_a_call_needs_no_stub_and_no_warning() -> None:
 
 def test_the_modules_of_the_s7_300_have_instructions_of_their_own() -> None:
     assert "Send_P2P" in (instead_of("P_SND_RK", Cpu.S7_1500) or "")
+    assert "Receive_P2P" in (instead_of("RECV_440", Cpu.S7_1500) or "")
     assert instead_of("P_SND_RK", Cpu.S7_300) is None
+    assert instead_of("SEND_440", Cpu.S7_400) is None

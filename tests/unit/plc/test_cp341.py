@@ -1,4 +1,7 @@
-"""P_SND_RK and P_RCV_RK with the ASCII driver: data blocks by number, STATUS only with ERROR."""
+"""P_SND_RK and P_RCV_RK, and their like of CP 340 and CP 440, with the ASCII driver.
+
+Data blocks by number, STATUS only with ERROR.
+"""
 
 import pytest
 
@@ -43,13 +46,23 @@ END_ORGANIZATION_BLOCK
 """
 
 
-def _rig(engine: str = "compiled") -> SerialRig:
-    return SerialRig(PROGRAM, engine=engine, family=CpuFamily.S7_300, dialect="step7")
+BY_NUMBER = {
+    "cp_340": ("P_SEND", "P_RCV", CpuFamily.S7_300),
+    "cp_341": ("P_SND_RK", "P_RCV_RK", CpuFamily.S7_300),
+    "cp_440": ("SEND_440", "RECV_440", CpuFamily.S7_400),
+}
 
 
+def _rig(engine: str = "compiled", module: str = "cp_341") -> SerialRig:
+    send, receive, family = BY_NUMBER[module]
+    text = PROGRAM.replace("P_SND_RK", send).replace("P_RCV_RK", receive)
+    return SerialRig(text, engine=engine, family=family, dialect="step7")
+
+
+@pytest.mark.parametrize("module", BY_NUMBER)
 @pytest.mark.parametrize("engine", ENGINES)
-def test_bytes_of_a_data_block_go_out_and_come_in(engine: str) -> None:
-    rig = _rig(engine)
+def test_bytes_of_a_data_block_go_out_and_come_in(engine: str, module: str) -> None:
+    rig = _rig(engine, module)
     rig.peer.answers[b"\3\4\5"] = b"\x2f\x47\x99"
     rig["go"], rig["listen"] = True, True
     rig.run_ms(60)
@@ -73,6 +86,13 @@ def test_what_cannot_be_sent(name: str, value: int, status: int) -> None:
     rig[name], rig["go"] = value, True
     rig.run_ms(40)
     assert (rig["done"], rig["failed"], rig["sendStatus"]) == (0, 1, status)
+
+
+def test_a_cp_440_sends_400_bytes_at_most() -> None:
+    rig = _rig(module="cp_440")
+    rig["length"], rig["go"] = 401, True
+    rig.run_ms(40)
+    assert (rig["failed"], rig["sendStatus"]) == (1, 0x0517)
 
 
 def test_a_job_is_cancelled_by_r() -> None:

@@ -120,7 +120,7 @@ CATEGORIES: dict[str, tuple[str, ...]] = {
         *("X_SEND", "X_RCV", "X_GET", "X_PUT", "X_ABORT", "I_GET", "I_PUT", "I_ABORT"),
         *("Port_Config", "Send_Config", "Receive_Config", "P3964_Config", "Send_P2P"),
         *("Receive_P2P", "Receive_Reset", "SEND_PTP", "RCV_PTP"),
-        *("P_SND_RK", "P_RCV_RK", "P_SEND", "P_RCV"),
+        *("P_SND_RK", "P_RCV_RK", "P_SEND", "P_RCV", "SEND_440", "RECV_440"),
     ),
     "Technology": (
         *("PID_Compact", "PID_3Step", "PID_Temp", "CONT_C", "CONT_S", "PULSEGEN", "TCONT_CP"),

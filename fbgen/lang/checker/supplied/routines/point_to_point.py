@@ -4,8 +4,9 @@
 variable of the instance, which the program can set (`inst.RETRIES := 1`).
 Sources: TIA Portal Information System, "Freeport communication" (Send_P2P, Receive_P2P,
 Receive_Reset, Port_Config, Send_Config, Receive_Config), "PtP data link CP 341" (P_SND_RK,
-P_RCV_RK), "MODBUS (RTU)" (Modbus_Comm_Load, Modbus_Master). P_SEND and P_RCV of the CP 340 are
-recalled. So is that MB_DB is one word; it ties the master to its port and means nothing else.
+P_RCV_RK), "... CP 340" (P_SEND, P_RCV), "... CP 440" (SEND_440, RECV_440), "MODBUS (RTU)"
+(Modbus_Comm_Load, Modbus_Master). Recalled: that MB_DB is one word; it ties the master to its port
+and means nothing else.
 """
 
 _DONE = "DONE => BOOL, ERROR => BOOL, STATUS => WORD"
@@ -34,8 +35,8 @@ POINT_TO_POINT: dict[str, str] = {
     "RECEIVE_CONFIG": f"{_PORT}, RECEIVE_CONDITIONS <> AREA, {_DONE}",
     "P_SND_RK": f"SF CHAR, REQ BOOL, {_BLOCK}, LEN INT, {_REMOTE}, {_DONE}",
     "P_RCV_RK": f"EN_R BOOL, {_BLOCK}, {_NEW}, {_LOCAL}",
-    "P_SEND": f"REQ BOOL, {_BLOCK}, LEN INT, {_DONE}",
-    "P_RCV": f"EN_R BOOL, {_BLOCK}, {_NEW}, LEN => INT",
+    **dict.fromkeys(("P_SEND", "SEND_440"), f"REQ BOOL, {_BLOCK}, LEN INT, {_DONE}"),
+    **dict.fromkeys(("P_RCV", "RECV_440"), f"EN_R BOOL, {_BLOCK}, {_NEW}, LEN => INT"),
     **dict.fromkeys(
         ("MB_COMM_LOAD", "MODBUS_COMM_LOAD"),
         "REQ BOOL, PORT UINT, BAUD UDINT, PARITY UINT, FLOW_CTRL UINT, RTS_ON_DLY UINT,"
