@@ -17,6 +17,7 @@ from fbgen.artefacts.memory import (
 )
 from fbgen.artefacts.readme_serial import serial_notes, serial_poll, serial_row, serial_worst
 from fbgen.artefacts.view import PlantLists, place_in
+from fbgen.blocks.dev_parameters import has_channel
 from fbgen.blocks.line_times import line_times
 from fbgen.blocks.literals import one_line
 from fbgen.blocks.plan import longest_pause
@@ -152,6 +153,12 @@ def _context(
         "with_parameters": [_gateway(item, lists) for item in _with_parameters(lists)],
         "without_parameters": [
             item.name for item in lists.at_channels if item not in _with_parameters(lists)
+        ],
+        "device_channels": [
+            f"{network.name}.{drive.name}"
+            for network in plant.devicenet
+            for drive in network.drives
+            if has_channel(drive, lists.catalog)
         ],
         "diagnosed": [
             item.name

@@ -45,6 +45,7 @@ _DEV_STATE = (
 _DEV_DRIVE = (
     *(("control", name) for name in (*_CONTROL, "speed")),
     *(("state", name) for name in _DEV_STATE),
+    ("polled", "tripCode"),
     ("alarms",),
 )
 _FORMATS = {"Bool": "Bool", "Real": "Floating-point", "Int": "DEC", "Time": "Time", "String": "-"}

@@ -5,17 +5,19 @@ from collections.abc import Iterator
 from fbgen.blocks.alarms import that_can_come
 from fbgen.blocks.dev_alarms import DEV_DRIVE_ALARMS, NETWORK_ALARMS
 from fbgen.blocks.dev_networks import DevNetworkView, dev_network_view, network_problems
+from fbgen.blocks.dev_parameters import parameter_context, trip_text_of
 from fbgen.blocks.family import FamilyPlan
 from fbgen.blocks.literals import SclText, one_line
 from fbgen.blocks.specs import BlockSpec, block, data_block, data_type
 from fbgen.blocks.texts import Texts
+from fbgen.blocks.trips import trip_texts
 from fbgen.blocks.words import WordView
 from fbgen.catalog import Catalog, DeviceNetGateway, origin
 from fbgen.diagnostics import Diagnostic
 from fbgen.plant import Plant
 
 _TYPES = (
-    *("Input", "Output", "Control", "State", "Drive"),
+    *("Input", "Output", "Control", "State", "Job", "Polled", "Drive"),
     *("Line", "DriveParam"),
 )
 _WORDS = (
@@ -45,11 +47,10 @@ def devicenet_problems(plant: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
 def devicenet_family(plant: Plant, catalog: Catalog, texts: Texts) -> FamilyPlan:
     """What the DeviceNet networks need; there is at least one.
 
-    A further block of the family: its template in `templates/blocks`, its name in `_blocks`, its
-    types in `_TYPES`, its call in DEV_Network behind that of DEV_Drive. What it puts into
-    `out_DRIVE`, but for `control` and `speed`, goes out as it is.
+    DEV_Drive writes `control` and `speed` of `out_DRIVE`, DEV_Parameter the words of the parameter
+    channel.
     """
-    units = tuple(dev_network_view(item, catalog) for item in plant.devicenet)
+    units = tuple(dev_network_view(plant, item, catalog) for item in plant.devicenet)
     entry = catalog.devicenet_gateway(plant.devicenet_drives[0].type)
     types = [data_type(f"typeDev{name}") for name in _TYPES]
     types += [
@@ -60,13 +61,14 @@ def devicenet_family(plant: Plant, catalog: Catalog, texts: Texts) -> FamilyPlan
     return FamilyPlan(
         units=units,
         types=types,
-        blocks=list(_blocks(units)),
+        blocks=list(_blocks(units, catalog)),
         data=[
             data_block(f"DEV_Network_{item.name}_DB", "DEV_Network_DB", {"unit": item})
             for item in units
         ],
         context={
             "dev": {name: WordView(entry.word(name), entry.id) for name in _WORDS}
+            | parameter_context(entry)
             | {"states": _states(entry, texts)},
             "dev_alarms": {
                 "line": that_can_come(NETWORK_ALARMS, plant.devicenet),
@@ -76,9 +78,16 @@ def devicenet_family(plant: Plant, catalog: Catalog, texts: Texts) -> FamilyPlan
     )
 
 
-def _blocks(units: tuple[DevNetworkView, ...]) -> Iterator[BlockSpec]:
+def _blocks(units: tuple[DevNetworkView, ...], catalog: Catalog) -> Iterator[BlockSpec]:
     yield block("DEV_StateText")
     yield block("DEV_Drive")
+    with_channel = [drive for item in units for drive in item.drives if drive.channel]
+    if with_channel:
+        yield block("DEV_Parameter")
+        yield block("DEV_Poll")
+    for name in dict.fromkeys(drive.series for drive in with_channel):
+        found = trip_texts(name, catalog)
+        yield block(trip_text_of(name), "DEV_TripText", {"texts_of": found})
     yield block("DEV_Alarms")
     for item in units:
         yield block(f"DEV_Network_{item.name}", "DEV_Network", {"unit": item})

@@ -6,6 +6,7 @@ assemblies of the catalogue.
 
 from collections.abc import Iterator, Mapping
 
+from fbgen.blocks.dev_parameters import DriveChannelView, drive_channel, job_timeout_ms
 from fbgen.blocks.gateways import FirstValue, UnitView, frequency_values, inhibit_values
 from fbgen.blocks.literals import SclText, byte, milliseconds, truth
 from fbgen.catalog import Assembly, Catalog, DeviceNetGateway, Drive, origin
@@ -58,6 +59,7 @@ class DevDriveView:
     active_mask: SclText
     inputs: tuple[ByteWord, ...]
     outputs: tuple[ByteWord, ...]
+    channel: DriveChannelView | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +69,7 @@ class DevNetworkView(UnitView):
     drives: tuple[DevDriveView, ...]
 
 
-def dev_network_view(network: DeviceNetNetwork, catalog: Catalog) -> DevNetworkView:
+def dev_network_view(plant: Plant, network: DeviceNetNetwork, catalog: Catalog) -> DevNetworkView:
     """What the templates of one network are told; it has an `active_address`."""
     return DevNetworkView(
         name=network.name,
@@ -75,13 +77,17 @@ def dev_network_view(network: DeviceNetNetwork, catalog: Catalog) -> DevNetworkV
         drives_type=f"typeDevNetwork_{network.name}",
         params_type=f"typeDevParam_{network.name}",
         first_values=tuple(
-            value for drive in network.drives for value in _first_values(drive, catalog)
+            value
+            for drive in network.drives
+            for value in _first_values(drive, catalog, job_timeout_ms(plant, network))
         ),
         drives=tuple(_drive(network, drive, catalog) for drive in network.drives),
     )
 
 
-def _first_values(drive: DeviceNetDrive, catalog: Catalog) -> Iterator[FirstValue]:
+def _first_values(
+    drive: DeviceNetDrive, catalog: Catalog, timeout_ms: float
+) -> Iterator[FirstValue]:
     place = origin(f"drive {drive.name}", drive)
     yield from frequency_values(drive)
     yield from inhibit_values(drive)
@@ -90,6 +96,7 @@ def _first_values(drive: DeviceNetDrive, catalog: Catalog) -> Iterator[FirstValu
     entry = catalog.devicenet_gateway(drive.type).option("motor_poles")
     poles = drive.options.get(entry.id, entry.default)
     yield FirstValue(f"{drive.name}.poles", SclText(str(poles), place))
+    yield FirstValue(f"{drive.name}.timeout", milliseconds(timeout_ms, place))
 
 
 def pair_of(drive: DeviceNetDrive, entry: DeviceNetGateway) -> AssemblyPair:
@@ -119,6 +126,7 @@ def _drive(network: DeviceNetNetwork, drive: DeviceNetDrive, catalog: Catalog) -
         active_mask=byte(1 << drive.mac % 8, place),
         inputs=tuple(_words(drive, entry, series, pair.input)),
         outputs=tuple(_words(drive, entry, series, pair.output)),
+        channel=drive_channel(entry, pair, series),
     )
 
 

@@ -15,10 +15,9 @@ from fbgen.blocks.pbdp_gateways import (
 )
 from fbgen.blocks.specs import BlockSpec, block, data_block, data_type
 from fbgen.blocks.texts import Texts
-from fbgen.blocks.trips import trip_literals
+from fbgen.blocks.trips import trip_texts
 from fbgen.blocks.words import WordView
 from fbgen.catalog import Catalog, ProcessDataGateway, origin
-from fbgen.dataclass import dataclass
 from fbgen.diagnostics import Diagnostic, Severity
 from fbgen.plant import Plant, PlantGateway
 
@@ -28,15 +27,6 @@ _TYPES = (
     *("Input", "Output", "Inputs", "Outputs"),
     *("Control", "State", "Polled", "Job", "Drive", "Line", "LineParam", "DriveParam"),
 )
-
-
-@dataclass(frozen=True, slots=True)
-class TripTexts:
-    """The trips of one series; `suffix` is its part of the function's name."""
-
-    series: str
-    suffix: str
-    trips: tuple[dict[str, SclText], ...]
 
 
 def pbdp_problems(chosen: Sequence[PlantGateway], catalog: Catalog) -> Iterator[Diagnostic]:
@@ -86,8 +76,7 @@ def _blocks(gateways: tuple[PbdpGatewayView, ...], catalog: Catalog) -> Iterator
         yield block("PBDP_Poll")
     series = dict.fromkeys(drive.series for item in with_parameters for drive in item.drives)
     for name in series:
-        suffix = trip_text_of(name).removeprefix("PBDP_TripText_")
-        found = TripTexts(name, suffix, tuple(map(trip_literals, catalog.drive(name).trips)))
+        found = trip_texts(name, catalog)
         yield block(trip_text_of(name), "PBDP_TripText", {"texts_of": found})
     yield block("PBDP_Drive")
     yield block("PBDP_Alarms")

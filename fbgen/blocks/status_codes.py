@@ -65,6 +65,15 @@ STATUS_CODES = (
         ("channels",),
     ),
     StatusCodes(
+        (0x8201,),
+        "mode or number not allowed, or the drive's assemblies have no parameter channel",
+        "Modus oder Nummer nicht erlaubt, oder die Assemblies des Antriebs haben keinen "
+        "Parameterkanal",
+        "Modes are 1 read, 2 write. 101/151 reach numbers up to 7FFF and those that begin with F; "
+        "105/155 reach all.",
+        ("devicenet",),
+    ),
+    StatusCodes(
         (0x8401,),
         "no reply",
         "keine Antwort",
@@ -110,6 +119,14 @@ STATUS_CODES = (
         ("serial",),
     ),
     StatusCodes(
+        (0x8404,),
+        "no data exchange with the drive",
+        "kein Datenaustausch mit dem Antrieb",
+        "Check the supply of the drive and of the network, the plug, MAC ID, rate, c203 and the "
+        "scan list of the scanner.",
+        ("devicenet",),
+    ),
+    StatusCodes(
         (0x8405,),
         "ended by abort",
         "durch abort beendet",
@@ -152,6 +169,15 @@ STATUS_CODES = (
         "CLEAR",
         "Find out why the master was in CLEAR, then take run back and give it again.",
         ("channels",),
+    ),
+    StatusCodes(
+        (0x840C,),
+        "the DeviceNet option: not written, or not read",
+        "die DeviceNet-Option: nicht geschrieben oder nicht gelesen",
+        "Compare number and value with the series' list of communication numbers; some can be "
+        "written at standstill only. errorCode is what the option gave with it; no document at "
+        "hand says what it means.",
+        ("devicenet",),
     ),
     StatusCodes(
         (0x840D,),

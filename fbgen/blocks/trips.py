@@ -1,11 +1,27 @@
 """What the blocks are told of a series: its trips in words, and how it says who commands it."""
 
 from fbgen.blocks.literals import SclText, comno, one_line, word
-from fbgen.catalog import Drive, Trip, origin
+from fbgen.catalog import Catalog, Drive, Trip, origin
+from fbgen.dataclass import dataclass
 
 SERIAL_COMMANDS = "serial communication"
 """What the value of a command source is called in the catalogue that stands for the network."""
 _LONGEST_TRIP_TEXT = 40
+
+
+@dataclass(frozen=True, slots=True)
+class TripTexts:
+    """The trips of one series; `suffix` is its part of the function's name."""
+
+    series: str
+    suffix: str
+    trips: tuple[dict[str, SclText], ...]
+
+
+def trip_texts(series: str, catalog: Catalog) -> TripTexts:
+    """What the template of a function with the trips of a series in words needs."""
+    trips = tuple(map(trip_literals, catalog.drive(series).trips))
+    return TripTexts(series, series.replace("-", "_"), trips)
 
 
 def command_source(drive: Drive) -> dict[str, SclText] | None:

@@ -17,7 +17,7 @@ from fbgen.catalog.scalars import Count, EntryId, HexByte, HexWord, Number, Snak
 from fbgen.catalog.sourced import Duration, Sourced, unknown_fields
 from fbgen.diagnostics import Diagnostic
 
-_OF_F = 0xF000
+OF_F = 0xF000
 """The first communication number that begins with F."""
 
 
@@ -164,13 +164,13 @@ class ParameterObject(Sourced):
 
     def instance(self, number: int) -> int:
         """The instance of a communication number."""
-        offset = -self.offset_of_f if number >= _OF_F else self.offset
+        offset = -self.offset_of_f if number >= OF_F else self.offset
         return number + offset & 0xFFFF
 
     def number(self, instance: int) -> int:
         """The communication number of an instance."""
         above = instance + self.offset_of_f
-        return above if _OF_F <= above <= 0xFFFF else instance - self.offset & 0xFFFF
+        return above if OF_F <= above <= 0xFFFF else instance - self.offset & 0xFFFF
 
 
 class DeviceNetTimes(Located):

@@ -28,6 +28,7 @@ EXAMPLES = ROOT / "examples"
 MANUAL_EXAMPLE = (EXAMPLES / "manual_example" / "plant.yaml").read_text("utf-8")
 FIVE_DRIVES = (EXAMPLES / "five_drives" / "plant.yaml").read_text("utf-8")
 PBDP110 = (EXAMPLES / "pbdp110" / "plant.yaml").read_text("utf-8")
+CHANNELS = (ROOT / "tests" / "scenarios" / "devicenet" / "two_channels.yaml").read_text("utf-8")
 BY_WORDS = {
     "layout: module2": "layout: module2\n    identifiers: 6F 5F 57",
     "access: dpxx_dat": "access: per_identifier",
@@ -62,6 +63,7 @@ def changed(text: str, changes: Mapping[str, str]) -> str:
 PLANTS = {
     "pbdp110.tia": PBDP110,
     "pbdp110_by_words.step7": changed(PBDP110, BY_WORDS | STEP7),
+    "devicenet_channels.tia": CHANNELS,
     "manual_example_gsd10.tia": MANUAL_EXAMPLE,
     "manual_example_doc9.tia": changed(MANUAL_EXAMPLE, {"layout: gsd10": "layout: doc9"}),
     "manual_example_whole10.tia": changed(
