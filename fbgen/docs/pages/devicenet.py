@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 
 from fbgen.catalog import Assembly, DeviceNetGateway
 from fbgen.catalog.devicenet_gateways import Selection
-from fbgen.catalog.devicenet_objects import ObjectClass
+from fbgen.catalog.devicenet_objects import Attribute, ObjectClass, Service
 from fbgen.docs.document import Link, Paragraph, Phrase, Row, Section, Table
 from fbgen.docs.page_names import word_page
 from fbgen.docs.sources import Sources
@@ -90,10 +90,12 @@ def _object(item: ObjectClass, sources: Sources) -> Section:
     attributes = [
         Row(
             (
-                *((owner,), (str(one.id),), (one.title,), (one.type,)),
+                *((owner,), (str(one.id),), (_what(one),), (one.type,)),
                 *(("get and set" if one.settable else "get",),),
+                ("" if one.default is None else str(one.default),),
                 sources.of(one.source or item.source, one.status or item.status),
-            )
+            ),
+            f"class-{item.code:02x}-{owner}-{one.id}",
         )
         for owner, rows in (("class", item.class_attributes), ("object", item.attributes))
         for one in rows
@@ -101,14 +103,37 @@ def _object(item: ObjectClass, sources: Sources) -> Section:
     services = [
         Row(
             (
-                *(code(f"{one.code:02X}"), (one.title,)),
+                *((_owners(one),), code(f"{one.code:02X}"), (one.title,)),
                 sources.of(one.source or item.source, one.status or item.status),
             )
         )
         for one in item.services
     ]
     blocks = (
-        Table(("Of the", "Attribute", "What it is", "Type", "Access", "Source"), tuple(attributes)),
-        Table(("Service", "What it does", "Source"), tuple(services)),
+        Table(
+            ("Of the", "Attribute", "What it is", "Type", "Access", "Default", "Source"),
+            tuple(attributes),
+        ),
+        Table(("Of the", "Service", "What it does", "Source"), tuple(services)),
     )
+    if item.instances:
+        named = "; ".join(f"{one.number}, {one.title}" for one in item.instances)
+        return Section(
+            f"Class {item.code:02X}: {item.title}",
+            (Paragraph((f"Its instances: {named}.",)), *blocks),
+            f"class-{item.code:02x}",
+        )
     return Section(f"Class {item.code:02X}: {item.title}", blocks, f"class-{item.code:02x}")
+
+
+def _what(item: Attribute) -> str:
+    """What an attribute is, its values, and what else there is to say of it."""
+    values = ", ".join(f"{value} {text}" for value, text in item.values.items())
+    said = f"{item.title}: {values}" if values else item.title
+    return f"{said}. {item.remark}" if item.remark else said
+
+
+def _owners(item: Service) -> str:
+    """Who has a service: the class itself, its objects, or both."""
+    owners = (("class", item.on_class), ("object", item.on_instance))
+    return ", ".join(name for name, has in owners if has)

@@ -73,6 +73,11 @@ def test_the_page_of_a_devicenet_adapter_has_assemblies_and_objects(site: Site) 
     status = row(shown, "assembly-151-status").cells
     assert plain(status[1]) == "0 to 1"
     assert plain(row(shown, "parameter-c102").cells[3]) == "0"
+    mode = row(shown, "class-2a-object-6").cells
+    assert plain(mode[2]).startswith("Mode: 0 vendor specific, 1 open loop speed")
+    assert (plain(mode[4]), plain(mode[5])) == ("get", "1")
+    heartbeat = plain(row(shown, "class-01-object-10").cells[2])
+    assert heartbeat.endswith("it does not here.")
 
 
 def test_worked_examples_lead_into_the_decoder(site: Site) -> None:
