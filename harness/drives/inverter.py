@@ -305,6 +305,11 @@ class Inverter:
         """The word of a cell, None if there is none."""
         return self.monitors.read(number)
 
+    def writable(self, number: int) -> bool:
+        """Whether a cell is there and not for reading alone."""
+        comno = self.registers.cells.get(number)
+        return comno is not None and "w" in comno.access
+
     def write_ram(self, number: int, word: int) -> ErrorCode | None:
         """Write a cell until the next restart; why it is refused, or None."""
         refused = self.registers.refusal(number, word, self.running)

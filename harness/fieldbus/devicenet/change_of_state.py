@@ -79,14 +79,33 @@ class Producer:
         if not self.connection.established or self._suppressed:
             return
         self.connection.message()
+        if self._acknowledged:
+            return
         self._acknowledged = True
         if self._retry is not None:
             self._kernel.cancel(self._retry)
             self._retry = None
+        self._plan()
 
     def _look(self) -> None:
         """Look at the data once in a while, and send them if it is time to."""
-        self._tick = self._kernel.after(self._sample_ns, self._look)
+        self._tick = None
+        self._send_what_is_due()
+        self._plan()
+
+    def _plan(self) -> None:
+        """Look again after the sampling time, or as soon as the expected packet rate is over."""
+        if self._tick is not None:
+            self._kernel.cancel(self._tick)
+        wait_ns = self._sample_ns
+        rate_ns = self.connection.rate_ms * NS_PER_MS
+        if rate_ns and self._data is not None and self._acknowledged:
+            left_ns = rate_ns - (self._kernel.now_ns - self._sent_ns)
+            if left_ns > 0:
+                wait_ns = min(wait_ns, left_ns)
+        self._tick = self._kernel.after(wait_ns, self._look)
+
+    def _send_what_is_due(self) -> None:
         if not self.connection.established or not self._acknowledged:
             return
         passed_ns = self._kernel.now_ns - self._sent_ns

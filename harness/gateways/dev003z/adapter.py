@@ -153,7 +153,11 @@ class Dev003z:
         return self.assemblies.make(self.assemblies.chosen, self._drive.status())
 
     def communication_lost(self) -> None:
-        """Do what c101 says, if c103 lets it count, and after the time of c100."""
+        """Do what c101 says, if c103 lets it count, and after the time of c100.
+
+        What the register channel was asked for is forgotten: whoever comes next asks anew.
+        """
+        self.assemblies.forget_request()
         if self._lost is not None or not self._host.powered:
             return
         delay = self.gateway.parameter("timeout_time").resolution * self.own["timeout_time"]
@@ -200,7 +204,10 @@ class Dev003z:
         if object_class.name in _NETWORK_CLASSES:
             return self._network.set(object_class.name, attribute, instance, value)
         if object_class.name == "parameter":
-            return refusal(self.cells.write(self._number(instance), value))
+            number = self._number(instance)
+            if not self.cells.writable(number):
+                return Status.ATTRIBUTE_NOT_SETTABLE
+            return refusal(self.cells.write(number, value))
         return self._drive.set(object_class, attribute, value)
 
     def call(self, object_class: ObjectClass, request: Request) -> bytes | Status:

@@ -52,6 +52,10 @@ class Assemblies:
         setting = self._own[self._gateway.assembly_parameter]
         self.chosen = next(pair for pair in self._gateway.assemblies if pair.setting == setting)
 
+    def forget_request(self) -> None:
+        """What the register channel was asked for last does not count any more."""
+        self._channel.clear()
+
     def find(self, instance: int) -> tuple[AssemblyPair, Assembly] | None:
         """An assembly by its instance, and the pair that it belongs to."""
         for pair in self._gateway.assemblies:

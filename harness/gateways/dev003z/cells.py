@@ -22,6 +22,10 @@ class Cells:
         own = self._own.read(number)
         return self._host.read(number) if own is None else own
 
+    def writable(self, number: int) -> bool:
+        """Whether a number is there and not for reading alone."""
+        return self._own.read(number) is not None or self._host.writable(number)
+
     def write(self, number: int, word: int) -> ErrorCode | None:
         """Write a word; why it is refused, or None."""
         if not self._host.powered:

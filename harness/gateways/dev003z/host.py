@@ -43,6 +43,9 @@ class Host(Protocol):
     def read(self, number: int) -> int | None:
         """The word of a cell, None if there is none."""
 
+    def writable(self, number: int) -> bool:
+        """Whether a cell is there and not for reading alone."""
+
     def write_ram(self, number: int, word: int) -> ErrorCode | None:
         """Write a cell until the next restart; why it is refused, or None."""
 

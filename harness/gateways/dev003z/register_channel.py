@@ -10,7 +10,7 @@ from harness.gateways.dev003z.cells import Cells
 
 
 class RegisterChannel:
-    """One request at a time. `number` 0 asks for nothing."""
+    """One request at a time. `number` 0 asks for nothing, to be written neither."""
 
     __slots__ = ("_cells", "_error", "_request")
 
@@ -25,6 +25,7 @@ class RegisterChannel:
 
     def ask(self, write: bool, number: int, data: int) -> None:
         """Take a request as it stands in the data of the master."""
+        write = write and number != 0
         request = (write, number, data if write else 0)
         if request == self._request:
             return

@@ -230,6 +230,37 @@ def test_cyclic_data_come_once_in_a_rate_whatever_changes() -> None:
     assert 9 <= count <= 11
 
 
+@pytest.mark.parametrize("choice", [Choice.CYCLIC, Choice.CYCLIC | Choice.ACK_SUPPRESSION])
+@pytest.mark.parametrize("rate_ms", [2, 7, 25])
+def test_cyclic_data_come_just_as_often_as_the_rate_says(choice: Choice, rate_ms: int) -> None:
+    made = bench(C203[21])
+    made.connect(choice, rate_ms=rate_ms)
+    made.run(50)
+    made.frames.clear()
+    times: list[int] = []
+    for at in range(200):
+        for frame in made.taken():
+            if frame.identifier == COS:
+                times.append(at)
+                made.put(ACK, b"")
+        made.run(1)
+    assert {later - earlier for earlier, later in pairwise(times)} == {rate_ms}
+
+
+def test_acknowledgements_that_nobody_waits_for_hold_nothing_up() -> None:
+    made = bench(C203[21])
+    made.connect(Choice.CHANGE_OF_STATE, rate_ms=60_000)
+    for _ in range(30):
+        made.put(ACK, b"")
+        made.run(5)
+    made.frames.clear()
+    made.drive.trip("OC1")
+    for _ in range(6):
+        made.put(ACK, b"")
+        made.run(5)
+    assert any(frame.identifier == COS for frame in made.taken())
+
+
 def test_the_inhibit_time_keeps_changes_apart() -> None:
     made = bench(C203[21])
     made.connect(Choice.CHANGE_OF_STATE, rate_ms=1000)

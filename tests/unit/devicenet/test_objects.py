@@ -113,7 +113,7 @@ def test_every_attribute_takes_what_it_may_and_nothing_else(
         ((0x2A, 1), 0x10, "08 FF FF", Status.INVALID_ATTRIBUTE_VALUE),
         ((0x2B, 1), 0x10, "01 00 00", Status.INVALID_ATTRIBUTE_VALUE),
         ((0x2B, 1), 0x10, "03 02 00", Status.INVALID_ATTRIBUTE_VALUE),
-        ((0x64, 0x7D00), 0x10, "03 00 00", Status.DEVICE_STATE_CONFLICT),
+        ((0x64, 0x7D00), 0x10, "03 00 00", Status.ATTRIBUTE_NOT_SETTABLE),
         ((0x64, 0x4011), 0x10, "03 FF FF", Status.INVALID_ATTRIBUTE_VALUE),
         ((0x01, 1), 0x05, "02", Status.INVALID_PARAMETER),
         ((0x01, 1), 0x05, "00 00", Status.TOO_MUCH_DATA),
@@ -210,6 +210,10 @@ def test_cells_are_read_and_written_as_instances() -> None:
     assert made.set(0x64, 0x0203, 3, words(3)) == 0
     assert made.option.own["assembly_instances"] == 3
     assert made.set(0x64, 0x0203, 3, words(6)) == Status.INVALID_ATTRIBUTE_VALUE
+    written = ENTRIES["dev.parameter_object.examples"]["written"]
+    number = int(written["instance"], 16)
+    assert made.set(0x64, number, 3, words(int(written["word"], 16))) == 0
+    assert made.drive.read_parameter(written["comno"]) == written["value"]
 
 
 @pytest.mark.parametrize(("memory", "after"), [("ram", 0.0), ("eeprom", 25.0)])

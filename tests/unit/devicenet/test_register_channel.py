@@ -2,7 +2,8 @@
 
 import pytest
 
-from tests.unit.devicenet.bench import C203, Bench, bench, words
+from fbgen.wire.devicenet_ids import Group2, group_2
+from tests.unit.devicenet.bench import C203, MAC, Bench, bench, words
 
 
 def ask(
@@ -73,3 +74,20 @@ def test_a_read_is_fresh_each_time_and_a_write_is_done_once(channel: tuple[Bench
 def test_no_number_asks_for_nothing(channel: tuple[Bench, int]) -> None:
     made, instance = channel
     assert ask(made, instance, 0, 0, write=False) == (False, 0, 0)
+    before = dict(made.drive.registers.ram)
+    assert ask(made, instance, 0, 1, write=True) == (False, 0, 0)
+    assert made.drive.registers.ram == before
+
+
+def test_a_master_that_comes_back_writes_anew(channel: tuple[Bench, int]) -> None:
+    made, instance = channel
+    ask(made, instance, 0x0018, 100, write=True)
+    made.run(401)
+    assert made.option.node.io_timed_out
+    made.drive.set_parameter("0018", 7.0)
+    release = bytes.fromhex("00 4C 03 01 03")
+    made.put(group_2(Group2.UNCONNECTED_REQUEST, MAC), release)
+    made.run(5)
+    made.connect()
+    assert ask(made, instance, 0x0018, 100, write=True) == (False, 0x0018, 100)
+    assert made.drive.read_parameter("0018") == 1.0
