@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from fbgen.artefacts.view import PlantLists
-from fbgen.blocks.serial_lines import instructions_of
+from fbgen.blocks.serial_lines import instructions_of, port_kind
 from fbgen.blocks.serial_times import READS_A_DRIVE, serial_times
 from fbgen.plant import SerialLine, buffer_numbers, module_of, place_of
 
@@ -30,6 +30,17 @@ _MODULES = {
         "Zeichenverzugszeit von 44 Bitzeiten, sonst nichts; keine Flusskontrolle; {wires}. Ein CM "
         "1241 braucht für Send_P2P und Receive_P2P Firmware V2.1. Die Zeichenverzugszeit sind vier "
         "Zeichen; ab 38400 bit/s 100 Bitzeiten einstellen, wie es die Hilfe von TIA Portal rät.",
+    ),
+    "modbus_master": (
+        "The program sets the module by Modbus_Comm_Load: rate, parity, {wires}; in the device "
+        "configuration its protocol stays Freeport. Modbus_Master sends and receives. A CM PtP "
+        "must be an HF, a CM 1241 needs firmware V2.1. For a module without MODBUS write "
+        "`modbus_frames: own` into the plant file: then the blocks build the frames.",
+        "Das Modul stellt das Programm mit Modbus_Comm_Load ein: Geschwindigkeit, Parität, "
+        "{wires}; in der Gerätekonfiguration bleibt sein Protokoll Freeport. Modbus_Master sendet "
+        "und empfängt. Ein CM PtP muss ein HF sein, ein CM 1241 braucht Firmware V2.1. Für ein "
+        "Modul ohne MODBUS `modbus_frames: own` in die Anlagendatei schreiben: dann bauen die "
+        "Bausteine die Telegramme.",
     ),
     "cp34x": (
         "Set the CP to the ASCII driver, end of a message: after the character delay time, of four "
@@ -88,7 +99,7 @@ def serial_row(line: SerialLine, lists: PlantLists) -> dict[str, str]:
 def serial_notes(lists: PlantLists) -> Iterator[str]:
     """What is set at the modules; once for each way of setting."""
     plant = lists.plant
-    found = {(_KINDS[module_of(line, plant.plc)], line.wires) for line in plant.serial}
+    found = {(port_kind(plant, line), line.wires) for line in plant.serial}
     for kind, wires in sorted(found):
         yield lists.in_words(*_MODULES[kind]).format(
             wires=lists.in_words(*_WIRES[wires]),
@@ -111,12 +122,6 @@ def _buffers(lists: PlantLists) -> str:
         f"The instructions take data blocks by number: {listed}.",
         f"Die Anweisungen nehmen Datenbausteine nach Nummer: {listed}.",
     )
-
-
-_KINDS = {
-    **{"cm_ptp": "freeport", "cm_1241": "freeport"},
-    **{"cp_340": "cp34x", "cp_341": "cp34x", "cp_440": "cp34x", "adapter": "adapter"},
-}
 
 
 def serial_poll(line: SerialLine, lists: PlantLists) -> dict[str, object]:

@@ -32,7 +32,13 @@ _FREEPORT = {
     "send": "{InstructionName := 'Send_P2P'; LibVersion := '3.0'} : Send_P2P",
     "receive": "{InstructionName := 'Receive_P2P'; LibVersion := '3.0'} : Receive_P2P",
 }
+_MODBUS_MASTER = {
+    "load": "{InstructionName := 'Modbus_Comm_Load'; LibVersion := '3.0'} : Modbus_Comm_Load",
+    "master": "{InstructionName := 'Modbus_Master'; LibVersion := '3.0'} : Modbus_Master",
+}
 """How instances of the instructions are declared; which versions a project has is unverified."""
+_FIRST_REGISTER = 400001
+"""DATA_ADDR of register 0: S7-1200 System Manual A5E02486680, 13.5, "Modbus_Master"."""
 
 
 def serial_problems(
@@ -87,6 +93,8 @@ def serial_family(plant: Plant, catalog: Catalog, texts: Texts) -> FamilyPlan:
         },
         "modbus_numbers": _modbus(catalog),
         "freeport": _FREEPORT,
+        "modbus_by_instruction": plant.modbus_by_instruction,
+        "modbus_master": _MODBUS_MASTER,
     }
     context |= drive_context(series, catalog, port)
     of_lines = _of_lines(series, units, texts)
@@ -107,7 +115,9 @@ def serial_family(plant: Plant, catalog: Catalog, texts: Texts) -> FamilyPlan:
 def _types(
     units: tuple[SerialLineView, ...], sequences: tuple[SequenceView, ...]
 ) -> Iterator[BlockSpec]:
-    for name in ("typeTipPort", "typeTipLine", *LINE_TYPES):
+    own_frames = any(unit.port_kind != "modbus_master" for unit in units)
+    yield data_type("typeTipPort", "", {"own_frames": own_frames})
+    for name in ("typeTipLine", *LINE_TYPES):
         yield data_type(name)
     if any(unit.port_kind == "adapter" for unit in units):
         yield data_type("typeTipAdapter")
@@ -147,7 +157,7 @@ def _blocks(
 def _exchanged(units: tuple[SerialLineView, ...]) -> Iterator[BlockSpec]:
     """Data blocks through which bytes go to modules that take no variables."""
     for item in units:
-        if item.port_kind == "cp34x":
+        if item.port_kind in ("cp34x", "modbus_master"):
             yield data_block(f"TIP_Buffer_{item.name}", "TIP_Buffer", {"unit": item})
     adapted = [item for item in units if item.port_kind == "adapter"]
     if adapted:
@@ -188,6 +198,7 @@ def _modbus(catalog: Catalog) -> dict[str, SclText]:
         "polynomial": word(crc.polynomial, origin("CRC", crc, crc.source or "")),
         "read": byte(read.code, origin("function 03", read, read.source or "")),
         "write": byte(write.code, origin("function 06", write, write.source or "")),
+        "first_register": SclText(str(_FIRST_REGISTER), origin("register numbers", protocol)),
         "exception": byte(protocol.exception_bit, origin("exception bit", protocol)),
     }
 

@@ -13,6 +13,10 @@ _PORT_KINDS = {
     **{"cp_340": "cp34x", "cp_341": "cp34x", "cp_440": "cp34x", "adapter": "adapter"},
 }
 """Module of the plant file -> the template that reaches it."""
+_PARITIES = {"none": 0, "odd": 1, "even": 2}
+_LINE_MODES = {4: 2, 2: 4}
+"""Wires -> MODE of Modbus_Comm_Load: four as the master of several, two. Source: S7-1200 System
+Manual A5E02486680, table 13-72, which names the first for the CM PtP alone."""
 
 
 _INSTRUCTIONS = {
@@ -32,7 +36,8 @@ def instructions_of(module: str) -> tuple[str, str]:
 class SerialLineView(UnitView):
     """A line with everything its blocks need; `port_kind` is the template of its module.
 
-    `buffer_number` is that of the data block that a CP 340, CP 341 or CP 440 works with.
+    `buffer_number` is that of the data block that a CP 340, CP 341 or CP 440 works with. `baud`,
+    `parity` and `line_mode` are what Modbus_Comm_Load takes.
     """
 
     port_kind: str
@@ -40,6 +45,9 @@ class SerialLineView(UnitView):
     send_instruction: str
     receive_instruction: str
     buffer_number: SclText
+    baud: SclText
+    parity: SclText
+    line_mode: SclText
     ascii: SclText
     status_poll: bool
     timeout: SclText
@@ -51,6 +59,13 @@ class SerialLineView(UnitView):
     poll_block: str
     drive_block: str = "TIP_Drive"
     alarms_block: str = "TIP_Alarms"
+
+
+def port_kind(plant: Plant, line: SerialLine) -> str:
+    """Which template in `templates/ports` reaches the module of a line."""
+    if line.family == "modbus" and plant.modbus_by_instruction:
+        return "modbus_master"
+    return _PORT_KINDS[module_of(line, plant.plc)]
 
 
 def serial_line_view(plant: Plant, line: SerialLine, catalog: Catalog) -> SerialLineView:
@@ -70,13 +85,16 @@ def serial_line_view(plant: Plant, line: SerialLine, catalog: Catalog) -> Serial
             FirstValue("line.retries", SclText(str(line.parameters.retries), place)),
             *(value for drive in line.drives for value in drive_values(drive)),
         ),
-        port_kind=_PORT_KINDS[module],
+        port_kind=port_kind(plant, line),
         send_instruction=instructions_of(module)[0],
         receive_instruction=instructions_of(module)[1],
         buffer_number=SclText(
             str(buffer_numbers(plant).get(f"TIP_Buffer_{line.name}", 0)),
             origin("block_numbers", plant.block_numbers),
         ),
+        baud=SclText(str(line.baud), place),
+        parity=SclText(str(_PARITIES[line.parity]), place),
+        line_mode=SclText(str(_LINE_MODES[line.wires]), place),
         port=SclText(str(place_of(line, plant) or 0), place),
         ascii=truth(line.protocol == "toshiba_ascii", place),
         status_poll=line.status_poll,

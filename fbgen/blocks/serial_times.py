@@ -3,7 +3,8 @@
 Characters: 8 data bits, the PLC sends one stop bit, an inverter two (VF-S11 communications manual
 E6581222, page 4). The silence between telegrams is 3.5 characters for every series (E6581315, page
 5; MODBUS over Serial Line V1.02, 2.5.1.1). Reserves of our own: 4 ms for the ways between CPU and
-communication module, each way, and twice the time that all this adds up to.
+communication module, each way, and twice the time that all this adds up to. Modbus_Master cannot be
+called off: an emergency stop waits until the request under way is over.
 """
 
 from math import ceil
@@ -18,6 +19,8 @@ _SILENT_CHARACTERS = 3.5
 _GAP_BITS = 44
 """The character delay time of the communication module, in bit times: four characters."""
 READS_A_DRIVE = 4
+_REPLY_SHARE = 0.6
+"""How much of the limit for an attempt Modbus_Master waits for a reply: templates/ports."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +63,11 @@ def serial_times(plant: Plant, line: SerialLine, catalog: Catalog) -> SerialTime
     silence_ms = ceil(_SILENT_CHARACTERS * _character_bits(line, 1) * 1000 / line.baud)
     attempt_ms = timeout_ms + silence_ms + 4 * cycle_ms
     telegram_ms = (line.parameters.retries + 1) * attempt_ms + 2 * cycle_ms
-    stop_ms = 4 * cycle_ms + gap_ms + silence_ms + _MODULE_MS + request_ms
+    given_up_ms: float = gap_ms
+    if line.family == "modbus" and plant.modbus_by_instruction:
+        over_ms = _MODULE_MS + request_ms + _REPLY_SHARE * timeout_ms + 2 * cycle_ms
+        given_up_ms = max(gap_ms, over_ms)
+    stop_ms = 4 * cycle_ms + given_up_ms + silence_ms + _MODULE_MS + request_ms
     read_ms = cycle_ms * ceil((needed_ms + silence_ms) / cycle_ms + 3)
     return SerialTimes(
         timeout_ms,

@@ -2,7 +2,7 @@
 
 from fbgen.catalog import Catalog
 from fbgen.diagnostics import Diagnostic, DiagnosticError
-from fbgen.plant.families import USUAL_PLC
+from fbgen.plant.families import FAMILIES, USUAL_PLC
 from fbgen.plant.plant import Plant
 
 
@@ -26,12 +26,14 @@ def changed(plant: Plant, catalog: Catalog, **values: object) -> Plant:
 def in_dialect(plant: Plant, dialect: str, catalog: Catalog) -> Plant:
     """The plant in another dialect of `LANGUAGES`.
 
-    Where its PLC does not read it, the usual one takes its place. Raises DiagnosticError with what
-    the plant asks for and that PLC does not have.
+    Where its PLC does not read it, the usual one takes its place; where that has no Modbus_Master
+    the blocks build the frames of MODBUS themselves. Raises DiagnosticError with what the plant
+    asks for and that PLC does not have.
     """
     if dialect == plant.dialect:
         return plant
     reads_it = dialect in plant.family.dialects
     plc = plant.plc if reads_it else USUAL_PLC[dialect]
     cpu = plant.cpu if reads_it else None
-    return changed(plant, catalog, dialect=dialect, plc=plc, cpu=cpu)
+    frames = plant.modbus_frames if FAMILIES[plc].modbus_master else None
+    return changed(plant, catalog, dialect=dialect, plc=plc, cpu=cpu, modbus_frames=frames)

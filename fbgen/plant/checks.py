@@ -224,6 +224,7 @@ def plant(item: "Plant") -> Iterator[Diagnostic]:
     )
     for part in item.serial:
         yield from serial_checks.module_problems(part, item.family)
+    yield from serial_checks.frames(item)
 
 
 def _cpu(item: "Plant") -> Iterator[Diagnostic]:

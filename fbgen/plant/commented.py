@@ -86,6 +86,12 @@ sequences:
 #
 # status_poll, parameters and drives are as with a gateway for telegrams.
 #
+# All lines with MODBUS: who builds the frames.
+#   instruction  Modbus_Master of the CPU; what it is without this key on S7-1200 and S7-1500
+#   own          the blocks themselves, for modules without MODBUS; everywhere else it is so anyway
+#
+#   modbus_frames: own
+#
 # Drives with a DeviceNet option, at a scanner. Scenarios test a program of your own against them;
 # blocks are not generated for them yet, nor for a plant that has some:
 #

@@ -24,7 +24,7 @@ class Family:
     outputs past the process image, `whole_frame` whether it has DPRD_DAT and DPWR_DAT (SFC14 and
     SFC15), `hardware_identifiers` whether these take a hardware identifier rather than a start
     address. `image_moves_whole` says whether the process image may hold a consistent identifier of
-    3 or more than 4 bytes.
+    3 or more than 4 bytes, `modbus_master` whether it has Modbus_Comm_Load and Modbus_Master.
     """
 
     name: PlcFamily
@@ -35,6 +35,7 @@ class Family:
     whole_frame: bool
     hardware_identifiers: bool
     image_moves_whole: bool
+    modbus_master: bool = False
 
     @property
     def classic(self) -> bool:
@@ -43,7 +44,12 @@ class Family:
 
 
 _S7 = {"peripheral": True, "whole_frame": True}
-_BY_IDENTIFIER = {**_S7, "hardware_identifiers": True, "image_moves_whole": True}
+_BY_IDENTIFIER = {
+    **_S7,
+    "hardware_identifiers": True,
+    "image_moves_whole": True,
+    "modbus_master": True,
+}
 _BY_ADDRESS = {**_S7, "hardware_identifiers": False, "image_moves_whole": False}
 _ONLY_IMAGE = {
     "peripheral": False,

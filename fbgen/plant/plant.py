@@ -22,13 +22,14 @@ from fbgen.plant.families import (
 from fbgen.plant.gsd_file import GsdFile
 from fbgen.plant.parameters import LineParameters
 from fbgen.plant.prefix import USUAL_PREFIX
-from fbgen.plant.serial_line import SerialLine
+from fbgen.plant.serial_line import ModbusFrames, SerialLine
 
 HIGHEST_BLOCK = 7999
 """The highest number of a block that an S7-300 or S7-400 takes; small CPUs take fewer."""
 
 
 _OF_GSD = ("gsd", "modules")
+_WHERE_THERE = ("devicenet", "modbus_frames")
 
 TextLanguage = Literal["en", "de"]
 """The language of comments, titles and trip texts."""
@@ -117,7 +118,10 @@ class Plant(Located):
     how the names of blocks begin; `files` says whether each stands in a file of its own, None what
     is usual for the dialect. `error_obs` says whether the organization blocks for errors that an
     S7-300 or S7-400 needs are generated, or whether the project has its own. `serial` are lines at
-    communication modules of the PLC itself. `devicenet` are networks at scanners of the PLC.
+    communication modules of the PLC itself. `modbus_frames` says for all lines with MODBUS whether
+    Modbus_Master of the CPU sends and receives (instruction), or the blocks build the frames
+    themselves (own); without it Modbus_Master where the PLC has it. `devicenet` are networks at
+    scanners of the PLC.
     """
 
     version: Literal[1]
@@ -136,13 +140,14 @@ class Plant(Located):
     sequences: tuple[str, ...] = ()
     gateways: tuple[PlantGateway, ...] = ()
     serial: tuple[SerialLine, ...] = ()
+    modbus_frames: ModbusFrames | None = None
     devicenet: tuple[DeviceNetNetwork, ...] = ()
 
     @model_serializer(mode="wrap")
-    def _without_no_devicenet(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        """DeviceNet counts for the hash of the plant where there is some."""
+    def _without_what_is_not_there(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """DeviceNet and a choice of frames count for the hash of the plant where there are some."""
         data: dict[str, Any] = handler(self)
-        return {key: data[key] for key in data if key != "devicenet" or data[key]}
+        return {key: data[key] for key in data if key not in _WHERE_THERE or data[key]}
 
     @property
     def series_of_drives(self) -> dict[str, str]:
@@ -163,6 +168,13 @@ class Plant(Located):
     def code_dialect(self) -> str:
         """The dialect of the language in which its text is written."""
         return LANGUAGES[self.dialect]
+
+    @property
+    def modbus_by_instruction(self) -> bool:
+        """Whether the lines with MODBUS, where there are some, are those of Modbus_Master."""
+        if not any(line.family == "modbus" for line in self.serial):
+            return False
+        return self.family.modbus_master and self.modbus_frames != "own"
 
     @property
     def has_error_blocks(self) -> bool:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from fbgen.catalog import Catalog, Drive, SerialPort
 from fbgen.diagnostics import Diagnostic, Note
-from fbgen.plant.families import Family
+from fbgen.plant.families import FAMILIES, Family
 
 if TYPE_CHECKING:
     from fbgen.plant.drive import PlantDrive
@@ -164,6 +164,27 @@ def buffer_numbers(plant: "Plant") -> dict[str, int]:
         for index, line in enumerate(plant.serial)
         if module_of(line, plant.plc).startswith("cp_")
     }
+
+
+def frames(item: "Plant") -> Iterator[Diagnostic]:
+    """FB2055: a choice of MODBUS frames for no line, or one that the PLC cannot follow."""
+    if item.modbus_frames is None:
+        return
+    if not any(line.family == "modbus" for line in item.serial):
+        yield Diagnostic(
+            "FB2055",
+            "modbus_frames is given, and no serial line of the plant has MODBUS",
+            item.span_of("modbus_frames"),
+            "leave it out: frames of the Toshiba protocol are always built by the blocks",
+        )
+    elif item.modbus_frames == "instruction" and not item.family.modbus_master:
+        having = " and ".join(one.title for one in FAMILIES.values() if one.modbus_master)
+        yield Diagnostic(
+            "FB2055",
+            f"{item.family.title} has no Modbus_Master",
+            item.span_of("modbus_frames"),
+            f"leave it out, and the blocks build the frames themselves; {having} have one",
+        )
 
 
 def module_problems(item: "SerialLine", family: Family) -> Iterator[Diagnostic]:

@@ -14,6 +14,8 @@ from fbgen.plant.parameters import LineParameters
 
 SerialModuleKind = Literal["cm_ptp", "cm_1241", "cp_340", "cp_341", "cp_440", "adapter"]
 SerialProtocol = Literal["toshiba_binary", "toshiba_ascii", "modbus"]
+ModbusFrames = Literal["instruction", "own"]
+"""Who builds the frames of MODBUS: Modbus_Master of the CPU, or the blocks themselves."""
 
 
 class SerialLine(Located):

@@ -98,7 +98,7 @@ def build_devices(
     modules: dict[str, SerialModule] = {}
     for serial in plan.serial:
         line = lines[serial.name] = line_of(kernel, serial)
-        modules[serial.name] = module_of(kernel, serial, line)
+        modules[serial.name] = module_of(kernel, plan, serial, line)
         heard_s = serial_times(plan, serial, catalog).drive_timeout_s
         for item in serial.drives:
             series = catalog.drive(item.series)

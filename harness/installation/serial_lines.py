@@ -1,13 +1,14 @@
 """The serial lines of a plant: communication modules, inverters straight on the line.
 
-The module is set as the generated README says; the inverters as the parameter sheets say: rate,
-parity and protocol of the line, their numbers, a communication time-out above a round of the poll.
+The module is set as the generated README says, or left to the program that sets it (MODBUS); the
+inverters as the parameter sheets say: rate, parity and protocol of the line, their numbers, a
+communication time-out above a round of the poll.
 """
 
 from collections.abc import Mapping
 
 from fbgen.catalog import Drive, SerialPort
-from fbgen.plant import PlantDrive, SerialLine, port_of
+from fbgen.plant import Plant, PlantDrive, SerialLine, port_of
 from harness.kernel import Kernel
 from harness.line import Line, Parity, SerialFormat, Topology
 from harness.plc.serial import ReceiveConditions, SerialModule
@@ -21,8 +22,10 @@ def line_of(kernel: Kernel, entry: SerialLine) -> Line:
     return Line(kernel, Topology.FOUR_WIRE if entry.wires == 4 else Topology.TWO_WIRE)
 
 
-def module_of(kernel: Kernel, entry: SerialLine, line: Line) -> SerialModule:
-    """The module of the PLC at its end of the line."""
+def module_of(kernel: Kernel, plan: Plant, entry: SerialLine, line: Line) -> SerialModule:
+    """The module of the PLC at its end of the line; as delivered where the program sets it."""
+    if entry.family == "modbus" and plan.modbus_by_instruction:
+        return SerialModule(kernel, line, SerialFormat(9600, Parity.NONE, 1), None, entry.name)
     own = SerialFormat(entry.baud, _PARITIES[entry.parity], 1)
     return SerialModule(kernel, line, own, ReceiveConditions(gap_bits=_GAP_BITS), entry.name)
 

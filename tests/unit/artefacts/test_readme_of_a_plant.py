@@ -19,6 +19,9 @@ DIALECTS = ["tia", "step7", "iec", "twincat", "plcopen"]
 LANGUAGES = ["en", "de"]
 
 
+MODBUS = (Path(__file__).parents[3] / "examples" / "modbus" / "plant.yaml").read_text("utf-8")
+
+
 def page(dialect: str, language: str = "en", text: str = TWO_GATEWAYS) -> str:
     catalog = shipped_catalog()
     made = generated(text, dialect)
@@ -206,6 +209,24 @@ def test_the_worst_cases_are_those_that_the_sweep_measures() -> None:
         expected.append([entry.name, *(f"{figure:.0f} ms" for figure in figures)])
     assert rows(page("tia"), "Worst cases") == expected
     assert rows(page("tia", "de"), "Ungünstigste Fälle") == expected
+
+
+@pytest.mark.parametrize(
+    ("frames", "language", "said", "not_said"),
+    [
+        ("instruction", "en", "The program sets the module by Modbus_Comm_Load", "to freeport"),
+        ("instruction", "de", "Das Modul stellt das Programm mit Modbus_Comm_Load", "auf Freeport"),
+        ("own", "en", "Set the module to freeport", "Modbus_Comm_Load"),
+        ("own", "de", "Das Modul auf Freeport stellen", "Modbus_Comm_Load"),
+    ],
+)
+def test_it_says_how_the_module_of_a_line_is_set(
+    frames: str, language: str, said: str, not_said: str
+) -> None:
+    text = MODBUS.replace("serial:", f"modbus_frames: {frames}\nserial:", 1)
+    written = page("tia", language, text)
+    assert said in written
+    assert not_said not in written
 
 
 def test_only_a_watch_table_is_called_one() -> None:

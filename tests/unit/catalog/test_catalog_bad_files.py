@@ -88,6 +88,8 @@ PLANTS = [
     ("FB2051_module", 8, 13),
     ("FB2052_rate", 8, 11),
     ("FB2053_assemblies", 13, 21),
+    ("FB2055_no_line", 5, 16),
+    ("FB2055_no_master", 5, 16),
 ]
 
 

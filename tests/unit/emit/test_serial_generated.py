@@ -72,6 +72,73 @@ def test_names_have_the_prefix_of_the_plant() -> None:
     assert {"HALL_TIP_Drive", "HALL_TIP_Serial_line1", "typeHallTipPort"} <= blocks
 
 
+def _texts(plant: Plant) -> dict[str, str]:
+    return {file.name: file.text for file in generate(plant, CATALOG).files}
+
+
+@pytest.mark.parametrize("frames", [None, "instruction"])
+def test_modbus_goes_by_the_instruction_of_the_cpu(frames: str | None) -> None:
+    texts = _texts(changed(_plant("modbus"), CATALOG, modbus_frames=frames))
+    assert "#instMaster(REQ := #send" in texts["TIP_Port_line1.scl"]
+    assert "outBytes" not in texts["typeTipPort.udt"]
+    assert "tempCrc" not in texts["MB_Telegram.scl"]
+    assert "S7_Optimized_Access := 'FALSE'" in texts["TIP_Buffer_line1.db"]
+
+
+def test_modbus_goes_by_own_frames_where_they_are_chosen() -> None:
+    texts = _texts(changed(_plant("modbus"), CATALOG, modbus_frames="own"))
+    assert "#instSend(REQ := #port.send" in texts["TIP_Port_line1.scl"]
+    assert "outcome" not in texts["typeTipPort.udt"]
+    assert "tempCrc" in texts["MB_Telegram.scl"]
+    assert "TIP_Buffer_line1.db" not in texts
+
+
+@pytest.mark.parametrize(("wires", "series", "mode"), [(4, "vf-s11", 2), (2, "vf-s15", 4)])
+@pytest.mark.parametrize(("parity", "code"), [("none", 0), ("odd", 1), ("even", 2)])
+def test_the_program_tells_the_module_what_the_line_is(
+    wires: int, series: str, mode: int, parity: str, code: int
+) -> None:
+    written = (
+        "version: 1\nname: hall\ndialect: tia\nplc: s7-1500\nserial:\n  - name: line1\n"
+        "    hardware_identifier: 271\n    protocol: modbus\n    baud: 9600\n"
+        f"    wires: {wires}\n    parity: {parity}\n    drives:\n"
+        f"      - {{name: pump, inv_no: 1, series: {series}, max_frequency_hz: 50.0}}\n"
+    )
+    text = _texts(read_plant(Source("hall.yaml", written), CATALOG))["TIP_Port_line1.scl"]
+    assert f"#instLoad.MODE := {mode};" in text
+    assert f"PARITY := {code}," in text
+    assert "BAUD := 9600," in text
+    assert "PORT := 271," in text
+
+
+def test_lines_of_both_protocols_share_what_goes_to_a_module() -> None:
+    plant = _plant("modbus")
+    (line,) = plant.serial
+    drives = tuple(
+        one.model_copy(update={"name": f"{one.name}_t", "span": one.span}) for one in line.drives
+    )
+    other = line.model_copy(
+        update={
+            "name": "line2",
+            "protocol": "toshiba_binary",
+            "hardware_identifier": 271,
+            "drives": drives,
+        }
+    )
+    texts = _texts(changed(plant, CATALOG, serial=(line, other)))
+    assert "#instMaster(" in texts["TIP_Port_line1.scl"]
+    assert "#instSend(" in texts["TIP_Port_line2.scl"]
+    assert {"outBytes", "outcome"} <= set(texts["typeTipPort.udt"].split())
+
+
+@pytest.mark.parametrize("dialect", ["step7", "iec", "twincat", "plcopen"])
+def test_another_dialect_builds_the_frames(dialect: str) -> None:
+    plant = changed(_plant("modbus"), CATALOG, modbus_frames="instruction")
+    other = in_dialect(plant, dialect, CATALOG)
+    assert other.modbus_frames is None
+    assert not any("Modbus_Master" in text for text in _texts(other).values())
+
+
 def test_series_that_one_text_cannot_serve() -> None:
     with pytest.raises(DiagnosticError) as failure:
         generate(load_plant(BAD / "FB5017_two_ports.yaml", CATALOG), CATALOG)

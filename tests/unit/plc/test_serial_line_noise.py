@@ -9,17 +9,23 @@ from pathlib import Path
 
 import pytest
 
-from harness.installation import PlantSetup, plant
+from fbgen.catalog import load_catalog
+from fbgen.plant import changed, load_plant
+from harness.installation import PlantSetup, build_plant
 from harness.kernel import NS_PER_MS, NS_PER_S
 from harness.pytest_plugin.injected_faults import InjectedFaults
 
 _VALUES = ("tripCode", "tripped", "statusWord", "frequency", "current")
 _EXAMPLES = Path(__file__).parents[3] / "examples"
+_LINES = [("serial", None), ("modbus", "instruction"), ("modbus", "own")]
 
 
-def _wrong_values(example: str, seconds: int) -> tuple[int, int]:
+def _wrong_values(example: str, frames: str | None, seconds: int) -> tuple[int, int]:
     """How often a value was wrong at the end of a cycle, and how many telegrams had errors."""
-    rig = plant(_EXAMPLES / example / "plant.yaml", PlantSetup(seed=1, engine="compiled"))
+    catalog = load_catalog()
+    plan = load_plant(_EXAMPLES / example / "plant.yaml", catalog)
+    plan = changed(plan, catalog, modbus_frames=frames)
+    rig = build_plant(plan, catalog, PlantSetup(seed=1, engine="compiled"))
     rig.start()
     rig.run_for(3 * NS_PER_S)
     unit = rig.plan.units[0]
@@ -40,16 +46,16 @@ def _wrong_values(example: str, seconds: int) -> tuple[int, int]:
     return wrong, errors
 
 
-@pytest.mark.parametrize("example", ["serial", "modbus"])
-def test_no_wrong_value_in_a_minute_of_noise(example: str) -> None:
-    wrong, errors = _wrong_values(example, 60)
+@pytest.mark.parametrize(("example", "frames"), _LINES)
+def test_no_wrong_value_in_a_minute_of_noise(example: str, frames: str | None) -> None:
+    wrong, errors = _wrong_values(example, frames, 60)
     assert wrong == 0
     assert errors > 20
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("example", ["serial", "modbus"])
-def test_no_wrong_value_in_an_hour_of_noise(example: str) -> None:
-    wrong, errors = _wrong_values(example, 3600)
+@pytest.mark.parametrize(("example", "frames"), _LINES)
+def test_no_wrong_value_in_an_hour_of_noise(example: str, frames: str | None) -> None:
+    wrong, errors = _wrong_values(example, frames, 3600)
     assert wrong == 0
     assert errors > 1200
