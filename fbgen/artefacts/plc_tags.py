@@ -1,4 +1,4 @@
-"""The inputs and outputs of the gateways with names.
+"""The inputs and outputs of gateways and DeviceNet scanners with names.
 
 For TIA Portal as its tag tables are imported: the sheets "PLC Tags" and "TagTable Properties" of an
 export, every value as a text (published exports of V16 to V20). For the other tools a table that
@@ -10,10 +10,11 @@ from collections.abc import Iterator
 from fbgen.artefacts.spreadsheet import Sheet, workbook
 from fbgen.artefacts.text_table import csv_table
 from fbgen.artefacts.view import PlantLists
-from fbgen.catalog import CyclicField
+from fbgen.blocks.dev_networks import pair_of
+from fbgen.catalog import Assembly, CyclicField
 from fbgen.dataclass import dataclass
 from fbgen.emit.generated import Artefact
-from fbgen.plant import PlantGateway
+from fbgen.plant import DeviceNetDrive, DeviceNetNetwork, PlantGateway
 
 _TIA_COLUMNS = (
     "Name",
@@ -57,15 +58,22 @@ class IoTag:
 
 
 def io_tags(lists: PlantLists) -> Iterator[IoTag]:
-    """All fields of all gateways that have addresses, but what nobody explains (pads)."""
+    """All fields of all gateways that have addresses, but what nobody explains (pads), and all
+    bytes of DeviceNet."""
     for gateway in lists.plant.gateways:
         layout = lists.layout(gateway)
         yield from _fields(gateway, "I", gateway.input_address, layout.input)
         yield from _fields(gateway, "Q", gateway.output_address, layout.output)
+    for network in lists.plant.devicenet:
+        yield from _table(lists, network)
+        for drive in network.drives:
+            pair = pair_of(drive, lists.catalog.devicenet_gateway(drive.type))
+            yield from _bytes(lists, drive, "I", drive.input_address, pair.input)
+            yield from _bytes(lists, drive, "Q", drive.output_address, pair.output)
 
 
 def plc_tags(lists: PlantLists) -> list[Artefact]:
-    """The list of the plant's dialect; none where no gateway has addresses."""
+    """The list of the plant's dialect; none where nothing has addresses."""
     tags = list(io_tags(lists))
     if not tags:
         return []
@@ -100,6 +108,41 @@ def _fields(
                 field.length,
                 f"{gateway.name}: {field.title}",
                 gateway.access != "process_image",
+            )
+
+
+def _table(lists: PlantLists, network: DeviceNetNetwork) -> Iterator[IoTag]:
+    """The bytes of the scanner's table that have a bit for a drive."""
+    first = network.active_address
+    assert first is not None, "checked before"
+    macs = sorted(drive.mac for drive in network.drives)
+    for place in dict.fromkeys(mac // 8 for mac in macs):
+        there = ", ".join(str(mac) for mac in macs if mac // 8 == place)
+        what = lists.in_words(
+            f"who exchanges data: MAC ID {there}", f"wer teilnimmt: MAC-ID {there}"
+        )
+        comment = f"{network.name}: {what}"
+        yield IoTag(f"{network.name}_active_{place}", "I", first + place, 1, comment, False)
+
+
+def _bytes(
+    lists: PlantLists, drive: DeviceNetDrive, area: str, first: int, assembly: Assembly
+) -> Iterator[IoTag]:
+    """The bytes of an assembly one by one: the low one of a word comes first."""
+    direction = "in" if area == "I" else "out"
+    halves = (
+        ("low", lists.in_words("low byte", "tiefes Byte")),
+        ("high", lists.in_words("high byte", "hohes Byte")),
+    )
+    for field in assembly.fields:
+        for place, (half, in_words) in enumerate(halves):
+            yield IoTag(
+                f"{drive.name}_{direction}_{field.name}_{half}",
+                area,
+                first + field.offset + place,
+                1,
+                f"{drive.name}: {lists.texts(field.title)}, {in_words}",
+                False,
             )
 
 

@@ -15,6 +15,7 @@ from fbgen.artefacts.memory import (
     BYTES_AN_OPERAND,
     WorkMemory,
 )
+from fbgen.artefacts.readme_devicenet import network_rows, without_command_word, without_links
 from fbgen.artefacts.readme_serial import serial_notes, serial_poll, serial_row, serial_worst
 from fbgen.artefacts.view import PlantLists, place_in
 from fbgen.blocks.dev_parameters import has_channel
@@ -170,6 +171,9 @@ def _context(
         "gateways": [_gateway(item, lists) for item in plant.gateways],
         "serial": [serial_row(item, lists) for item in plant.serial],
         "serial_notes": list(serial_notes(lists)),
+        "devicenet": list(network_rows(lists)),
+        "without_links": without_links(lists),
+        "without_command_word": without_command_word(lists),
         "units": [_unit(item) for item in plant.units],
         "access_notes": list(_access_notes(lists)),
         "sequences": [_sequence(name, lists) for name in plant.sequences],

@@ -1,5 +1,7 @@
 """The alarms of a DeviceNet network and of its drives, as those of a line in `alarms`."""
 
+from dataclasses import replace
+
 from fbgen.blocks.alarms import DRIVE_EMERGENCY_STOP, INHIBITED, INTERLOCK, Alarm
 from fbgen.blocks.pbdp_alarms import NOT_RUNNING, TRIPPED
 
@@ -54,7 +56,13 @@ DEV_DRIVE_ALARMS = (
         "er, was c101 sagt.",
     ),
     NOT_RUNNING,
-    DRIVE_EMERGENCY_STOP,
+    replace(
+        DRIVE_EMERGENCY_STOP,
+        english_help="By a command word (100, 102, 105) it trips with E and needs a reset "
+        "afterwards; by the other assemblies it stops along its ramp.",
+        german_help="Mit Steuerwort (100, 102, 105) schaltet er mit E ab und braucht danach eine "
+        "Quittierung; mit den anderen Assemblies hält er an der Rampe an.",
+    ),
     INHIBITED,
     INTERLOCK,
     Alarm(

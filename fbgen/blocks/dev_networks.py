@@ -141,6 +141,11 @@ def has_links(pair: AssemblyPair) -> bool:
     return _kind(pair) != CONTROLS["basic_control"]
 
 
+def has_command_word(pair: AssemblyPair) -> bool:
+    """Whether its data know more than run, stop, direction and reset."""
+    return _kind(pair) == CONTROLS["command"]
+
+
 def _words(
     drive: DeviceNetDrive, entry: DeviceNetGateway, series: Drive, assembly: Assembly
 ) -> Iterator[ByteWord]:

@@ -103,7 +103,7 @@ def of_devicenet() -> set[str]:
 
 
 def test_everything_shown_of_a_devicenet_option_has_german_texts() -> None:
-    found = {text for text in of_devicenet() if re.search("[a-z]{4}", text)}
+    found = {text for text in of_devicenet() if re.search("[a-z]{3}", text)}
     assert "Startup" in found
     assert not {text for text in found if text not in GERMAN}
 
