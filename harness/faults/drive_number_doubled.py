@@ -8,6 +8,7 @@ from fbgen.catalog.scalars import Text
 from harness.faults.fault import Fault, FaultSettings, FaultType, Target
 from harness.faults.holding import Holding
 from harness.faults.neighbours import neighbour
+from harness.faults.on_a_line import require_telegrams
 from harness.installation.field_level import FieldLevel
 from harness.installation.holds import Hold
 
@@ -19,8 +20,9 @@ class NumberSettings(FaultSettings):
 
 
 def _make(plant: FieldLevel, on: str, settings: FaultSettings) -> Fault:
-    """FB7520 if there is no such drive on its line."""
+    """FB7520 if there is no such drive on its line, FB7522 on DeviceNet."""
     assert isinstance(settings, NumberSettings)
+    require_telegrams(plant, on, "drives have no inverter numbers")
     number: int | None = neighbour(plant, on, settings.other).inv_no
     port = plant.drives[on].communication
 

@@ -11,6 +11,6 @@ def require_telegrams(plant: FieldLevel, drive: str, what: str) -> None:
             "FB7522",
             f"'{drive}' is on DeviceNet, where {what}",
             None,
-            "use devicenet_bus_off, devicenet_interrupted, drive_unpowered, or drive_disconnected "
-            "in both directions",
+            "use devicenet_bus_off, devicenet_interrupted, devicenet_mac_doubled, drive_unpowered, "
+            "or drive_disconnected in both directions",
         )

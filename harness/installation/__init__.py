@@ -9,6 +9,7 @@ Switched on, two seconds later:
 """
 
 from harness.installation.building import build_plant, plant
+from harness.installation.conditions import without_effect
 from harness.installation.devices import FieldDevices, build_devices
 from harness.installation.plant import Installation
 from harness.installation.programs import generated_program, generated_sources
@@ -24,4 +25,5 @@ __all__ = [
     "generated_program",
     "generated_sources",
     "plant",
+    "without_effect",
 ]

@@ -8,11 +8,12 @@ from dataclasses import replace
 from pathlib import Path
 
 from fbgen.catalog import Catalog, TelegramGateway, load_catalog, with_own_sequences
-from fbgen.diagnostics import error
+from fbgen.diagnostics import DiagnosticError, error
 from fbgen.nearest import nearest
 from fbgen.plant import Plant, PlantGateway, load_plant, place_of, plugged, with_prefix
 from harness.engine.loading import engine_named, read_program
 from harness.fieldbus import DpMaster, Parameters, Station, StationSettings, watchdog_factors
+from harness.installation.conditions import without_effect
 from harness.installation.devicenet import connect
 from harness.installation.devices import FieldDevices, build_devices
 from harness.installation.plant import Installation
@@ -36,11 +37,19 @@ def build_plant(plan: Plant, catalog: Catalog, setup: PlantSetup) -> Installatio
     """The installation of a plant, switched off, with its program loaded.
 
     Raises DiagnosticError FB7501 for conditions of devices that the plant does not have, FB7502 for
-    a gateway that cannot be simulated, and whatever is wrong in the PLC text.
+    a gateway that cannot be simulated, FB7503 for conditions without effect, and whatever is wrong
+    in the PLC text.
     """
     if plan.gateways:
         _one_master(plan)
     _all_known("drive", setup.drives, plan.series_of_drives, plan)
+    effectless = [
+        found
+        for name, conditions in setup.drives.items()
+        for found in without_effect(plan, name, conditions, {})
+    ]
+    if effectless:
+        raise DiagnosticError(effectless)
     with_memory = [
         item.name
         for item in plan.gateways

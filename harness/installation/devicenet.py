@@ -7,7 +7,7 @@ from fbgen.dataclass import dataclass
 from fbgen.plant import DeviceNetConnection, DeviceNetDrive, DeviceNetNetwork, assemblies_of
 from fbgen.wire.devicenet import Choice, Frame
 from harness.drives import Inverter
-from harness.fieldbus.devicenet import CanBus, CanPort, ScanEntry, Scanner
+from harness.fieldbus.devicenet import CanBus, CanPort, NodeWithMac, ScanEntry, Scanner
 from harness.gateways.dev003z import Dev003z, Dev003zSettings
 from harness.kernel import NS_PER_MS, Kernel
 from harness.plc import Cpu
@@ -22,8 +22,9 @@ _CHOICES: Mapping[DeviceNetConnection, Choice] = {
 
 @dataclass(frozen=True, slots=True)
 class DeviceNet:
-    """One network. `trunk` is where the scanner hangs on it; `options` and `drops`, where these
-    do, go by the names of the drives."""
+    """One network. `trunk` is where the scanner hangs on it. By the names of the drives go
+    `options`, `drops`, where these hang on it, and `strangers`: nodes with the same MAC IDs, which
+    are not plugged."""
 
     entry: DeviceNetNetwork
     bus: CanBus
@@ -31,6 +32,7 @@ class DeviceNet:
     trunk: CanPort
     options: Mapping[str, Dev003z]
     drops: Mapping[str, CanPort]
+    strangers: Mapping[str, NodeWithMac]
 
 
 def network_of(
@@ -51,7 +53,8 @@ def network_of(
     entries = [_scanned(item, catalog) for item in entry.drives]
     scanner = Scanner(kernel, send, entries, entry.mac, entry.scan_ms * NS_PER_MS)
     trunk = bus.attach(scanner.receive)
-    return DeviceNet(entry, bus, scanner, trunk, options, drops)
+    strangers = {item.name: NodeWithMac(bus, item.mac) for item in entry.drives}
+    return DeviceNet(entry, bus, scanner, trunk, options, drops, strangers)
 
 
 def connect(cpu: Cpu, network: DeviceNet) -> None:

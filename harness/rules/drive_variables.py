@@ -2,24 +2,26 @@
 
 from collections.abc import Callable, Iterable, Sequence
 
-from fbgen.plant import PlantGateway, with_prefix
+from fbgen.plant import PlantGateway, SerialLine, with_prefix
 from harness.engine.interface import Value
 from harness.installation import Installation
 
+Unit = PlantGateway | SerialLine
+"""What drives are connected to."""
 ReadDrives = Callable[[], "list[tuple[str, Sequence[Value]]]"]
 """The values of each drive, with its name."""
 
 
 def drive_reader(
-    plant: Installation, gateways: Iterable[PlantGateway], variables: Sequence[str]
+    plant: Installation, units: Iterable[Unit], variables: Sequence[str]
 ) -> ReadDrives:
-    """What reads these variables, such as `polled.lost`, of all drives of the gateways at once."""
+    """What reads these variables, such as `polled.lost`, of all drives of the units at once."""
     data = with_prefix("TOS_Plant", plant.plan.prefix)
     names, paths = [], []
-    for gateway in gateways:
-        for drive in gateway.drives:
+    for unit in units:
+        for drive in unit.drives:
             names.append(drive.name)
-            paths += [f"{data}.{gateway.name}.{drive.name}.{name}" for name in variables]
+            paths += [f"{data}.{unit.name}.{drive.name}.{name}" for name in variables]
     read, count = plant.cpu.engine.reader(paths), len(variables)
 
     def values() -> list[tuple[str, Sequence[Value]]]:

@@ -6,6 +6,7 @@ All rules about telegrams listen to the same log of a line.
 """
 
 from collections.abc import Callable, Iterator, Sequence
+from typing import Protocol
 
 from fbgen.blocks.line_times import HEARTBEAT_CHARACTERS, LONGEST_BUS_CYCLE_MS
 from fbgen.dataclass import dataclass
@@ -171,7 +172,15 @@ class LineLog:
             self._put.forgets()
 
 
-def telling(logs: Sequence[LineLog], found: list[str]) -> Watch:
+class Log(Protocol):
+    """What notes what is on a line, until somebody looks."""
+
+    def look(self) -> None:
+        """Tell everything up to now."""
+        ...
+
+
+def telling(logs: Sequence[Log], found: list[str]) -> Watch:
     """What tells, behind each scan, everything that the listeners of the logs have found."""
 
     def broken() -> Iterator[str]:

@@ -7,7 +7,7 @@ gateway for process data a drive that is not online is one whose answer is missi
 from collections.abc import Iterator
 
 from harness.installation import Installation
-from harness.rules.drive_variables import drive_reader
+from harness.rules.drive_variables import Unit, drive_reader
 from harness.rules.rule import Rule, Watch
 
 _SHOWN = ("state.running", "state.ready")
@@ -16,7 +16,8 @@ _AT_AN_INTERFACE = ("state.online", "polled.tripped", *_SHOWN)
 
 
 def _watch(plant: Installation) -> Watch:
-    on_lines = drive_reader(plant, plant.telegram_entries, _ON_A_LINE)
+    lines: tuple[Unit, ...] = (*plant.telegram_entries, *plant.plan.serial)
+    on_lines = drive_reader(plant, lines, _ON_A_LINE)
     at_interfaces = drive_reader(plant, plant.interface_entries, _AT_AN_INTERFACE)
     since: dict[str, int] = {}
 

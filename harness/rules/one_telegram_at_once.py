@@ -10,6 +10,7 @@ it goes to the same drive: that hears one telegram at a time, and nothing is los
 
 from collections.abc import Mapping
 
+from fbgen.catalog import Catalog
 from fbgen.wire.toshiba import BROADCAST, Command
 from harness.installation import Installation
 from harness.kernel import NS_PER_MS
@@ -17,6 +18,8 @@ from harness.rules.answers import Answer
 from harness.rules.line_log import LineLog, Sent, line_logs, telling
 from harness.rules.put_out import Sending
 from harness.rules.rule import Rule, Watch
+from harness.rules.serial_log import SerialAnswer, SerialLog, SerialSent, serial_logs
+from harness.rules.serial_telegrams import Wanted
 
 _ANSWERED = (Command.R, Command.G, Command.W, Command.P)
 
@@ -64,21 +67,54 @@ class _Waiting:
             self._open_until_ns = answer.end_ns
 
 
+class _SerialWaiting:
+    """Until when the reply to the last telegram of a serial line may come."""
+
+    def __init__(self, log: SerialLog, catalog: Catalog, found: list[str]) -> None:
+        self._name = log.line.name
+        self._reply_ns = {
+            item.inv_no: catalog.drive(item.series).times.reply_max.ns for item in log.line.drives
+        }
+        self._found = found
+        self._asked: Wanted | None = None
+        self._open_until_ns = 0
+        log.on_sent.append(self._sent)
+        log.on_answer.append(self._answered)
+
+    def _sent(self, sent: SerialSent) -> None:
+        early_ns = self._open_until_ns - sent.start_ns
+        if early_ns > 0:
+            self._found.append(
+                f"{self._name}: {sent.frame.hex(' ').upper()} began {early_ns / NS_PER_MS:.3f} ms "
+                f"before the reply to {self._asked} was over or out of time"
+            )
+        self._asked, self._open_until_ns = sent.wanted, 0
+        if sent.wanted is not None and sent.wanted.inv_no in self._reply_ns:
+            frame_ns = sent.end_ns - sent.start_ns
+            reply_ns = self._reply_ns[sent.wanted.inv_no]
+            self._open_until_ns = sent.end_ns + reply_ns + frame_ns
+
+    def _answered(self, answer: SerialAnswer) -> None:
+        self._open_until_ns = min(self._open_until_ns, answer.end_ns)
+
+
 def _answerer(sent: Sent) -> int:
     """A broadcast is answered by drive 00."""
     return 0 if sent.telegram[0] == BROADCAST else sent.telegram[0]
 
 
 def _watch(plant: Installation) -> Watch:
-    logs = line_logs(plant)
+    logs, serial = line_logs(plant), serial_logs(plant)
     found: list[str] = []
+    for line in serial:
+        _SerialWaiting(line, plant.catalog, found)
     for log, entry in zip(logs, plant.telegram_entries, strict=True):
         reply_ns = {
             item.inv_no: plant.catalog.drive(item.series).times.reply_max.ns
             for item in entry.drives
         }
         _Waiting(log, reply_ns, plant.gateways[log.gateway].settings.processing_ns, found)
-    return telling(logs, found)
+    return telling((*logs, *serial), found)
 
 
 RULE = Rule("one_telegram_at_once", "Nothing is asked while a reply may still come", _watch)

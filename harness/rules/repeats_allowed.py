@@ -13,6 +13,7 @@ from fbgen.wire.toshiba import Command
 from harness.installation import Installation
 from harness.rules.line_log import Job, LineLog, line_logs, telling
 from harness.rules.rule import Rule, Watch
+from harness.rules.serial_log import SerialLog, SerialSent, serial_logs
 
 _COMMAND_WORD, _FAULT_RESET = 0xFA00, 0x2000
 
@@ -57,12 +58,32 @@ class _Attempts:
             self._found.append(f"{self._log.gateway}: {shown} was put out {job.attempts} times")
 
 
+class _SerialAttempts:
+    """How often something went out on a serial line for one job; nothing is read in front."""
+
+    def __init__(self, log: SerialLog, found: list[str]) -> None:
+        self._name = log.line.name
+        self._found = found
+        log.on_sent.append(self._sent)
+
+    def _sent(self, sent: SerialSent) -> None:
+        job = sent.job
+        if job is None:
+            return
+        most = most_attempts(job.telegram, job.retries, (), reply_expected=job.reply_expected)
+        if job.attempts > most:
+            shown = f"{job.wanted} went out {job.attempts} times"
+            self._found.append(f"{self._name}: {shown}")
+
+
 def _watch(plant: Installation) -> Watch:
-    logs = line_logs(plant)
+    logs, serial = line_logs(plant), serial_logs(plant)
     found: list[str] = []
+    for line in serial:
+        _SerialAttempts(line, found)
     for log, entry in zip(logs, plant.telegram_entries, strict=True):
         _Attempts(log, spacers_of(plant.catalog.drive(entry.drives[0].series)), found)
-    return telling(logs, found)
+    return telling((*logs, *serial), found)
 
 
 RULE = Rule("repeats_allowed", "Only what a drive may get twice is repeated", _watch)

@@ -9,6 +9,7 @@ from harness.kernel import NS_PER_MS
 from harness.rules.line_log import LineLog, Sent, line_logs, telling
 from harness.rules.put_out import Sending
 from harness.rules.rule import Rule, Watch
+from harness.rules.serial_log import SerialLog, SerialSent, serial_logs
 
 _WRONG = {
     Sending.REPEATED: "went out once more without a new trigger",
@@ -31,12 +32,29 @@ class _Telegrams:
             self._found.append(f"{self._log.gateway}: {shown} at {when} {_WRONG[sent.sending]}")
 
 
+class _SerialTelegrams:
+    """What goes over one serial line: each telegram is of the job of that time."""
+
+    def __init__(self, log: SerialLog, found: list[str]) -> None:
+        self._name = log.line.name
+        self._found = found
+        log.on_sent.append(self._sent)
+
+    def _sent(self, sent: SerialSent) -> None:
+        if sent.job is None:
+            shown = sent.frame.hex(" ").upper()
+            when = f"{sent.start_ns / NS_PER_MS:.3f} ms"
+            self._found.append(f"{self._name}: {shown} at {when} {_WRONG[Sending.FOREIGN]}")
+
+
 def _watch(plant: Installation) -> Watch:
-    logs = line_logs(plant)
+    logs, serial = line_logs(plant), serial_logs(plant)
     found: list[str] = []
     for log in logs:
         _Telegrams(log, found)
-    return telling(logs, found)
+    for line in serial:
+        _SerialTelegrams(line, found)
+    return telling((*logs, *serial), found)
 
 
 RULE = Rule(

@@ -8,6 +8,7 @@ from fbgen.diagnostics import Diagnostic, DiagnosticError, Note
 from fbgen.nearest import nearest
 from fbgen.plant import Plant, problems_of
 from harness.drives import Inverter, InverterSettings
+from harness.installation import without_effect
 from harness.kernel import Kernel
 from harness.line import Line
 from harness.scenario.model import DriveSetup, Scenario, Variation
@@ -52,7 +53,8 @@ def _of_variation(found: Diagnostic, variation: Variation) -> Diagnostic:
 
 
 def device_problems(scenario: Scenario, plan: Plant, catalog: Catalog) -> Iterator[Diagnostic]:
-    """FB8003 for devices that the plant does not have, and what series of drives do not take."""
+    """FB8003 for devices that the plant does not have, FB7503 for what has no effect on them, and
+    what series of drives do not take."""
     gateways = [
         item.name
         for item in plan.gateways
@@ -67,6 +69,8 @@ def device_problems(scenario: Scenario, plan: Plant, catalog: Catalog) -> Iterat
     for name, setup in scenario.drives.items():
         if name in known:
             yield from _parameter_problems(setup, catalog.drive(known[name]))
+            places = {key: setup.span_of(key) for key in ("port", "reply_time")}
+            yield from without_effect(plan, name, setup.conditions(), places)
         else:
             message = f"there is no drive '{name}' in the plant '{plan.name}'"
             place = key_span(scenario, "drives", name)

@@ -6,6 +6,7 @@ from harness.fieldbus.devicenet.connection import Connection, ConnectionState
 from harness.fieldbus.devicenet.scanner import ScanEntry, ScannedSlave, Scanner, SlaveState
 from harness.fieldbus.devicenet.settings import Network, NodeSettings
 from harness.fieldbus.devicenet.slave import DeviceNetSlave
+from harness.fieldbus.devicenet.stranger import NodeWithMac
 
 __all__ = [
     "Application",
@@ -16,6 +17,7 @@ __all__ = [
     "DeviceNetSlave",
     "Network",
     "NodeSettings",
+    "NodeWithMac",
     "ScanEntry",
     "ScannedSlave",
     "Scanner",

@@ -102,6 +102,7 @@ class ScannedSlave:
 
 class Scanner:
     """The master on the bus. While `idle` it polls without data: slaves go on as they were told.
+    `idle` follows the CPU; `held_idle` is so whatever the CPU does.
 
     `on` until it is stopped, or finds out that another node has its MAC ID.
     Functions in `on_state` are called with a slave whose state is another.
@@ -114,6 +115,7 @@ class Scanner:
         "_put",
         "_receivers",
         "_scan_ns",
+        "held_idle",
         "idle",
         "mac",
         "on",
@@ -136,7 +138,7 @@ class Scanner:
         self._scan_ns = scan_ns
         self.mac = mac
         self.vendor, self.serial = 0, 0
-        self.idle = self.on = False
+        self.idle = self.held_idle = self.on = False
         self.on_state: list[Callable[[ScannedSlave], None]] = []
         self._life = 0
         self._online = False
@@ -157,7 +159,7 @@ class Scanner:
         """What it does: nothing, poll without data, exchange data."""
         if not self.on:
             return "OFF"
-        return "IDLE" if self.idle else "RUN"
+        return "IDLE" if self.idle or self.held_idle else "RUN"
 
     def start(self) -> None:
         """Say who it is, twice, and then begin to scan."""
@@ -290,7 +292,7 @@ class Scanner:
             if slave.missed >= _MISSED:
                 self._drop(slave)
                 return
-        data = b"" if self.idle else slave.outputs
+        data = slave.outputs if self.mode == "RUN" else b""
         if choice & _COS_CHOICE and slave.sent == data and now_ns - slave.sent_ns < rate_ns:
             return
         slave.waits, slave.sent, slave.sent_ns = True, data, now_ns
@@ -317,6 +319,9 @@ class Scanner:
         self._take(slave, data)
 
     def _take(self, slave: ScannedSlave, data: bytes) -> None:
+        """A slave with data of another length is not the one of the scan list: it is given up."""
         slave.heard_ns = self._kernel.now_ns
         if len(data) == slave.entry.input_length:
             slave.inputs = data
+        else:
+            self._drop(slave)

@@ -118,6 +118,11 @@ class Dev003z:
         self.node.receive(frame)
 
     @property
+    def powered(self) -> bool:
+        """Whether it has its supply, which comes from the inverter."""
+        return self._powered
+
+    @property
     def state(self) -> State:
         """State of the Control Supervisor."""
         return self.supervisor.state

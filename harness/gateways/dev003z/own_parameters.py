@@ -40,6 +40,10 @@ class OwnParameters:
     def __getitem__(self, name: str) -> int:
         return self._values[name]
 
+    def set(self, name: str, value: int) -> None:
+        """Set at the panel of the inverter; `value` is one that it takes."""
+        self._values[name] = value
+
     def reset(self) -> None:
         """As delivered from the factory."""
         self._values = {name: item.default for name, item in self._parameters.items()}

@@ -81,7 +81,7 @@ def snapshot(plant: Installation) -> dict[str, object]:
         "overwrites": gateway.overwrites.probability,
         "to_drives": _pair(line.master_pair),
         "from_drives": _pair(line.slave_pair),
-        **{name: _drive(drive) for name, drive in plant.drives.items()},
+        **{name: drive_state(drive) for name, drive in plant.drives.items()},
     }
 
 
@@ -97,7 +97,7 @@ def _pair(pair: Pair) -> dict[str, object]:
     }
 
 
-def _drive(drive: Inverter) -> dict[str, object]:
+def drive_state(drive: Inverter) -> dict[str, object]:
     port = drive.communication
     return {
         "powered": drive.powered,

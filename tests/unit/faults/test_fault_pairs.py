@@ -16,7 +16,7 @@ from harness.kernel import NS_PER_MS, NS_PER_S
 from tests.unit.faults.fault_plant import all_is_well, fault, five_drives, snapshot, started
 
 HERE = sorted(name for name in FAULTS if not name.startswith("devicenet_"))
-"""The faults that a plant without DeviceNet can have."""
+"""The faults of a plant without DeviceNet; for the others see `test_devicenet_faults`."""
 SETTLING_NS = 25 * NS_PER_MS
 STRONGER: dict[str, Mapping[str, float | str]] = {
     "cpu_jitter": {"up_to": "8 ms"},

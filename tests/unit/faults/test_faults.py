@@ -73,8 +73,8 @@ CHANGES: dict[str, Mapping[str, Any]] = {
 }
 """What each fault changes, as it is without settings; what comes of the others is seen."""
 
-OF_DEVICENET = {"devicenet_bus_off", "devicenet_interrupted"}
-"""Those that this plant cannot have: tests/unit/plant/test_devicenet_in_a_plant.py."""
+OF_DEVICENET = {name for name in FAULTS if name.startswith("devicenet_")}
+"""Those that this plant cannot have: test_devicenet_faults.py."""
 
 SEEN_ELSEWHERE = {
     "drive_tripped",

@@ -192,7 +192,11 @@ def test_a_cpu_without_supply_silences_its_scanner(plant: Installation) -> None:
         ("devicenet_interrupted", "net1", [False, False], [True, True]),
         ("drive_disconnected", "outfeed", [True, False], [True, True]),
         ("drive_unpowered", "infeed", [False, True], [True, True]),
-        ("devicenet_bus_off", "infeed", [False, True], [False, True]),
+        ("devicenet_bus_off", "infeed", [False, True], [True, True]),
+        ("devicenet_mac_doubled", "infeed", [False, True], [True, True]),
+        ("devicenet_wrong_assembly", "infeed", [False, True], [True, True]),
+        ("devicenet_wrong_assembly", "outfeed", [True, False], [True, True]),
+        ("devicenet_scanner_idle", "net1", [True, True], [True, True]),
     ],
 )
 def test_a_fault_of_the_network_is_seen_and_over(

@@ -10,8 +10,10 @@ from harness.scenario import run_case, scenario_cases
 
 BAD = Path(__file__).parents[1] / "bad"
 FILES = [
+    ("FB7503_no_port_on_devicenet", 6, 24),
     ("FB7520_no_other_drive", 7, 15),
     ("FB7521_overlaps_itself", 5, 34),
+    ("FB7523_no_such_assemblies", 8, 15),
     ("FB8001_not_fulfilled", 6, 14),
     ("FB8002_contradiction", 6, 35),
     ("FB8003_unknown_path", 5, 14),
@@ -48,7 +50,12 @@ def test_a_broken_scenario_is_reported_at_its_place(name: str, line: int, column
 
 
 def test_every_broken_file_is_tried() -> None:
-    codes = ("FB752", "FB80[0-5]", "FB807[01]")  # the others are of files of other commands
+    codes = (
+        "FB750",
+        "FB752",
+        "FB80[0-5]",
+        "FB807[01]",
+    )  # the others are of files of other commands
     assert {path.stem for code in codes for path in BAD.glob(f"{code}*.yaml")} == {
         name for name, _, _ in FILES
     }
