@@ -244,6 +244,16 @@ def unknown_output(node: RoutineCall, name: str, known: Sequence[str]) -> Diagno
     )
 
 
+def too_many_bytes(node: RoutineCall, given: int, size: int) -> DiagnosticError:
+    """FB6071: a stub gives more bytes than the area has that the call hands over."""
+    return error(
+        "FB6071",
+        f"the stub of {node.name} gave {given} bytes, and the area has {size}",
+        node.span,
+        "give it no more bytes than it has",
+    )
+
+
 # --- what is asked from outside ---------------------------------------------------------------
 
 

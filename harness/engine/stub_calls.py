@@ -4,10 +4,12 @@ from collections.abc import Mapping
 
 from fbgen.lang.checked import WORKS, Program, RoutineCall
 from fbgen.lang.checker.types.literals import default_value
-from fbgen.lang.types import INT, VOID, WORD, Elementary, StringType, StructType, Type
-from harness.engine.faults import not_modelled, unknown_output, wrong_result
+from fbgen.lang.types import INT, VOID, WORD, ArrayType, Elementary, StringType, StructType, Type
+from harness.engine.faults import not_modelled, too_many_bytes, unknown_output, wrong_result
 from harness.engine.interface import Value
+from harness.engine.layout import S7
 from harness.engine.model_calls import call_model
+from harness.engine.stubbed_instructions import octets
 from harness.engine.stubs import Stubs, StubState
 from harness.engine.values import accept
 
@@ -36,7 +38,7 @@ def call_stub(
     given = action(**inputs)
     key = RESULT.casefold()
     if isinstance(given, Mapping) and (node.instance is not None or not _is_result(node, given)):
-        results = _by_name(program, node, given)
+        results = _by_name(program, node, given, inputs)
     elif given is None:
         results = {}
     elif node.type == VOID:
@@ -71,19 +73,34 @@ def _is_result(node: RoutineCall, given: Mapping[object, object]) -> bool:
 
 
 def _by_name(
-    program: Program, node: RoutineCall, given: Mapping[object, object]
+    program: Program,
+    node: RoutineCall,
+    given: Mapping[object, object],
+    inputs: Mapping[str, Value],
 ) -> dict[str, Value]:
     kinds = _kinds(program, node)
+    kept = {name.casefold(): value for name, value in inputs.items()}
     accepted: dict[str, Value] = {}
     for name, value in given.items():
-        kind = kinds.get(str(name).casefold())
-        if kind is not None:
-            path = f"{node.name}.{name}"
-            accepted[str(name).casefold()] = accept(program, path, kind, value)
+        key = str(name).casefold()
+        kind = kinds.get(key)
+        if isinstance(kind, ArrayType | StructType) and isinstance(value, str | bytes):
+            accepted[key] = _area(node, kind, value, kept.get(key))
+        elif kind is not None:
+            accepted[key] = accept(program, f"{node.name}.{name}", kind, value)
         elif str(name).upper() != RESULT:
             known = [one for one, _ in node.outputs]
             raise unknown_output(node, str(name), known)
     return accepted
+
+
+def _area(node: RoutineCall, kind: Type, given: str | bytes, before: Value | None) -> Value:
+    """An area of the program with the bytes of the stub; behind them it stays as it was."""
+    data, size = octets(node.name, given, node.span), S7.size_bytes(kind)
+    if len(data) > size:
+        raise too_many_bytes(node, len(data), size)
+    rest = bytes(size) if before is None else S7.encode(kind, before)
+    return S7.decode(kind, data + rest[len(data) :])
 
 
 def _kinds(program: Program, node: RoutineCall) -> dict[str, Type]:

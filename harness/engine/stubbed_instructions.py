@@ -1,4 +1,4 @@
-"""System instructions that a stub carries out where there is no hardware."""
+"""System instructions that a stub carries out where there is no hardware; areas as bytes."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
@@ -35,13 +35,14 @@ def carry_out(
     for key, value in by_key.items():
         if key not in areas:
             raise _wrong(name, f"'{key}', which the call does not ask for", span)
-        areas[key].write(_octets(name, value, span))
+        areas[key].write(octets(name, value, span))
     if not isinstance(status, int) or not -_WORD // 2 <= status < _WORD:
         raise _wrong(name, f"{status!r}, and the call has an INT", span)
     return status - _WORD if status >= _WORD // 2 else int(status)
 
 
-def _octets(name: str, value: object, span: Span) -> bytes:
+def octets(name: str, value: object, span: Span) -> bytes:
+    """The bytes of an area that a stub gave, as such or in hexadecimal. Raises FB6071."""
     if isinstance(value, bytes):
         return value
     try:

@@ -29,6 +29,7 @@ MANUAL_EXAMPLE = (EXAMPLES / "manual_example" / "plant.yaml").read_text("utf-8")
 FIVE_DRIVES = (EXAMPLES / "five_drives" / "plant.yaml").read_text("utf-8")
 PBDP110 = (EXAMPLES / "pbdp110" / "plant.yaml").read_text("utf-8")
 CHANNELS = (ROOT / "tests" / "scenarios" / "devicenet" / "two_channels.yaml").read_text("utf-8")
+SERIAL = (EXAMPLES / "serial" / "plant.yaml").read_text("utf-8")
 BY_WORDS = {
     "layout: module2": "layout: module2\n    identifiers: 6F 5F 57",
     "access: dpxx_dat": "access: per_identifier",
@@ -96,7 +97,21 @@ PLANTS = {
     "five_drives.tia": FIVE_DRIVES,
     "five_drives.step7": changed(FIVE_DRIVES, STEP7),
     "five_drives.iec": changed(FIVE_DRIVES, IEC),
+    "serial.tia": SERIAL,
 }
+PORTS = {
+    "serial_port.step7": changed(SERIAL, STEP7),
+    "serial_port_cp_341.step7": changed(SERIAL, STEP7 | {"    wires: 4": "    module: cp_341"}),
+    "serial_port.iec": changed(
+        SERIAL, {"dialect: tia": "dialect: iec", "plc: s7-1500": "plc: iec"}
+    ),
+}
+"""The same line at other modules: only what reaches the module differs from `serial.tia`."""
+
+PARTS_OF_PORTS = re.compile(
+    r'^(FUNCTION_BLOCK|DATA_BLOCK) "?(?:TIP_Port_|TIP_Buffer_).*?^END_\1\n',
+    re.DOTALL | re.MULTILINE,
+)
 
 
 def generated(text: str) -> GeneratedSet:
@@ -118,9 +133,15 @@ def test_the_generated_text_is_as_before(name: str, golden: Callable[[str, str],
     golden(f"{name}.txt", in_one(generated(PLANTS[name])))
 
 
+@pytest.mark.parametrize("name", PORTS)
+def test_the_text_of_a_port_is_as_before(name: str, golden: Callable[[str, str], None]) -> None:
+    text = in_one(generated(PORTS[name]))
+    golden(f"{name}.txt", "\n".join(part[0] for part in PARTS_OF_PORTS.finditer(text)))
+
+
 def test_every_golden_file_is_compared() -> None:
     kept = {path.name.removesuffix(".txt") for path in Path(__file__).parent.glob("*.txt")}
-    assert kept == set(PLANTS)
+    assert kept == {*PLANTS, *PORTS}
 
 
 @pytest.mark.parametrize(

@@ -33,6 +33,42 @@ def test_a_function_gets_inputs_as_written_and_gives_outputs_by_name(engine_name
     assert (block.state, block.count, block.text, list(block.data)) == (-1, 3, "bus", [1, 2, 3, 4])
 
 
+AREA = """FUNCTION_BLOCK "Receiver"
+VAR_OUTPUT got : Bool; END_VAR
+VAR
+  port : Receive_P2P;
+  record : STRUCT count : Int; bytes : Array[1..3] of Byte; END_STRUCT;
+END_VAR
+BEGIN
+#port(PORT := 270, BUFFER := #record, NDR => #got);
+END_FUNCTION_BLOCK
+"""
+
+
+def test_an_area_is_given_as_its_bytes_and_stays_as_it_was_behind_them(engine_name: str) -> None:
+    program = load_program([Source("receiver.scl", AREA)], engine=engine_name)
+    block = program.instance("Receiver")
+    for given, count, octets in (
+        ("01 02 0A 0B 0C", 0x0102, [10, 11, 12]),
+        (b"\x03\x04\x0d", 0x0304, [13, 11, 12]),
+        ("", 0x0304, [13, 11, 12]),
+    ):
+        program.stub("RECEIVE_P2P", lambda given=given, **_: {"NDR": True, "buffer": given})
+        block()
+        assert (block.got, block.record.count) == (True, count)
+        assert list(block.record.bytes) == octets
+
+
+@pytest.mark.parametrize("given", ["01 02 0A 0B 0C 0D 0E", "soon", b"1234567"])
+def test_an_area_takes_no_more_bytes_than_it_has_and_nothing_else(
+    engine_name: str, given: str | bytes
+) -> None:
+    program = load_program([Source("receiver.scl", AREA)], engine=engine_name)
+    program.stub("RECEIVE_P2P", lambda **_: {"BUFFER": given})
+    with pytest.raises(DiagnosticError, match="FB6071"):
+        program.instance("Receiver")()
+
+
 def test_a_function_may_give_its_result_alone(engine_name: str) -> None:
     program = loaded(engine_name)
     program.stub("get_diag", lambda **inputs: inputs["MODE"] + 1)
