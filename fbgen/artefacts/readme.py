@@ -17,6 +17,7 @@ from fbgen.artefacts.memory import (
 )
 from fbgen.artefacts.readme_devicenet import network_rows, without_command_word, without_links
 from fbgen.artefacts.readme_serial import serial_notes, serial_poll, serial_row, serial_worst
+from fbgen.artefacts.readme_wiring import settings_of_drives, wiring
 from fbgen.artefacts.view import PlantLists, place_in
 from fbgen.blocks.dev_parameters import has_channel
 from fbgen.blocks.line_times import line_times
@@ -170,10 +171,11 @@ def _context(
         "assumed": [item.name for item in lists.at_channels if lists.layout(item).unverified],
         "gateways": [_gateway(item, lists) for item in plant.gateways],
         "serial": [serial_row(item, lists) for item in plant.serial],
-        "serial_notes": list(serial_notes(lists)),
         "devicenet": list(network_rows(lists)),
         "without_links": without_links(lists),
         "without_command_word": without_command_word(lists),
+        "serial_notes": [*serial_notes(lists), *wiring(lists), *settings_of_drives(lists)],
+        "io": any(name.endswith("_io.csv") for name in names),
         "units": [_unit(item) for item in plant.units],
         "access_notes": list(_access_notes(lists)),
         "sequences": [_sequence(name, lists) for name in plant.sequences],

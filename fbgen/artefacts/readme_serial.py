@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
+from fbgen.artefacts.readme_wiring import in_milliseconds
 from fbgen.artefacts.view import PlantLists
 from fbgen.blocks.serial_lines import instructions_of, port_kind
 from fbgen.blocks.serial_times import READS_A_DRIVE, serial_times
@@ -15,6 +16,7 @@ _TITLES = {
     "cp_440": "CP 440",
     "adapter": "adapter",
 }
+_DELAY_BITS = 44
 _PROTOCOLS = {
     "toshiba_binary": ("Toshiba, binary", "Toshiba, binär"),
     "toshiba_ascii": ("Toshiba, ASCII", "Toshiba, ASCII"),
@@ -23,13 +25,19 @@ _PROTOCOLS = {
 _MODULES = {
     "freeport": (
         "Set the module to freeport. Start of a message: any character; end of a message: "
-        "character delay time of 44 bit times, and nothing else; no flow control; {wires}. A CM "
-        "1241 needs firmware V2.1 for Send_P2P and Receive_P2P. The character delay time is four "
-        "characters; at 38400 bit/s and more set 100 bit times, as the help of TIA Portal advises.",
+        "character delay time of 44 bit times, and nothing else; no flow control; {wires}. Initial "
+        "state of the receive line: R(A) 0 V, R(B) 5 V, no wire break detection: while no drive "
+        "replies, nobody drives that pair. A CM 1241 needs firmware V2.1 for Send_P2P and "
+        "Receive_P2P. The character delay time is four characters; at 38400 bit/s and more set 100 "
+        "bit times, as the help of TIA Portal advises. `portStatus` 81xx: what came was damaged; "
+        "82xx, 8Fxx: the module does not answer.",
         "Das Modul auf Freeport stellen. Beginn einer Nachricht: beliebiges Zeichen; Ende: "
-        "Zeichenverzugszeit von 44 Bitzeiten, sonst nichts; keine Flusskontrolle; {wires}. Ein CM "
-        "1241 braucht für Send_P2P und Receive_P2P Firmware V2.1. Die Zeichenverzugszeit sind vier "
-        "Zeichen; ab 38400 bit/s 100 Bitzeiten einstellen, wie es die Hilfe von TIA Portal rät.",
+        "Zeichenverzugszeit von 44 Bitzeiten, sonst nichts; keine Flusskontrolle; {wires}. "
+        "Vorbelegung der Empfangsleitung: R(A) 0 V, R(B) 5 V, keine Drahtbrucherkennung: Solange "
+        "kein Antrieb antwortet, treibt niemand dieses Paar. Ein CM 1241 braucht für Send_P2P und "
+        "Receive_P2P Firmware V2.1. Die Zeichenverzugszeit sind vier Zeichen; ab 38400 bit/s 100 "
+        "Bitzeiten einstellen, wie es die Hilfe von TIA Portal rät. `portStatus` 81xx: Was kam, "
+        "war beschädigt; 82xx, 8Fxx: Das Modul antwortet nicht.",
     ),
     "modbus_master": (
         "The program sets the module by Modbus_Comm_Load: rate, parity, {wires}; in the device "
@@ -43,12 +51,17 @@ _MODULES = {
         "Bausteine die Telegramme.",
     ),
     "cp34x": (
-        "Set the CP to the ASCII driver, end of a message: after the character delay time, of four "
-        "characters; no flow control; {wires}. {instructions} come from the library of the CP. "
-        "{buffers}",
+        "Set the CP to the ASCII driver, end of a message: after the character delay time, of "
+        "four characters ({delays}); no flow control; {wires}. Initial state of the receive line: "
+        "R(A) 0 V, R(B) 5 V, not the default with break detection: while no drive replies, nobody "
+        "drives that pair. {instructions} come from the library of the CP. {buffers} `portStatus` "
+        "08xx: what came was damaged (0810 parity); 1Exx: the CP does not answer.",
         "Den CP auf den ASCII-Treiber stellen, Ende einer Nachricht: nach der Zeichenverzugszeit "
-        "von vier Zeichen; keine Flusskontrolle; {wires}. {instructions} stehen in der Bibliothek "
-        "des CP. {buffers}",
+        "von vier Zeichen ({delays}); keine Flusskontrolle; {wires}. Vorbelegung der "
+        "Empfangsleitung: R(A) 0 V, R(B) 5 V, nicht die Voreinstellung mit Break-Erkennung: "
+        "Solange kein Antrieb antwortet, treibt niemand dieses Paar. {instructions} stehen in der "
+        "Bibliothek des CP. {buffers} `portStatus` 08xx: Was kam, war beschädigt (0810 Parität); "
+        "1Exx: Der CP antwortet nicht.",
     ),
     "adapter": (
         "Your own program sends and receives, by the serial library of the PLC: when "
@@ -67,13 +80,24 @@ _MODULES = {
         "oder des Rahmens, mit `failed` ist der Anschluss nicht zu gebrauchen.",
     ),
 }
-_WIRES = {
-    4: (
+_TWO_WIRES = ("half duplex (RS485), two-wire", "Halbduplex (RS485), zwei Adern")
+_FOUR_WIRES = {
+    "cm_ptp": (
+        "full duplex (RS422), four-wire, point-to-point (multipoint master is offered by the CM "
+        "PtP of an ET 200SP alone; this module is the only one that sends on its pair)",
+        "Vollduplex (RS422), vier Adern, Punkt-zu-Punkt (Mehrpunkt-Master bietet nur das CM PtP "
+        "einer ET 200SP; auf seinem Paar sendet ja nur dieses Modul)",
+    ),
+    "cm_1241": (
+        "full duplex (RS422), four-wire, point-to-point",
+        "Vollduplex (RS422), vier Adern, Punkt-zu-Punkt",
+    ),
+    "cp_440": (
         "full duplex (RS422), four-wire, multipoint master",
         "Vollduplex (RS422), vier Adern, Mehrpunkt-Master",
     ),
-    2: ("half duplex (RS485), two-wire", "Halbduplex (RS485), zwei Adern"),
 }
+_OTHER_FOUR_WIRES = ("full duplex (RS422), four-wire", "Vollduplex (RS422), vier Adern")
 
 
 def serial_row(line: SerialLine, lists: PlantLists) -> dict[str, str]:
@@ -92,26 +116,29 @@ def serial_row(line: SerialLine, lists: PlantLists) -> dict[str, str]:
         "baud": str(line.baud),
         "parity": lists.texts(line.parity),
         "wires": str(line.wires),
-        "timeout": str(serial_times(plant, line, lists.catalog).drive_timeout_s),
     }
 
 
 def serial_notes(lists: PlantLists) -> Iterator[str]:
     """What is set at the modules; once for each way of setting."""
     plant = lists.plant
-    found = {(port_kind(plant, line), line.wires) for line in plant.serial}
-    for kind, wires in sorted(found):
+    found = {
+        (port_kind(plant, line), module_of(line, plant.plc), line.wires) for line in plant.serial
+    }
+    for kind, module, wires in sorted(found):
+        delays = [
+            in_milliseconds(lists, line, _DELAY_BITS)
+            for line in plant.serial
+            if (module_of(line, plant.plc), line.wires) == (module, wires)
+        ]
+        four = _FOUR_WIRES.get(module, _OTHER_FOUR_WIRES)
         yield lists.in_words(*_MODULES[kind]).format(
-            wires=lists.in_words(*_WIRES[wires]),
-            instructions=", ".join(sorted(_instructions(lists))),
+            wires=lists.in_words(*(four if wires == 4 else _TWO_WIRES)),
+            delays=", ".join(delays),
+            instructions=", ".join(instructions_of(module)),
             buffers=_buffers(lists),
             adapters=lists.name("TIP_Adapters"),
         )
-
-
-def _instructions(lists: PlantLists) -> set[str]:
-    modules = {module_of(line, lists.plant.plc) for line in lists.plant.serial}
-    return {name for one in modules for name in instructions_of(one)}
 
 
 def _buffers(lists: PlantLists) -> str:

@@ -14,9 +14,10 @@ _PORT_KINDS = {
 }
 """Module of the plant file -> the template that reaches it."""
 _PARITIES = {"none": 0, "odd": 1, "even": 2}
-_LINE_MODES = {4: 2, 2: 4}
-"""Wires -> MODE of Modbus_Comm_Load: four as the master of several, two. Source: S7-1200 System
-Manual A5E02486680, table 13-72, which names the first for the CM PtP alone."""
+_LINE_MODES = {4: 1, 2: 4}
+"""Wires -> MODE of Modbus_Comm_Load: four, point-to-point, and two. Source: S7-1200 System Manual
+A5E02486680, table 13-72; TIA Portal Information System, "RS422 mode (S7-1500)": mode 2, multipoint
+master, is of the CM PtP of an ET 200SP alone. The module is the only one that sends on its pair."""
 
 
 _INSTRUCTIONS = {

@@ -249,3 +249,68 @@ def test_a_template_of_the_users_own_takes_its_place(tmp_path: Path) -> None:
     lists = PlantLists(plant, catalog, generated(), "en")
     made = readme(lists, work_memory(lists), [], [tmp_path])
     assert made.data == b"Our hall: TOS_Main\n"
+
+
+SERIAL = """\
+version: 1
+name: hall
+dialect: tia
+plc: {plc}
+serial:
+  - name: line1
+    hardware_identifier: 270
+    address: 256
+    {line}
+    drives:
+      - {{name: pump, inv_no: 1, series: {series}, max_frequency_hz: 50.0}}
+"""
+
+
+def serial_page(
+    dialect: str, plc: str = "s7-1500", line: str = "baud: 9600", series: str = "vf-s11"
+) -> str:
+    return page(dialect, text=SERIAL.format(plc=plc, line=line, series=series))
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_without_gateways_nothing_is_said_of_their_bytes(dialect: str) -> None:
+    text = serial_page(dialect)
+    assert "gateway's bytes" not in text
+    assert "io.csv" not in text
+    assert "error_obs" not in text
+    numbers = [int(one) for one in re.findall(r"^(\d)\. ", text, re.M)]
+    assert numbers == list(range(1, len(numbers) + 1))
+
+
+@pytest.mark.parametrize(
+    ("plc", "dialect", "line", "says"),
+    [
+        ("s7-1500", "tia", "wires: 4", "four-wire, point-to-point (multipoint master is offered"),
+        ("s7-1200", "tia", "wires: 4", "four-wire, point-to-point. Initial"),
+        ("s7-300", "tia", "baud: 9600", "four characters (5 ms at `line1`)"),
+        ("s7-400", "tia", "wires: 4", "SEND_440, RECV_440 come from the library"),
+        ("s7-300", "tia", "module: cp_341", "P_SND_RK, P_RCV_RK come from the library"),
+    ],
+)
+def test_it_says_what_is_set_at_each_module(plc: str, dialect: str, line: str, says: str) -> None:
+    text = serial_page(dialect, plc, line)
+    assert says in text
+    assert "R(A) 0 V, R(B) 5 V" in text.replace("\n", " ")
+
+
+@pytest.mark.parametrize(
+    ("series", "line", "wires", "settings"),
+    [
+        ("vf-s11", "baud: 9600", "T(B) to RXA and T(A) to RXB", "F800 = 3 (9600 bit/s)"),
+        ("vf-a7", "baud: 9600", "RXA 4, RXB 5, TXA 3, TXB 6", "F820 = 3 (9600 bit/s)"),
+        ("vf-as1", "wires: 2", "R(B)/T(B) to A and R(A)/T(A) to B", "F807 = 0 (Toshiba"),
+        ("vf-as1", "protocol: modbus", "R(B) to TXA", "F829 = 1 (MODBUS-RTU)"),
+    ],
+)
+def test_wires_and_settings_are_those_of_the_port(
+    series: str, line: str, wires: str, settings: str
+) -> None:
+    text = serial_page("tia", line=line, series=series)
+    assert wires in text
+    assert settings in text
+    assert "Toshiba calls the positive wire of a pair A, Siemens B" in text
