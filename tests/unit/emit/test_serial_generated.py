@@ -93,7 +93,7 @@ def test_modbus_goes_by_own_frames_where_they_are_chosen() -> None:
     assert "TIP_Buffer_line1.db" not in texts
 
 
-@pytest.mark.parametrize(("wires", "series", "mode"), [(4, "vf-s11", 2), (2, "vf-s15", 4)])
+@pytest.mark.parametrize(("wires", "series", "mode"), [(4, "vf-s11", 1), (2, "vf-s15", 4)])
 @pytest.mark.parametrize(("parity", "code"), [("none", 0), ("odd", 1), ("even", 2)])
 def test_the_program_tells_the_module_what_the_line_is(
     wires: int, series: str, mode: int, parity: str, code: int
@@ -106,6 +106,7 @@ def test_the_program_tells_the_module_what_the_line_is(
     )
     text = _texts(read_plant(Source("hall.yaml", written), CATALOG))["TIP_Port_line1.scl"]
     assert f"#instLoad.MODE := {mode};" in text
+    assert "#instLoad.LINE_PRE := 2;" in text
     assert f"PARITY := {code}," in text
     assert "BAUD := 9600," in text
     assert "PORT := 271," in text
