@@ -4,7 +4,7 @@ The model knows which connections there are, whose they are, and when they time 
 Whatever comes, every frame that goes out is one that the option may send.
 """
 
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from hypothesis.stateful import (
     RuleBasedStateMachine,
@@ -14,7 +14,7 @@ from hypothesis.stateful import (
     rule,
 )
 
-from fbgen.wire.devicenet import Choice, Frame
+from fbgen.wire.devicenet import Choice, Frame, Status
 from fbgen.wire.devicenet_ids import Group2, SlaveMessage, group_2, slave_message
 from fbgen.wire.devicenet_messages import ErrorResponse, Response, parse_response
 from harness.fieldbus.devicenet import ConnectionState, Network
@@ -229,6 +229,41 @@ def test_any_frames_are_answered_as_devicenet_has_it_or_ignored(
     assert {item.identifier for item in made.taken()} <= OWN
     assert made.option.state in State
     _ = made.option.lights, made.option.produce()
+
+
+@given(
+    service=st.one_of(st.sampled_from([0x0E, 0x10]), st.integers(0, 0x7F)),
+    known=st.one_of(
+        st.sampled_from([1, 2, 3, 4, 5, 0x28, 0x29, 0x2A, 0x2B, 0x64]), st.integers(0, 255)
+    ),
+    instance=st.one_of(st.integers(0, 5), st.integers(0, 0xFFFF)),
+    data=st.binary(max_size=3),
+    xid=st.sampled_from([0x00, 0x40]),
+)
+@settings(max_examples=150)
+def test_every_request_of_the_master_gets_just_one_answer(
+    service: int, known: int, instance: int, data: bytes, xid: int
+) -> None:
+    """With its transaction, and with a status that there is; but those that reset or allocate."""
+    assume(service not in (0x05, 0x4B, 0x4C))
+    connected = bench(C203_21, parameters={"timeout_action": 1})
+    connected.connect(rate_ms=0)
+    body = bytes([service, known]) + instance.to_bytes(2, "little") + data
+    connected.taken()
+    connected.put(NAMED[1], bytes([xid]) + body)
+    connected.run(2)
+    (frame,) = connected.taken()
+    assert frame.identifier == 0x403 + 8 * MAC
+    assert frame.data[0] & 0x7F == xid
+    if frame.data[0] & 0x80:
+        assert frame.data[1:3] == bytes([0, 0x80 | service]), "the first of several fragments"
+        return
+    answer = parse_response(frame.data[1:])
+    if isinstance(answer, ErrorResponse):
+        assert answer.status in set(Status) - {Status.SUCCESS}
+        assert answer.additional == 0xFF
+    else:
+        assert answer.service == service
 
 
 @given(data=st.binary(max_size=7), c203=st.sampled_from([1, 3]))
