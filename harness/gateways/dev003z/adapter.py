@@ -19,6 +19,7 @@ from harness.gateways.dev003z.cells import Cells
 from harness.gateways.dev003z.commands import Commands
 from harness.gateways.dev003z.control_supervisor import State
 from harness.gateways.dev003z.drive_attributes import DriveAttributes, refusal
+from harness.gateways.dev003z.entry import check_attributes, check_complete
 from harness.gateways.dev003z.host import Host
 from harness.gateways.dev003z.leds import Light, module_status, network_status
 from harness.gateways.dev003z.network_attributes import NetworkAttributes
@@ -30,9 +31,6 @@ from harness.gateways.dev003z.speeds import Speeds
 from harness.gateways.dev003z.supervisor import Supervisor
 from harness.kernel import NS_PER_MS, Event, Kernel
 
-_NETWORK_CLASSES = (
-    "identity", "message_router", "devicenet", "connection", "acknowledge_handler",
-)  # fmt: skip
 _FACTORY = b"\x01"
 _FORMATS = {
     "8_8": BodyFormat.C8_I8,
@@ -72,8 +70,10 @@ class Dev003z:
     ) -> None:
         """Raises DiagnosticError FB7101 for parameters that it does not take, FB1109 for options.
 
-        FB7106 for a MAC ID, a rate or a series that it cannot have.
+        FB7106 for a MAC ID, a rate or a series that it cannot have, FB7107 for an entry of the
+        catalogue that lacks what the simulation stands on.
         """
+        check_complete(gateway)
         _check(gateway, settings)
         self._kernel = kernel
         self._host = host
@@ -107,11 +107,19 @@ class Dev003z:
             },
             tripped=lambda: host.tripped,
         )
+        check_attributes(gateway, self._has_value)
         self._objects = ObjectModel(gateway, self)
         self._lost: Event | None = None
         self._powered = False
         host.observers.append(self._host_changed)
         self._host_changed()
+
+    def _has_value(self, known: ObjectClass, attribute: Attribute) -> bool:
+        """Whether the simulation itself has the value of an attribute."""
+        if known.name in ("assembly", "parameter"):
+            return True
+        ours = self._network.knows(known.name, attribute.name)
+        return ours or self._drive.knows(known, attribute.name)
 
     def receive(self, frame: Frame) -> None:
         """Take a frame from the bus."""
@@ -191,7 +199,7 @@ class Dev003z:
 
     def get(self, object_class: ObjectClass, attribute: Attribute, instance: int) -> Value | Status:
         """The value of an attribute now."""
-        if object_class.name in _NETWORK_CLASSES:
+        if self._network.knows(object_class.name, attribute.name):
             return self._network.get(object_class.name, attribute, instance)
         if object_class.name == "assembly":
             return self._assembly_data(instance)
@@ -206,7 +214,7 @@ class Dev003z:
         """Set an attribute; why it is refused, or None."""
         if isinstance(value, bytes):
             return self._set_assembly(instance, value)
-        if object_class.name in _NETWORK_CLASSES:
+        if self._network.knows(object_class.name, attribute.name):
             return self._network.set(object_class.name, attribute, instance, value)
         if object_class.name == "parameter":
             number = self._number(instance)

@@ -78,6 +78,11 @@ class DriveAttributes:
             **{("ac_dc_drive", name): put for name, put in self._to_drive().items()},
         }
 
+    def knows(self, known: ObjectClass, name: str) -> bool:
+        """Whether it has a value of an attribute other than what that begins with."""
+        counted = name in ("number_of_attributes", "attribute_list")
+        return counted or (known.name, name) in self._getters
+
     def get(self, known: ObjectClass, attribute: Attribute) -> int | bytes:
         """The value now."""
         if attribute.name == "number_of_attributes":

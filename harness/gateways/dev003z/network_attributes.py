@@ -26,6 +26,14 @@ _OWNED, _MINOR_RECOVERABLE_FAULT = 0x0001, 0x0100
 _NO_IO, _IO_FAULT, _RUN_MODE, _IDLE_MODE = 0x0030, 0x0020, 0x0060, 0x0070
 """Bits 4 to 7 of the status (E6581737, page 11)."""
 
+_OF_CONNECTIONS = (
+    *("state", "instance_type", "transport_class_trigger", "produced_connection_id"),
+    *("consumed_connection_id", "initial_comm_characteristics", "produced_connection_size"),
+    *("consumed_connection_size", "expected_packet_rate", "watchdog_timeout_action"),
+    *("produced_connection_path_length", "produced_connection_path"),
+    *("consumed_connection_path_length", "consumed_connection_path", "production_inhibit_time"),
+)
+
 Value = int | bytes
 
 
@@ -74,6 +82,13 @@ class NetworkAttributes:
             ("acknowledge_handler", "retry_limit"): lambda: node.ack_retries,
             ("acknowledge_handler", "producing_connection"): lambda: COS,
         }
+
+    def knows(self, class_name: str, name: str) -> bool:
+        """Whether it has the value of an attribute."""
+        if class_name == "connection":
+            return name in _OF_CONNECTIONS
+        of_identity = class_name == "identity" and name in self._identity
+        return of_identity or (class_name, name) in self._getters
 
     def get(self, class_name: str, attribute: Attribute, instance: int) -> Value:
         """The value now."""

@@ -118,6 +118,19 @@ def test_its_reset_stops_what_runs_until_the_next_edge_and_leaves_a_trip() -> No
     assert made.option.state is State.FAULTED
 
 
+def test_an_alarm_is_a_warning_and_no_fault() -> None:
+    made = bench(C203[21])
+    made.connect(rate_ms=0)
+    assert made.get(0x29, 1, 11) == b"\x00"
+    made.drive.monitors.alarm = 0x0001
+    assert made.get(0x29, 1, 11) == b"\x01"
+    assert made.get(0x29, 1, 10) == b"\x00"
+    answer = made.keep_polling(words(0x0061, 1800), 300)
+    assert answer == words(0x04F6, 1800), "it runs, with the bit Warning"
+    made.drive.monitors.alarm = 0
+    assert made.keep_polling(words(0x0061, 1800), 20) == words(0x04F4, 1800)
+
+
 def test_a_speed_below_0_becomes_0() -> None:
     made = bench(C203[21])
     made.connect()
