@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from fbgen.artefacts.view import PlantLists
-from fbgen.blocks.dev_networks import has_links, pair_of
+from fbgen.blocks.dev_assemblies import has_links, pair_of
 from fbgen.catalog import Drive, Setting
 from fbgen.catalog.devicenet_gateways import AdapterParameter
 from fbgen.plant import DeviceNetDrive

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from fbgen.artefacts.spreadsheet import Sheet, workbook
 from fbgen.artefacts.text_table import csv_table
 from fbgen.artefacts.view import PlantLists
-from fbgen.blocks.dev_networks import pair_of
+from fbgen.blocks.dev_assemblies import pair_of
 from fbgen.catalog import Assembly, CyclicField
 from fbgen.dataclass import dataclass
 from fbgen.emit.generated import Artefact

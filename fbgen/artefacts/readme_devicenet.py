@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from fbgen.artefacts.view import PlantLists
-from fbgen.blocks.dev_networks import has_command_word, has_links, pair_of
+from fbgen.blocks.dev_assemblies import has_command_word, has_links, pair_of
 from fbgen.plant import ACTIVE_LENGTH, DeviceNetDrive, DeviceNetNetwork
 
 _CONNECTIONS = {

@@ -12,7 +12,7 @@ from fbgen.resources import shipped
 
 Language = Literal["en", "de"]
 """What comments, titles and trips are written in, as far as they are translated."""
-EXAMPLES = ("five_drives", "manual_example", "pbdp110", "serial", "modbus")
+EXAMPLES = ("five_drives", "manual_example", "pbdp110", "serial", "modbus", "devicenet")
 """The first that has a block is the one that its page is about."""
 
 

@@ -24,9 +24,9 @@ class PlantProgram:
 
     @property
     def devices(self) -> frozenset[str]:
-        """Its types of gateways and series of inverters."""
+        """Its types of gateways, DeviceNet options among them, and series of inverters."""
         series = {drive.series for drive in self.plant.drives}
-        return frozenset(series | {gateway.type for gateway in self.plant.gateways})
+        return frozenset(series | self.plant.gateway_types)
 
     @property
     def canonical(self) -> CanonicalProgram:

@@ -50,7 +50,7 @@ def whole_catalogue(catalog: Catalog, programs: tuple[PlantProgram, ...] = ()) -
 
 def of_plant(plant: Plant, catalog: Catalog, program: PlantProgram | None = None) -> Subject:
     """What the plant has: its types of gateways, its series, their protocols, its sequences."""
-    gateways = {item.type for item in plant.gateways}
+    gateways = plant.gateway_types
     series = {drive.series for drive in plant.drives}
     drives = {key: entry for key, entry in catalog.drives.items() if key in series}
     spoken = {entry.protocol for entry in drives.values()}

@@ -17,7 +17,7 @@ from fbgen.plant import serial_checks
 from fbgen.plant.connections import process_data_gateway, telegram_gateway
 from fbgen.plant.cpus import CPUS, cpus_of
 from fbgen.plant.devicenet_checks import ACTIVE_LENGTH, assemblies_of, option_of
-from fbgen.plant.drive_checks import chosen_options, maximum_frequency, unknown_series
+from fbgen.plant.drive_checks import chosen_options, frequencies, unknown_series
 from fbgen.plant.families import FAMILIES, FILE_LAYOUTS, Family
 from fbgen.plant.gsd_checks import gsd_problems
 from fbgen.plant.modules import layout_of
@@ -43,16 +43,7 @@ def drive(item: "PlantDrive", catalog: Catalog) -> Iterator[Diagnostic]:
     if entry is None:
         yield unknown_series(item, item.series, catalog)
         return
-    outside = list(maximum_frequency(item, item.max_frequency_hz, entry))
-    yield from outside
-    if not outside and item.parameters.min_frequency_hz > item.max_frequency_hz:
-        yield Diagnostic(
-            "FB2010",
-            f"the lowest set-point, {item.parameters.min_frequency_hz:g} Hz, lies above the "
-            f"highest, {item.max_frequency_hz:g} Hz",
-            item.parameters.span_of("min_frequency_hz"),
-            "exchange the two, or take min_frequency_hz out",
-        )
+    yield from frequencies(item, item.parameters, item.max_frequency_hz, entry)
     yield from chosen_options(item, item.options, entry.options, entry.id)
 
 

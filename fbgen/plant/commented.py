@@ -92,8 +92,7 @@ sequences:
 #
 #   modbus_frames: own
 #
-# Drives with a DeviceNet option, at a scanner. Scenarios test a program of your own against them;
-# blocks are not generated for them yet, nor for a plant that has some:
+# Drives with a DeviceNet option, at a scanner of the PLC:
 #
 #   devicenet:
 #     - name: net1
@@ -109,6 +108,9 @@ sequences:
 #           connection: polled     # or change_of_state, cyclic
 #           input_address: 310
 #           output_address: 310
+#           parameters: {speed_unit: hz}    # or rpm: set-points in 1/min of the motor
+#           options: {motor_poles: 4}       # by which 1/min and Hz are converted
+#           settings: {timeout_action: 2}   # c101: stop when the network is lost
 
 gateways:
   - name: gw1

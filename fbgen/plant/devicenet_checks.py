@@ -8,7 +8,7 @@ from fbgen.catalog import Catalog, DeviceNetGateway
 from fbgen.catalog.devicenet_gateways import AssemblyPair
 from fbgen.diagnostics import Diagnostic, Note
 from fbgen.nearest import nearest
-from fbgen.plant.drive_checks import chosen_options, maximum_frequency, unknown_series
+from fbgen.plant.drive_checks import chosen_options, frequencies, unknown_series
 from fbgen.wire.devicenet_fragments import io_frames
 
 if TYPE_CHECKING:
@@ -103,7 +103,7 @@ def drive(item: "DeviceNetDrive", catalog: Catalog) -> Iterator[Diagnostic]:
     if series is None:
         yield unknown_series(item, item.series, catalog)
     else:
-        yield from maximum_frequency(item, item.max_frequency_hz, series)
+        yield from frequencies(item, item.parameters, item.max_frequency_hz, series)
     entry = option_of(item, catalog)
     if entry is None:
         known = [one.id for one in catalog.gateways.values() if isinstance(one, DeviceNetGateway)]

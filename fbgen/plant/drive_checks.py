@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator
 from fbgen.catalog import Catalog, Drive, Located, Option, OptionValue
 from fbgen.diagnostics import Diagnostic, DiagnosticError
 from fbgen.nearest import nearest
+from fbgen.plant.parameters import DeviceNetDriveParameters, DriveParameters
 
 
 def unknown_series(item: Located, series: str, catalog: Catalog) -> Diagnostic:
@@ -13,16 +14,29 @@ def unknown_series(item: Located, series: str, catalog: Catalog) -> Diagnostic:
     return Diagnostic("FB2009", message, item.span_of("series"), nearest(series, catalog.drives))
 
 
-def maximum_frequency(item: Located, hz: float, series: Drive) -> Iterator[Diagnostic]:
-    """FB2010: a maximum frequency that the series does not take."""
+def frequencies(
+    item: Located,
+    parameters: DriveParameters | DeviceNetDriveParameters,
+    highest: float,
+    series: Drive,
+) -> Iterator[Diagnostic]:
+    """FB2010: a maximum frequency that the series does not take, a lowest set-point above it."""
     limit = series.comno(series.link.maximum_frequency)
     low, high = limit.minimum, limit.maximum
-    if low is not None and high is not None and not low <= hz <= high:
+    lowest = parameters.min_frequency_hz
+    if low is not None and high is not None and not low <= highest <= high:
         yield Diagnostic(
             "FB2010",
-            f"{hz:g} Hz is no maximum frequency of {series.title}",
+            f"{highest:g} Hz is no maximum frequency of {series.title}",
             item.span_of("max_frequency_hz"),
             f"use {low:g} to {high:g} Hz",
+        )
+    elif lowest > highest:
+        yield Diagnostic(
+            "FB2010",
+            f"the lowest set-point, {lowest:g} Hz, lies above the highest, {highest:g} Hz",
+            parameters.span_of("min_frequency_hz"),
+            "exchange the two, or take min_frequency_hz out",
         )
 
 

@@ -160,6 +160,12 @@ class Plant(Located):
         return tuple(drive for network in self.devicenet for drive in network.drives)
 
     @property
+    def gateway_types(self) -> frozenset[str]:
+        """The ids in the catalogue of its gateways and DeviceNet options."""
+        options = (drive.type for drive in self.devicenet_drives)
+        return frozenset((*(gateway.type for gateway in self.gateways), *options))
+
+    @property
     def family(self) -> Family:
         """What the PLC can do."""
         return FAMILIES[self.plc]

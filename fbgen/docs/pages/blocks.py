@@ -77,7 +77,7 @@ def _having(program: PlantProgram, subject: Subject) -> frozenset[str]:
     lines = any(isinstance(one, TelegramGateway) for one in gateways)
     channels = any(isinstance(one, ProcessDataGateway) for one in gateways)
     found = {"lines": lines, "sequences": lines, "channels": channels, "parameters": channels}
-    found["serial"] = bool(program.plant.serial)
+    found |= {"serial": bool(program.plant.serial), "devicenet": bool(program.plant.devicenet)}
     return frozenset(name for name, there in found.items() if there)
 
 

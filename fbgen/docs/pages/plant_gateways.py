@@ -2,23 +2,37 @@
 
 from collections.abc import Iterator
 
-from fbgen.catalog import Gateway, ProfibusGateway
+from fbgen.catalog import DeviceNetGateway, Gateway, ProfibusGateway
 from fbgen.docs.document import Block, Facts, Row, Section, Table
 from fbgen.docs.subject import Subject
 from fbgen.docs.texts import code, octets
-from fbgen.plant import PlantGateway, layout_of
+from fbgen.plant import DeviceNetDrive, PlantGateway, assemblies_of, layout_of
 
 
 def in_this_plant(gateway: Gateway, subject: Subject) -> Iterator[Section]:
-    """One section if the site is about a plant that has such gateways."""
-    if subject.plant is None or not isinstance(gateway, ProfibusGateway):
-        return
+    """One section if the site is about a plant that has such gateways, or drives with such an
+    option."""
     blocks: list[Block] = []
-    for item in subject.plant.gateways:
-        if item.type == gateway.id:
-            blocks += [_facts(item), _slots(item, gateway)]
+    if subject.plant is not None and isinstance(gateway, ProfibusGateway):
+        for item in subject.plant.gateways:
+            if item.type == gateway.id:
+                blocks += [_facts(item), _slots(item, gateway)]
+    elif subject.plant is not None and isinstance(gateway, DeviceNetGateway):
+        for network in subject.plant.devicenet:
+            rows = [_row(drive, gateway) for drive in network.drives if drive.type == gateway.id]
+            if rows:
+                head = ("Drive", "MAC ID", "Assemblies", "Outputs", "Inputs")
+                blocks.append(Table(head, tuple(rows), f"Network {network.name}"))
     if blocks:
         yield Section("In this plant", tuple(blocks), "plant")
+
+
+def _row(drive: DeviceNetDrive, gateway: DeviceNetGateway) -> Row:
+    pair = assemblies_of(drive, gateway)
+    assert pair is not None, "checked when the plant was read"
+    out = _bytes("QB", drive.output_address, 0, pair.output.length)
+    into = _bytes("IB", drive.input_address, 0, pair.input.length)
+    return Row(((drive.name,), (str(drive.mac),), (drive.assemblies,), code(out), code(into)))
 
 
 def _facts(item: PlantGateway) -> Facts:

@@ -7,7 +7,8 @@ import pytest
 from fbgen.catalog import load_catalog
 from fbgen.diagnostics import DiagnosticError
 from fbgen.emit.generator import generate
-from fbgen.plant import Plant, in_dialect, load_plant
+from fbgen.plant import Plant, in_dialect, load_plant, read_plant
+from fbgen.source import Source
 
 ROOT = Path(__file__).parents[3]
 BAD = ROOT / "tests" / "unit" / "bad"
@@ -61,3 +62,21 @@ def test_what_blocks_could_not_do_is_refused(name: str, code: str, words: str) -
     assert found.code == code
     assert words in found.message
     assert found.span is not None
+
+
+def test_a_word_that_would_undo_another_is_told() -> None:
+    text = PLANT.read_text("utf-8").replace("command_5: 5", "command_5: 1")
+    with pytest.raises(DiagnosticError) as failure:
+        generate(read_plant(Source("plant.yaml", text), CATALOG), CATALOG)
+    (found,) = failure.value.diagnostics
+    assert found.code == "FB5019"
+    assert "two words of assembly 102 of 'chosen' carry FA06" in found.message
+    assert "command_1 chooses it already" in (found.help or "")
+
+
+def test_a_lowest_set_point_above_the_highest_is_told() -> None:
+    text = PLANT.read_text("utf-8").replace("speed_unit: rpm", "min_frequency_hz: 61")
+    with pytest.raises(DiagnosticError) as failure:
+        read_plant(Source("plant.yaml", text), CATALOG)
+    (found,) = failure.value.diagnostics
+    assert (found.code, "61 Hz, lies above" in found.message) == ("FB2010", True)
