@@ -79,12 +79,16 @@ class Requester:
         xid = not self._header.xid
         self._header = Header(self._header.mac, xid)
         self._timer = self._kernel.after(_PATIENCE_NS, lambda: self._finish(None))
+        try:
+            body = encode_request(job.request, BodyFormat.C8_I8 if job.unconnected else self.form)
+        except ValueError:  # the slave was allocated anew meanwhile, and has another form now
+            self._finish(None)
+            return
         if job.unconnected:
-            body = encode_request(job.request, BodyFormat.C8_I8)
             identifier = group_2(Group2.UNCONNECTED_REQUEST, self._mac)
             self._put(Frame(identifier, bytes([self._header.byte]) + body))
         else:
-            self._end.send(self._header, encode_request(job.request, self.form))
+            self._end.send(self._header, body)
 
     def _taken(self, header: Header, body: bytes) -> None:
         if self._job is None or header != self._header:

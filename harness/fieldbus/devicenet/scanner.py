@@ -62,9 +62,13 @@ class ScanEntry:
 
 
 class ScannedSlave:
-    """What the master has of a slave: `outputs` to be written, `inputs` as they came last."""
+    """What the master has of a slave: `outputs` to be written, `inputs` as they came last.
+
+    `attempt` counts what the master does to reach it: an answer to an earlier one comes too late.
+    """
 
     __slots__ = (
+        "attempt",
         "cos_reader",
         "entry",
         "heard_ns",
@@ -86,6 +90,7 @@ class ScannedSlave:
         self.outputs = bytes(entry.output_length)
         self.inputs = bytes(entry.input_length)
         self.state = SlaveState.WAITING
+        self.attempt = 0
         self.poll_reader = IoReader(entry.input_length)
         self.cos_reader = IoReader(entry.input_length)
         self.missed = 0
@@ -223,12 +228,16 @@ class Scanner:
     # Coming to a slave
 
     def _connect(self, slave: ScannedSlave) -> None:
+        slave.attempt += 1
         self._becomes(slave, SlaveState.CONNECTING)
         choice = slave.entry.choice | Choice.EXPLICIT
         request = Request(Service.ALLOCATE, 3, 1, bytes([choice, self.mac]))
-        slave.requester.request(request, partial(self._allocated, slave), unconnected=True)
+        done = partial(self._allocated, slave, slave.attempt)
+        slave.requester.request(request, done, unconnected=True)
 
-    def _allocated(self, slave: ScannedSlave, answer: Answer) -> None:
+    def _allocated(self, slave: ScannedSlave, attempt: int, answer: Answer) -> None:
+        if attempt != slave.attempt:
+            return
         if not isinstance(answer, Response) or len(answer.data) != 1:
             slave.refused = answer
             if isinstance(answer, ErrorResponse):
@@ -250,7 +259,11 @@ class Scanner:
         rate = slave.entry.rate_ms.to_bytes(2, "little")
         request = Request(Service.SET_ATTRIBUTE_SINGLE, 5, left[0], bytes([_RATE_ATTRIBUTE]) + rate)
 
+        attempt = slave.attempt
+
         def done(answer: Answer) -> None:
+            if attempt != slave.attempt:
+                return
             if isinstance(answer, Response):
                 self._set_rates(slave, left[1:])
             else:
@@ -266,8 +279,14 @@ class Scanner:
             slave.requester.request(request, lambda _: None, unconnected=True)
 
     def _lose(self, slave: ScannedSlave) -> None:
+        """Try again later, once: whatever was tried before does not go on."""
+        slave.attempt += 1
         self._becomes(slave, SlaveState.LOST)
-        self._later(_RETRY_NS, partial(self._connect, slave))
+        self._later(_RETRY_NS, partial(self._retry, slave, slave.attempt))
+
+    def _retry(self, slave: ScannedSlave, attempt: int) -> None:
+        if attempt == slave.attempt:
+            self._connect(slave)
 
     # Exchanging data
 
@@ -323,5 +342,5 @@ class Scanner:
         slave.heard_ns = self._kernel.now_ns
         if len(data) == slave.entry.input_length:
             slave.inputs = data
-        else:
+        elif slave.exchanging:
             self._drop(slave)

@@ -204,6 +204,8 @@ def test_bus_off_is_counted_and_the_interrupt_decides(comes_back: bool) -> None:
     if comes_back:
         made.allocate(1)
         assert made.get(3, 1, 4) == b"\x01"
+        assert made.set(3, 1, 4, b"\x05") == 0, "whatever it is set to"
+        assert made.get(3, 1, 4) == b"\x00"
 
 
 # Lamps

@@ -348,6 +348,19 @@ def test_a_repeated_fragment_is_acknowledged_and_not_taken_twice() -> None:
         ]
 
 
+def test_a_message_that_went_wrong_is_begun_again() -> None:
+    made = bench()
+    made.allocate(1)
+    made.taken()
+    first, last = bytes.fromhex("80 00 10 2A 01 00 08 84"), bytes.fromhex("80 81 03")
+    for piece in (first, b"\x80\x83\x03", first, last):
+        made.put(REQUEST, piece)
+    made.run(2)
+    answers = [frame.data for frame in made.taken()]
+    assert answers == [b"\x80\xc0\x00", b"\x80\xc0\x00", b"\x80\xc1\x00", b"\x00\x90"]
+    assert made.get(0x2A, 1, 8) == words(900)
+
+
 def test_a_message_that_is_too_long_is_refused_by_its_fragment() -> None:
     made = bench()
     made.allocate(1)

@@ -192,6 +192,20 @@ def test_the_reset_bit_acts_once() -> None:
     assert made.drive.tripped
 
 
+def test_a_reset_bit_in_the_first_command_word_acts_too() -> None:
+    made = bench(C203[100])
+    made.connect(rate_ms=0)
+    made.drive.trip("OC1")
+    made.poll(words(0xA000, 0))
+    assert not made.drive.tripped
+    made.drive.trip("OC1")
+    made.keep_polling(words(0xA000, 0), 50)
+    assert made.drive.tripped, "its bit acts when it comes"
+    made.poll(words(0x8000, 0))
+    made.poll(words(0xA000, 0))
+    assert not made.drive.tripped
+
+
 @pytest.mark.parametrize(
     ("runs", "direction"),
     [

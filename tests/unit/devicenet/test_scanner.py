@@ -216,6 +216,38 @@ def test_a_scanner_on_line_answers_the_check_of_another_once() -> None:
     assert made.scanner.on
 
 
+@pytest.mark.parametrize("choice", ALL_WAYS)
+def test_frames_of_a_stranger_do_not_keep_a_slave_away_for_long(choice: Choice) -> None:
+    """Data of another length, again while the slave is being looked for, which has no supply."""
+    made = network({3: 21}, choice)
+    stranger = made.bus.attach(lambda _: None)
+    made.run(4000)
+    assert made.scanner.slaves[3].state is SlaveState.RUNNING
+    made.drives[3].power_off()
+    for at in (0, 1, 6):
+        made.kernel.after(at * NS_PER_MS, lambda: stranger.send(Frame(0x343, b"\x00")))
+    made.run(1500)
+    made.drives[3].power_on()
+    made.run(5000)
+    assert made.scanner.slaves[3].state is SlaveState.RUNNING
+    heard = len(made.log)
+    made.run(500)
+    assert not any(frame.identifier == 0x41E for _, frame in made.log[heard:]), "it stays there"
+
+
+def test_a_request_that_the_slave_does_not_take_any_more_has_no_answer() -> None:
+    made = network({3: 21})
+    made.run(4000)
+    answers: list[object] = []
+    for instance in (1, 0x4018):
+        request = Request(Service.GET_ATTRIBUTE_SINGLE, 0x64, instance, b"\x03")
+        made.scanner.request(3, request, answers.append)
+    made.scanner.slaves[3].requester.form = BodyFormat.C8_I8
+    made.run(100)
+    assert len(answers) == 2
+    assert answers[1] is None
+
+
 def test_the_same_seed_gives_the_same_frames_and_all_are_devicenet() -> None:
     logs = []
     for _ in range(2):
