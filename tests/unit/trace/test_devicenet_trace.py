@@ -86,7 +86,7 @@ def values(trace: Trace, path: str) -> list[TraceValue]:
 def test_io_data_are_told_field_by_field(run: tuple[Installation, Trace]) -> None:
     outputs, inputs = of_kind(run[1], "output"), of_kind(run[1], "input")
     assert {(frame.sender, frame.to_drives) for frame in outputs} == {("net1", True)}
-    assert {frame.sender for frame in inputs} == {"infeed", "outfeed"}
+    assert {frame.sender for frame in inputs} == {"infeed", "outfeed", "sorter"}
     said = {frame.meaning for frame in run[1].frames}
     assert (
         "infeed: command = C400 (network_command, network_frequency, run), frequency = 20.00 Hz"
@@ -135,7 +135,7 @@ def test_a_long_response_comes_in_fragments_and_the_last_says_all(
 
 def test_macs_are_checked(run: tuple[Installation, Trace]) -> None:
     checks = of_kind(run[1], "check")
-    assert [frame.sender for frame in checks] == ["net1", "infeed", "outfeed"] * 2
+    assert [frame.sender for frame in checks] == ["net1", "infeed", "outfeed", "sorter"] * 2
     assert checks[1].meaning.startswith("MAC ID 5: does somebody have it? (vendor 0179")
 
 
