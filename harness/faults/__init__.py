@@ -50,6 +50,7 @@ _NAMES = (
     "gateway_trigger_stuck",
     "gateway_unpowered",
     "master_stopped",
+    "module_failed",
     "profibus_clear",
     "profibus_freeze_held",
     "profibus_interrupted",

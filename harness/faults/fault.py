@@ -20,12 +20,14 @@ Probability = Annotated[Real, Field(gt=0, le=1)]
 
 class Target(Enum):
     """What a fault happens to. `WHOLE` needs no name; `TELEGRAMS` is a gateway with a line, `LINE`
-    its line, or a serial line of the PLC; `OPTION` a drive by the option that is in it."""
+    its line, or a serial line of the PLC, whose module is `MODULE`; `OPTION` a drive by the option
+    that is in it."""
 
     WHOLE = "plant"
     GATEWAY = "gateway"
     TELEGRAMS = "gateway for telegrams"
     LINE = "line"
+    MODULE = "serial line"
     DRIVE = "drive"
     NETWORK = "DeviceNet network"
     OPTION = "drive on DeviceNet"
@@ -38,6 +40,8 @@ class Target(Enum):
             return plant.gateways
         if self is Target.LINE:
             return {**plant.gateways, **plant.devices.modules}
+        if self is Target.MODULE:
+            return plant.devices.modules
         if self is Target.NETWORK:
             return plant.networks
         if self is Target.OPTION:

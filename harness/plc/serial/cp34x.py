@@ -37,7 +37,8 @@ class PSend(PortInstruction):
         """REQ, R, LADDR, DB_NO, DBB_NO, LEN to DONE, ERROR, STATUS."""
         rises = self.rises()
         if module is None:
-            return failed(NOT_WRITTEN) if rises else idle(0)
+            was, self._job = self._job, None
+            return failed(NOT_WRITTEN) if rises or was is not None else idle(0)
         if self.flag("R"):
             was, self._job = self._job, None
             return failed(RESET) if was is not None else idle(0)

@@ -44,7 +44,8 @@ class SendP2p(PortInstruction):
         """REQ, PORT, BUFFER, LENGTH to DONE, ERROR, STATUS."""
         rises = self.rises()
         if module is None:
-            return failed(MODULE_MISSING) if rises else idle()
+            was, self._job = self._job, None
+            return failed(MODULE_MISSING) if rises or was is not None else idle()
         if self._job is not None:
             if not self._job.over(self._ports.now_ns):
                 return idle(NEXT_CALL)

@@ -1,4 +1,7 @@
-"""What the instructions for serial lines have in common: edges, kept inputs, a start of the CPU."""
+"""What the instructions for serial lines have in common: edges, kept inputs, a start of the CPU.
+
+Inferred: a job under way ends with an error where the module does not answer any more.
+"""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -25,6 +28,7 @@ class PortInstruction(ABC):
         self._inputs: dict[str, Scalar] = {}
         self._was = False
         self._epoch = -1
+        self.forget()
 
     def call(self, inputs: Mapping[str, Scalar], areas: Mapping[str, bytes]) -> Outputs:
         """One call of the program."""
@@ -79,7 +83,8 @@ class TimedInstruction(PortInstruction):
         """REQ, PORT and what the job takes to DONE, ERROR, STATUS."""
         rises = self.rises()
         if module is None:
-            return failed(MODULE_MISSING) if rises else idle()
+            was_ns, self._due_ns = self._due_ns, None
+            return failed(MODULE_MISSING) if rises or was_ns is not None else idle()
         if self._due_ns is not None:
             if self._ports.now_ns < self._due_ns:
                 return idle(NEXT_CALL)

@@ -128,7 +128,8 @@ class ModbusMaster(PortInstruction):
         """REQ, MB_ADDR, MODE, DATA_ADDR, DATA_LEN, DATA_PTR to DONE, BUSY, ERROR, STATUS."""
         rises = self.rises()
         if module is None or module.modbus is None:
-            if not rises:
+            was, self._request = self._request, None
+            if not rises and was is None:
                 return _outputs(IDLE)
             is_tied = self.number("MB_DB") != 0 and module is None
             return _outputs(MODULE_MISSING if is_tied else NOT_LOADED)

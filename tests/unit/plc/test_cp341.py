@@ -104,6 +104,18 @@ def test_a_job_is_cancelled_by_r() -> None:
     assert (rig["done"], rig["failed"], rig["sendStatus"]) == (0, 1, 0x1E0D)
 
 
+def test_a_job_ends_when_the_module_does_not_answer_any_more() -> None:
+    rig = _rig()
+    rig["go"] = True
+    rig.run_ms(3)
+    rig.module.failed = True
+    rig.run_ms(40)
+    assert (rig["done"], rig["failed"], rig["sendStatus"]) == (0, 1, 0x1E0F)
+    rig.module.failed = False
+    rig.run_ms(40)
+    assert (rig["done"], rig["failed"]) == (0, 1)
+
+
 def test_nothing_is_read_without_en_r() -> None:
     rig = _rig()
     rig.peer.port.transmit(b"\1")

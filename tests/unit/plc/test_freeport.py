@@ -142,6 +142,19 @@ def test_a_stop_ends_what_is_being_sent_and_a_start_begins_anew() -> None:
     assert (rig["sent"], rig["failed"], len(rig.peer.heard)) == (0, 0, 1)
 
 
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_job_ends_when_the_module_does_not_answer_any_more(engine: str) -> None:
+    rig = SerialRig(PROGRAM, engine=engine)
+    rig["send"] = True
+    rig.run_ms(4)
+    rig.module.failed = True
+    rig.run_ms(40)
+    assert (rig["sent"], rig["failed"], rig["sendStatus"]) == (0, 1, 0x8282)
+    rig.module.failed = False
+    rig.run_ms(40)
+    assert (rig["sent"], rig["failed"]) == (0, 1)
+
+
 def test_a_message_longer_than_the_buffer() -> None:
     rig = SerialRig(PROGRAM)
     rig["receive"] = True

@@ -180,6 +180,26 @@ def test_loads_that_cannot_be(engine: str, name: str, value: int, status: int) -
     assert _ask(rig) == (0, 1, 0x8180)
 
 
+def test_a_request_ends_when_the_module_does_not_answer_any_more(rig: SerialRig) -> None:
+    rig["ask"] = True
+    rig.run_ms(10)
+    rig.module.failed = True
+    rig.run_ms(10)
+    assert (rig["done"], rig["failed"], rig["status"]) == (0, 1, 0x8282)
+    rig.module.failed = False
+    rig.run_ms(200)
+    assert (rig["done"], rig["failed"], rig["busy"]) == (0, 1, False)
+
+
+def test_a_load_ends_when_the_module_does_not_answer_any_more() -> None:
+    rig = SerialRig(PROGRAM)
+    rig["load"] = True
+    rig.run_ms(1)
+    rig.module.failed = True
+    rig.run_ms(30)
+    assert (rig["loaded"], rig["loadFailed"], rig["loadStatus"]) == (0, 1, 0x8282)
+
+
 def test_a_module_without_supply(rig: SerialRig) -> None:
     rig["load"] = False
     rig.module.power_off()
