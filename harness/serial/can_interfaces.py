@@ -74,6 +74,8 @@ class PythonCan:
         try:
             message = self._bus.recv(wait_s)
         except (can.CanError, OSError) as problem:
+            if self._is_no_frame(problem):
+                return None
             raise self._gone(problem) from None
         if message is None or message.is_extended_id or message.is_fd:
             return None
@@ -107,6 +109,11 @@ class PythonCan:
         while self._echoes.popleft() != frame:
             pass
         return True
+
+    def _is_no_frame(self, problem: Exception) -> bool:
+        """Whether somebody sent what is no CAN frame, which is possible without a controller."""
+        cause = problem.__cause__
+        return self._echoes is not None and cause is not None and not isinstance(cause, OSError)
 
     def _gone(self, problem: Exception) -> DiagnosticError:
         message = f"{self._name} cannot be used any more: {problem}"

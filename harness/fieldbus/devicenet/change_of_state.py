@@ -72,7 +72,6 @@ class Producer:
             if event is not None:
                 self._kernel.cancel(event)
         self._retry = self._tick = None
-        self._acknowledged = True
 
     def acknowledge(self) -> None:
         """The master acknowledged a message."""

@@ -196,6 +196,23 @@ def test_with_an_interface_that_echoes_the_option_comes_on_line() -> None:
     assert (server.received, server.sent) == (0, 2)
 
 
+@pytest.mark.parametrize(("cause", "gone"), [(ValueError("unpack"), False), (OSError(), True)])
+def test_what_is_no_frame_is_not_heard_where_anybody_can_send(
+    monkeypatch: pytest.MonkeyPatch, cause: Exception, gone: bool
+) -> None:
+    def fails(_: float) -> None:
+        raise can.CanOperationError("could not unpack received message") from cause
+
+    bus = Echoing()
+    monkeypatch.setattr(bus, "recv", fails)
+    port = PythonCan("desk", bus, echoes=True)  # type: ignore[arg-type]
+    if gone:
+        with pytest.raises(DiagnosticError, match="cannot be used any more"):
+            port.read(0)
+    else:
+        assert port.read(0) is None
+
+
 @pytest.mark.parametrize(("name", "echoes"), [("virtual:a", False), ("udp_multicast:a", True)])
 def test_interfaces_that_echo_are_known(
     monkeypatch: pytest.MonkeyPatch, name: str, echoes: bool
