@@ -93,12 +93,6 @@ class Reassembly:
         """Forget what has come."""
         self._data = None
 
-    def is_repeated(self, fragment: Fragment) -> bool:
-        """Whether this is the fragment that came last, once more: its acknowledgement was lost."""
-        if self._data is None or fragment.kind is Kind.ACKNOWLEDGE:
-            return False
-        return fragment.number == (self._next - 1) & COUNT and fragment.kind is not Kind.LAST
-
     def too_long(self, fragment: Fragment) -> bool:
         """Whether the message would get longer than it may be with this fragment."""
         held = 0 if self._data is None or fragment.kind is Kind.FIRST else len(self._data)

@@ -76,7 +76,6 @@ class ScannedSlave:
         "missed",
         "outputs",
         "poll_reader",
-        "refused",
         "requester",
         "sent",
         "sent_ns",
@@ -97,7 +96,6 @@ class ScannedSlave:
         self.waits = False
         self.sent: bytes | None = None
         self.sent_ns = self.heard_ns = 0
-        self.refused: Answer = None
 
     @property
     def exchanging(self) -> bool:
@@ -239,7 +237,6 @@ class Scanner:
         if attempt != slave.attempt:
             return
         if not isinstance(answer, Response) or len(answer.data) != 1:
-            slave.refused = answer
             if isinstance(answer, ErrorResponse):
                 self._release(slave)
             self._lose(slave)
@@ -267,7 +264,6 @@ class Scanner:
             if isinstance(answer, Response):
                 self._set_rates(slave, left[1:])
             else:
-                slave.refused = answer
                 self._lose(slave)
 
         slave.requester.request(request, done)

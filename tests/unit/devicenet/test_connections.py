@@ -348,6 +348,24 @@ def test_a_repeated_fragment_is_acknowledged_and_not_taken_twice() -> None:
         ]
 
 
+def test_every_fragment_may_come_twice_and_the_message_is_taken_once() -> None:
+    made = bench(C203[105])
+    made.allocate(1)
+    made.put(REQUEST, bytes.fromhex("00 10 29 01 00 05 01"))
+    made.run(2)
+    made.taken()
+    body = bytes.fromhex("10 04 69 00 03") + words(1, 0x0018, 2500) + bytes(12)
+    pieces = [body[at : at + 6] for at in range(0, len(body), 6)]
+    for number, piece in enumerate(pieces):
+        kind = 0 if number == 0 else 2 if number == len(pieces) - 1 else 1
+        for _ in range(2):
+            made.put(REQUEST, bytes([0x80, kind << 6 | number]) + piece)
+            assert made.taken()[0].data == bytes([0x80, 0xC0 | number, 0])
+    made.run(5)
+    assert [frame.data for frame in made.taken()] == [b"\x00\x90"]
+    assert made.drive.read_parameter("0018") == 25.0
+
+
 def test_a_message_that_went_wrong_is_begun_again() -> None:
     made = bench()
     made.allocate(1)
