@@ -261,6 +261,23 @@ def test_acknowledgements_that_nobody_waits_for_hold_nothing_up() -> None:
     assert any(frame.identifier == COS for frame in made.taken())
 
 
+@pytest.mark.parametrize("released", [Choice.POLLED, Choice.CYCLIC])
+def test_what_is_released_ends_and_what_is_not_goes_on(released: Choice) -> None:
+    made = bench(C203[21])
+    made.connect(Choice.POLLED | Choice.CYCLIC | Choice.ACK_SUPPRESSION, rate_ms=50)
+    release = bytes.fromhex("00 4C 03 01") + bytes([released])
+    made.put(group_2(Group2.UNCONNECTED_REQUEST, MAC), release)
+    made.run(2)
+    made.taken()
+    made.run(200)
+    sent = {frame.identifier for frame in made.taken()}
+    gone = released is Choice.CYCLIC
+    assert sent == (set() if gone else {COS})
+    assert (made.poll(words(0, 0)) is not None) is gone
+    left = Choice.EXPLICIT | (Choice.POLLED if gone else Choice.CYCLIC | Choice.ACK_SUPPRESSION)
+    assert made.get(3, 1, 5) == bytes([left, 0])
+
+
 def test_the_inhibit_time_keeps_changes_apart() -> None:
     made = bench(C203[21])
     made.connect(Choice.CHANGE_OF_STATE, rate_ms=1000)
@@ -319,7 +336,8 @@ def test_a_long_request_and_a_long_answer_go_piece_by_piece() -> None:
         assert frame.data[1] & 0x3F == number
         got += frame.data[2:]
         made.put(REQUEST, bytes([0xC0, 0xC0 | number, 0]))
-    assert made.taken() == []
+    made.run(3000)
+    assert made.taken() == [], "what was acknowledged is not sent again"
     assert got == b"\x8e" + body[5:]
 
 
