@@ -95,6 +95,7 @@ def _class(item: ObjectClass, sources: Sources) -> str:
 
 
 def _attribute(owner: str, item: Attribute, above: ObjectClass, sources: Sources) -> list[str]:
+    values = (f"{key}: {text}" for key, text in item.values.items())
     return [
         owner,
         str(item.id),
@@ -103,7 +104,7 @@ def _attribute(owner: str, item: Attribute, above: ObjectClass, sources: Sources
         "get, set" if item.settable else "get",
         "" if item.default is None else str(item.default),
         _source(item, above, sources),
-        "; ".join([item.title, *(f"{key}: {text}" for key, text in item.values.items())]),
+        "; ".join([item.title, *values, *([] if item.remark is None else [item.remark])]),
     ]
 
 

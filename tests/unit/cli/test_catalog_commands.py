@@ -126,6 +126,8 @@ def test_show_gives_assemblies_parameters_and_objects_of_a_devicenet_adapter(fbg
     )
     for start in wanted:
         assert [line for line in lines if line.startswith(start)], start
+    (heartbeat,) = [line for line in lines if " heartbeat_interval " in line]
+    assert heartbeat.endswith("it does not here.")
 
 
 def test_words_of_a_devicenet_adapter_are_decoded_and_encoded(fbgen: Fbgen) -> None:
