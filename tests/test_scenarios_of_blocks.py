@@ -22,8 +22,8 @@ from harness.scenario import ScenarioCase, find_scenarios, run_case, scenario_ca
 ROOT = Path(__file__).parents[1]
 FILES = find_scenarios([ROOT / "tests" / "scenarios", ROOT / "examples"])
 CATALOG = load_catalog()
-OF_A_BLOCK = re.compile(r"(?:tos|pbdp|tip|mb)_\w+|ob\d+")
-PER_UNIT = re.compile(r"_(?:gw|line)\d+$")
+OF_A_BLOCK = re.compile(r"(?:tos|pbdp|tip|mb|dev)_\w+|ob\d+")
+PER_UNIT = re.compile(r"_(?:gw|line|net)\d+$")
 PAGE = ROOT / "docs" / "reference" / "scenario-files.md"
 ACCESS_WAYS = {"per_identifier", "dpxx_dat", "process_image"}
 
@@ -48,8 +48,8 @@ def process_data() -> Plant:
     return plant.model_copy(update={"gateways": (gateway,)})
 
 
-def serial(example: str) -> Plant:
-    """A serial line of the PLC, by the Toshiba protocol or MODBUS."""
+def example_plant(example: str) -> Plant:
+    """A serial line of the PLC, by the Toshiba protocol or MODBUS, or a DeviceNet network."""
     return load_plant(ROOT / "examples" / example / "plant.yaml", CATALOG)
 
 
@@ -64,13 +64,12 @@ def blocks_of(program: Program) -> dict[str, Block]:
 
 @cache
 def generated_tags() -> frozenset[str]:
-    """The tags of all blocks that are generated, for lines and for process data."""
+    """The tags of all blocks that are generated, whatever drives are connected to."""
     plants = (
         everything("s7-1500"),
         everything("s7-400"),
         process_data(),
-        serial("serial"),
-        serial("modbus"),
+        *map(example_plant, ("serial", "modbus", "devicenet")),
     )
     return frozenset(tag for plan in plants for tag in blocks_of(generated_program(plan, CATALOG)))
 
@@ -97,6 +96,7 @@ def test_the_tag_of_a_block_is_its_name() -> None:
     assert tag_of("PBDP_TripText_vf_s11") == "pbdp_trip_text_vf_s11"
     assert tag_of("OB122") == "ob122"
     assert tag_of("TIP_Port_line1") == "tip_port"
+    assert tag_of("DEV_Network_net1") == "dev_network"
 
 
 def test_every_generated_block_has_a_scenario() -> None:

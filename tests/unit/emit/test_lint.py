@@ -273,7 +273,7 @@ def test_one_change_of_the_clean_classic_text_breaks_one_rule(change: str) -> No
 
 
 @pytest.mark.parametrize("plc", ["s7-1200", "s7-1500", "s7-300", "s7-400"])
-@pytest.mark.parametrize("example", ["manual_example", "five_drives"])
+@pytest.mark.parametrize("example", ["manual_example", "five_drives", "devicenet"])
 def test_what_is_generated_for_each_family_is_clean(example: str, plc: str) -> None:
     text = (ROOT / "examples" / example / "plant.yaml").read_text("utf-8")
     catalog = load_catalog()
