@@ -1,7 +1,7 @@
 """How the inverter listens and answers."""
 
 import pytest
-from drive_bench import GATEWAY_SETTINGS, Bench
+from drive_bench import GATEWAY_SETTINGS, SERIES, Bench
 
 from fbgen.wire.toshiba import seal
 from harness.drives import InverterSettings, ReplyTime
@@ -301,3 +301,29 @@ def test_an_inverter_told_to_speak_another_protocol_hears_no_telegram_after_the_
     drive.power_on()
     bench.wait(2)
     assert bench.ask("0B 47 FC 90 00 00") == ""
+
+
+def _knowing(**what: tuple[str, ...]) -> Bench:
+    """An inverter 11 of a series whose service has less than that of the VF-S11."""
+    known = SERIES.communication
+    assert known is not None
+    assert known.toshiba is not None
+    service = known.toshiba.model_copy(update=what)
+    changed = known.model_copy(update={"toshiba": service})
+    bench = Bench(series=SERIES.model_copy(update={"communication": changed}))
+    bench.add(11)
+    return bench
+
+
+@pytest.mark.fact("tip.err.0003")
+def test_a_command_that_a_series_lacks_is_refused_in_ascii_and_met_with_silence_in_binary() -> None:
+    bench = _knowing(commands=("read", "write_ram"))
+    assert bench.send(b"(11WFA010000)\r") == [b"(11N0003)\r"]
+    assert bench.ask("0B 57 FA 01 00 00") == ""
+    assert bench.ask("0B 50 FA 01 00 00") == "0B 50 FA 01 00 00"
+
+
+def test_a_form_that_a_series_lacks_is_not_understood() -> None:
+    bench = _knowing(forms=("ascii",))
+    assert bench.ask("0B 50 FA 01 00 00") == ""
+    assert bench.send(b"(11RFA01)\r") == [b"(11RFA010000)\r"]

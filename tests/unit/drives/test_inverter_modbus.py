@@ -185,7 +185,9 @@ def test_time_out_of_f803_counts_modbus_requests() -> None:
     bench.ask_modbus("01 03 FC 90 00 01")
     bench.wait(0.9)
     assert not drive.tripped
+    # one for another, and one to all that nobody carries out
     bench.ask_modbus("02 03 FC 90 00 01")
+    bench.ask_modbus("00 03 FC 90 00 01")
     bench.wait(0.1)
     assert drive.trip_display == "Err5"
 
