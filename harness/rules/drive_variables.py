@@ -2,11 +2,11 @@
 
 from collections.abc import Callable, Iterable, Sequence
 
-from fbgen.plant import PlantGateway, SerialLine, with_prefix
+from fbgen.plant import DeviceNetNetwork, PlantGateway, SerialLine, with_prefix
 from harness.engine.interface import Value
 from harness.installation import Installation
 
-Unit = PlantGateway | SerialLine
+Unit = PlantGateway | SerialLine | DeviceNetNetwork
 """What drives are connected to."""
 ReadDrives = Callable[[], "list[tuple[str, Sequence[Value]]]"]
 """The values of each drive, with its name."""

@@ -24,7 +24,8 @@ def _watch(plant: Installation) -> Watch:
     found: list[str] = []
     asked: dict[str, int] = {}
     variables = [f"control.{name}" for name in _CONTROL]
-    read_interfaces = drive_reader(plant, plant.interface_entries, variables)
+    with_data: tuple[Unit, ...] = (*plant.interface_entries, *plant.plan.devicenet)
+    read_interfaces = drive_reader(plant, with_data, variables)
     for name in _sequences(plant, plant.catalog):
         variables += [f"{name}.execute", f"{name}.busy"]
     on_lines: tuple[Unit, ...] = (*plant.telegram_entries, *plant.plan.serial)

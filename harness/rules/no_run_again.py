@@ -1,4 +1,6 @@
-"""Behind a gateway for process data a run that is over comes again only after a new one.
+"""A run that is over comes again only after a new one: of drives that are told all the time.
+
+Those are behind a gateway for process data, or on DeviceNet.
 
 It is over when the drive is gone or has tripped, when the CPU has started, and when the block took
 it back. From then on `run` has to be FALSE in one scan, with the drive there and without a trip,
@@ -10,8 +12,9 @@ from collections.abc import Iterator
 
 from harness.installation import Installation
 from harness.plc import CpuMode
-from harness.rules.drive_variables import drive_reader
+from harness.rules.drive_variables import Unit, drive_reader
 from harness.rules.rule import Rule, Watch
+from harness.rules.run_commands import run_bits_of
 
 _CONTROL = ("manual", "run", "manualRun", "jog", "coast", "dcBrake", "interlock")
 _STATE = ("command", "online", "tripped")
@@ -20,12 +23,14 @@ _VARIABLES = (*(f"state.{name}" for name in _STATE), *(f"control.{name}" for nam
 
 def _watch(plant: Installation) -> Watch:
     entries = plant.interface_entries
-    read = drive_reader(plant, entries, _VARIABLES)
+    units: tuple[Unit, ...] = (*entries, *plant.plan.devicenet)
+    read = drive_reader(plant, units, _VARIABLES)
     masks = {
         drive.name: plant.catalog.process_data_gateway(entry.type).word("command").field("run").mask
         for entry in entries
         for drive in entry.drives
     }
+    masks |= {name: run_bits_of(option)[1] for name, option in plant.options.items()}
     runs: set[str] = set()
     spent = set(masks)
 

@@ -11,6 +11,7 @@ it goes to the same drive: that hears one telegram at a time, and nothing is los
 from collections.abc import Mapping
 
 from fbgen.catalog import Catalog
+from fbgen.wire.single_words import Wanted
 from fbgen.wire.toshiba import BROADCAST, Command
 from harness.installation import Installation
 from harness.kernel import NS_PER_MS
@@ -19,7 +20,6 @@ from harness.rules.line_log import LineLog, Sent, line_logs, telling
 from harness.rules.put_out import Sending
 from harness.rules.rule import Rule, Watch
 from harness.rules.serial_log import SerialAnswer, SerialLog, SerialSent, serial_logs
-from harness.rules.serial_telegrams import Wanted
 
 _ANSWERED = (Command.R, Command.G, Command.W, Command.P)
 

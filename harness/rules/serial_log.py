@@ -9,6 +9,7 @@ from collections.abc import Callable
 
 from fbgen.dataclass import dataclass
 from fbgen.plant import SerialLine, with_prefix
+from fbgen.wire.single_words import Said, Wanted, said_in, wanted_in
 from fbgen.wire.toshiba import Command
 from harness.drives.communication import Communication
 from harness.engine.interface import Value
@@ -16,7 +17,6 @@ from harness.installation import Installation
 from harness.kernel import NS_PER_MS
 from harness.line import Transmission
 from harness.plc import CpuMode
-from harness.rules.serial_telegrams import Said, Wanted, said_in, wanted_in
 
 _FACE = ("busy", "done", "invNo", "cmd", "comNo", "data", "replyExpected", "retries", "replyData")
 _ON_ITS_WAY_NS = 200 * NS_PER_MS
@@ -117,7 +117,7 @@ class SerialLog:
     def _tell(self, transmission: Transmission, heard: bytes) -> None:
         start_ns, end_ns = transmission.start_ns, transmission.end_ns
         if transmission.sender is self._port:
-            wanted = wanted_in(self.line, transmission.data)
+            wanted = wanted_in(self.line.family, transmission.data)
             job = None if wanted is None else self._job_of(wanted, start_ns)
             if job is not None:
                 job.attempts += 1
@@ -127,7 +127,7 @@ class SerialLog:
             return
         node = transmission.sender.node if transmission.sender is not None else None
         heard_ns = node.heard_ns if isinstance(node, Communication) else start_ns
-        answer = SerialAnswer(start_ns, end_ns, said_in(self.line, heard), heard_ns)
+        answer = SerialAnswer(start_ns, end_ns, said_in(self.line.family, heard), heard_ns)
         for answered in self.on_answer:
             answered(answer)
 

@@ -56,6 +56,7 @@ class Dev003z:
         "commands",
         "gateway",
         "node",
+        "on_loss",
         "own",
         "supervisor",
     )
@@ -110,6 +111,7 @@ class Dev003z:
         check_attributes(gateway, self._has_value)
         self._objects = ObjectModel(gateway, self)
         self._lost: Event | None = None
+        self.on_loss: list[Callable[[int], None]] = []
         self._powered = False
         host.observers.append(self._host_changed)
         self._host_changed()
@@ -283,7 +285,10 @@ class Dev003z:
             return
         if condition == 2 and not host.running:
             return
-        self.commands.lost(self.own["timeout_action"], self.own["timeout_preset"])
+        action = self.own["timeout_action"]
+        for told in self.on_loss:
+            told(action)
+        self.commands.lost(action, self.own["timeout_preset"])
 
     def _found(self) -> None:
         """Communication is there: what was about to follow from its loss does not."""

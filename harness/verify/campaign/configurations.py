@@ -115,8 +115,9 @@ def draw_start(random: Random, plan: Plant, program: Entry, catalog: Catalog) ->
         "execution": written_time(execution_ns),
     }
     drives: Entry = {}
+    on_devicenet = {drive.name for drive in plan.devicenet_drives}
     for drive in plan.drives:
-        if random.random() < 0.5:
+        if drive.name not in on_devicenet and random.random() < 0.5:
             longest_ms = int(catalog.drive(drive.series).times.reply_max.ms)
             drives[drive.name] = {"reply_time": f"{random.randint(1, longest_ms)} ms"}
     gateways = {

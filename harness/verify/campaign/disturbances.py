@@ -1,6 +1,6 @@
 """The faults of a seed: few kinds at a time, each at a random instant and place (swarm testing)."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from random import Random
 
 from harness.kernel import NS_PER_MS, NS_PER_S
@@ -39,9 +39,15 @@ _SETTINGS: Mapping[str, Mapping[str, Sequence[object]]] = {
 
 
 def draw_faults(
-    random: Random, places: Mapping[str, Sequence[str]], kinds: Sequence[str]
+    random: Random,
+    places: Mapping[str, Sequence[str]],
+    kinds: Sequence[str],
+    on_devicenet: Collection[str],
 ) -> list[Entry]:
-    """The faults of a seed, of these `kinds` where the plant can have them, in their order."""
+    """The faults of a seed, of these `kinds` where the plant can have them, in their order.
+
+    `on_devicenet` are the drives whose cable has no directions.
+    """
     possible = sorted(name for name in kinds if places.get(name))
     if not possible:
         return []
@@ -60,7 +66,7 @@ def draw_faults(
         }
         if on := random.choice(list(places[name])):
             event["on"] = on
-        if name in _SETTINGS:
+        if name in _SETTINGS and not (name == "drive_disconnected" and on in on_devicenet):
             drawn = {key: random.choice(values) for key, values in _SETTINGS[name].items()}
             event["settings"] = drawn
         events.append((at_ns, event))

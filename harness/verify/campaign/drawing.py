@@ -66,7 +66,9 @@ def draw(seed: int, turn: int, subject: Subject, kinds: Sequence[str]) -> Entry:
         "variations": [program],
         **draw_start(random, plan, program, catalog),
         "rules": ["all"],
-        "faults": draw_faults(random, subject.places, kinds),
+        "faults": draw_faults(
+            random, subject.places, kinds, {drive.name for drive in plan.devicenet_drives}
+        ),
         "steps": [
             *_work(random, plan, catalog, _sequences(plan, catalog)),
             *_recovery(varied, catalog, _patience(program, plan), _sequences(plan, catalog)),
@@ -101,7 +103,7 @@ def _work(random: Random, plan: Plant, catalog: Catalog, sequences: Sequence[str
         gateway, drive = random.choice(drives)
         if gateway in asked_by_telegrams:
             asked = _asked(random, gateway.name, drive, sequences)
-        elif isinstance(drive, PlantDrive) and random.random() < _JOBS_SHARE:
+        elif random.random() < _JOBS_SHARE:
             asked = asked_in_parameter_channel(random, gateway.name, drive)
         else:
             asked = _asked(random, gateway.name, drive, ())
@@ -161,10 +163,10 @@ def _recovery(
         for drive in gateway.drives
         for name in sequences
     }
-    for gateway in plan.gateways:
-        if gateway not in on_lines:
-            for drive in gateway.drives:
-                executes |= {f"plc.TOS_Plant.{gateway.name}.{drive.name}.parameter.execute": False}
+    for unit in plan.units:
+        if unit not in on_lines:
+            for member in unit.drives:
+                executes |= {f"plc.TOS_Plant.{unit.name}.{member.name}.parameter.execute": False}
     steps: list[Entry] = [
         {"set": {f"{line}.emergencyStop": False for line in lines}},
         {"set": {f"{control}.run": False for control in controls} | executes},

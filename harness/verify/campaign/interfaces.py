@@ -1,11 +1,11 @@
-"""What a seed does behind a gateway for process data: jobs in its parameter channels, and when a
-drive there is well again."""
+"""What a seed does behind a gateway for process data, and on DeviceNet: jobs in parameter channels,
+and when a drive there is well again."""
 
 from collections.abc import Mapping
 from random import Random
 
 from fbgen.catalog import Catalog
-from fbgen.plant import Plant, PlantDrive, PlantGateway, layout_of
+from fbgen.plant import DeviceNetDrive, Plant, PlantDrive, PlantGateway, layout_of
 from harness.verify.campaign.entries import Entry
 
 _READ, _WRITE_RAM = 1, 2
@@ -16,9 +16,11 @@ _READS = (_RAMP, 0xFC82, 0xFD00, 0x7FFF, 0x0000)
 _RAMPS = (1, 10, 50, 0xFFFF)
 
 
-def asked_in_parameter_channel(random: Random, gateway: str, drive: PlantDrive) -> Entry:
+def asked_in_parameter_channel(
+    random: Random, unit: str, drive: PlantDrive | DeviceNetDrive
+) -> Entry:
     """A job, or the end of the one before; in modules without parameter channel it is refused."""
-    job = f"plc.TOS_Plant.{gateway}.{drive.name}.parameter"
+    job = f"plc.TOS_Plant.{unit}.{drive.name}.parameter"
     if random.random() < 0.4:
         return {f"{job}.execute": False, f"{job}.abort": random.random() < 0.3}
     ask: Mapping[str, int]

@@ -18,13 +18,17 @@ READ = "ComNos read"
 TRIPS = "trips"
 PARAMETER_ERRORS = "error codes of parameter channels"
 DIAGNOSIS = "bits of the slave's diagnosis"
+REFUSALS = "error replies and exceptions"
+LAMPS = "lamps of DeviceNet options"
+GENERAL_STATUS = "general status codes"
+TIMEOUT_ACTIONS = "actions when DeviceNet is lost"
 READ_RESULTS = "RET_VAL of DPRD_DAT (SFC14)"
 WRITE_RESULTS = "RET_VAL of DPWR_DAT (SFC15)"
 STEPS = "sequence steps"
 CODES = "status codes of blocks"
 GROUPS = (
     *(GATEWAY_WORDS, WRITTEN_WORDS, READ_WORDS, WRITTEN, READ, TRIPS),
-    *(PARAMETER_ERRORS, DIAGNOSIS),
+    *(PARAMETER_ERRORS, DIAGNOSIS, REFUSALS, LAMPS, GENERAL_STATUS, TIMEOUT_ACTIONS),
     *(READ_RESULTS, WRITE_RESULTS, STEPS, CODES),
 )
 """The groups in the order in which they are shown."""

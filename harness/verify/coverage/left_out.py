@@ -6,6 +6,7 @@
 from collections.abc import Mapping
 
 from fbgen.catalog import Word
+from fbgen.wire.devicenet import Status
 from harness.plc.consistent_data import RetVal
 
 NEVER_READ = frozenset((RetVal.WRITE_ACCESS_ERROR, RetVal.PREVIOUS_WRITE_PENDING))
@@ -18,6 +19,23 @@ UNUSED: Mapping[str, str] = {
     "tospbdp001.status.data_valid = 1": "the gateway does not use the bit, it is always 0",
 }
 """Values of the gateway's words for which its manual has no use, with the reason."""
+
+NEVER_ANSWERED = frozenset((Status.SUCCESS, Status.VENDOR_SPECIFIC))
+"""General status codes that are no refusal, or that the DEV003Z has no use for."""
+NEVER_LIT: Mapping[str, str] = {
+    "dev003z.module_status = red": "no document says which faults cannot be mended",
+}
+"""Lights of lamps that nothing brings about, with the reason."""
+NEVER_SHOWN: Mapping[str, str] = {
+    f"dev003z.{instance}.extended_status.drive_status = {state}": reason
+    for instance in (71, 151)
+    for state, reason in (
+        (0, "the option has no state of the vendor's"),
+        (1, "it is not on the network yet"),
+        (2, "it has its supply from the inverter, which then is ready"),
+    )
+}
+"""Values of words of assemblies that nothing brings about, with the reason."""
 
 
 def is_counted(word: Word) -> bool:

@@ -1,12 +1,12 @@
 """Looks on at a plant for catalogue coverage: words, ComNos, trips, RET_VALs.
 
 Telegrams are those on the lines and cables, as the drives hear and answer them; a gateway's own
-heartbeats, in ASCII, belong to no test.
+heartbeats, in ASCII, belong to no test. Serial lines and DeviceNet have modules of their own.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
-from fbgen.catalog import Catalog, ComNo, Drive, TelegramGateway
+from fbgen.catalog import Catalog, Drive, TelegramGateway
 from fbgen.lang.types import Scalar
 from fbgen.plant import layout_of
 from fbgen.source import Span
@@ -29,8 +29,11 @@ from harness.verify.coverage.catalogue import (
     WRITTEN_WORDS,
     CatalogueCoverage,
 )
+from harness.verify.coverage.comnos import know_comnos, see_comno
+from harness.verify.coverage.devicenet_watch import watch_devicenet
 from harness.verify.coverage.interface_watch import InterfaceWatch
-from harness.verify.coverage.left_out import NEVER_READ, NEVER_WRITTEN, UNUSED, is_counted
+from harness.verify.coverage.left_out import NEVER_READ, NEVER_WRITTEN, UNUSED
+from harness.verify.coverage.serial_watch import SerialLineWatch
 from harness.verify.coverage.word_items import values_in, values_of
 
 _INSTRUCTIONS = {
@@ -54,6 +57,9 @@ def watch(plant: Installation, coverage: CatalogueCoverage) -> None:
             writing = _writing(plant.catalog, known.protocol)
             _LineWatch(coverage, plant.lines[entry.name], gateway.port, series, writing)
     _watch_interfaces(plant, coverage)
+    for line in plant.plan.serial:
+        SerialLineWatch(plant, coverage, line)
+    watch_devicenet(plant, coverage)
     _watch_trips(plant, coverage)
     _watch_instructions(plant, coverage)
 
@@ -139,14 +145,7 @@ class _LineWatch:
         self._writing = writing
         self._told: set[bytes] = set()
         for drive in series.values():
-            coverage.know(WRITTEN, _comnos(drive, "w"))
-            coverage.know(READ, _comnos(drive, "r"))
-            for comno in drive.comnos:
-                if comno.word is not None and is_counted(drive.word(comno.word)):
-                    items = list(values_of(f"{drive.id}.{comno.word}", drive.word(comno.word)))
-                    for group, access in ((WRITTEN_WORDS, "w"), (READ_WORDS, "r")):
-                        if access in comno.access:
-                            coverage.know(group, items)
+            know_comnos(coverage, drive)
         line.taps.append(self._heard)
 
     def _heard(self, transmission: Transmission) -> None:
@@ -167,28 +166,22 @@ class _LineWatch:
         drive = self._first
         if isinstance(address, int):
             drive = self._series.get(address, drive)
-        comno = next((one for one in drive.comnos if one.number == number), None)
-        if comno is None:
-            return
-        self._coverage.see(group, _comno(drive, comno))
-        if comno.word is not None:
-            for item in values_in(f"{drive.id}.{comno.word}", drive.word(comno.word), data):
-                self._coverage.see(words, item)
+        see_comno(self._coverage, (group, words), drive, number, data)
 
 
 def _watch_trips(plant: Installation, coverage: CatalogueCoverage) -> None:
-    names: dict[int, str] = {}
+    names: dict[str, dict[int, str]] = {}
     for drive in plant.drives.values():
         series = drive.series
         known = {one.code: f"{series.id} {one.display} ({one.code:02X})" for one in series.trips}
         known.pop(0, None)
         coverage.know(TRIPS, known.values())
-        names |= known
+        names[series.id] = known
 
     def look() -> None:
         for drive in plant.drives.values():
             if drive.tripped:
-                coverage.see(TRIPS, names.get(drive.trip_code, ""))
+                coverage.see(TRIPS, names[drive.series.id].get(drive.trip_code, ""))
 
     plant.cpu.after_scan.append(look)
 
@@ -215,14 +208,3 @@ def _noting(coverage: CatalogueCoverage, group: str, instruction: Instruction) -
         return ret_val
 
     return noted
-
-
-# --- items ----------------------------------------------------------------------------------------
-
-
-def _comnos(drive: Drive, access: str) -> Iterator[str]:
-    return (_comno(drive, one) for one in drive.comnos if access in one.access)
-
-
-def _comno(drive: Drive, comno: ComNo) -> str:
-    return f"{drive.id} {comno.hex} {comno.name}"

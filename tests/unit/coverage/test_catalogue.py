@@ -21,11 +21,15 @@ from harness.verify.coverage.catalogue import (
     CODES,
     DIAGNOSIS,
     GATEWAY_WORDS,
+    GENERAL_STATUS,
     GROUPS,
+    LAMPS,
     PARAMETER_ERRORS,
     READ,
     READ_RESULTS,
+    REFUSALS,
     STEPS,
+    TIMEOUT_ACTIONS,
     TRIPS,
     WRITE_RESULTS,
     WRITTEN,
@@ -107,6 +111,7 @@ def test_it_is_kept_in_the_file_and_merged(driven: Coverage, tmp_path: Path) -> 
 def test_the_table_names_what_is_missing(driven: Coverage) -> None:
     rows = catalogue_rows(driven)
     others = {READ_RESULTS, WRITE_RESULTS, PARAMETER_ERRORS, DIAGNOSIS}
+    others |= {REFUSALS, LAMPS, GENERAL_STATUS, TIMEOUT_ACTIONS}
     assert [row[0] for row in rows[:-1]] == [name for name in GROUPS if name not in others]
     assert "and 35 more" in {row[0]: row[2] for row in rows}[TRIPS]
     assert catalogue_rows(Coverage()) == []

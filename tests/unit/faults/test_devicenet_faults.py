@@ -19,7 +19,7 @@ from tests.unit.faults.fault_plant import drive_state
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "devicenet"
 CATALOG = load_catalog()
-ELSEWHERE = (Target.GATEWAY, Target.TELEGRAMS, Target.LINE)
+ELSEWHERE = (Target.GATEWAY, Target.TELEGRAMS, Target.LINE, Target.MODULE)
 OF_TELEGRAMS = ("drive_answers", "drive_number", "drive_slow")
 HERE = sorted(
     name

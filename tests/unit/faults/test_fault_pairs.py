@@ -10,13 +10,14 @@ from itertools import combinations, combinations_with_replacement
 import pytest
 
 from fbgen.plant import Plant
-from harness.faults import FAULTS, Fault
+from harness.faults import FAULTS, Fault, Target
 from harness.installation import Installation
 from harness.kernel import NS_PER_MS, NS_PER_S
 from tests.unit.faults.fault_plant import all_is_well, fault, five_drives, snapshot, started
 
-HERE = sorted(name for name in FAULTS if not name.startswith("devicenet_"))
-"""The faults of a plant without DeviceNet; for the others see `test_devicenet_faults`."""
+ELSEWHERE = (Target.NETWORK, Target.OPTION, Target.MODULE)
+HERE = sorted(name for name, kind in FAULTS.items() if kind.target not in ELSEWHERE)
+"""The faults of a plant with a gateway; for DeviceNet see `test_devicenet_faults`."""
 SETTLING_NS = 25 * NS_PER_MS
 STRONGER: dict[str, Mapping[str, float | str]] = {
     "cpu_jitter": {"up_to": "8 ms"},

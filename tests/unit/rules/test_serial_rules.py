@@ -8,8 +8,8 @@ import pytest
 from fbgen.catalog import load_catalog
 from fbgen.plant import load_plant
 from fbgen.wire import modbus
+from fbgen.wire.single_words import Said, Wanted
 from fbgen.wire.toshiba import seal
-from harness.rules.serial_telegrams import Said, Wanted
 from tests.unit.rules.watched import WatchedPlant
 
 ROOT = Path(__file__).parents[3]

@@ -1,16 +1,16 @@
-"""Telegrams of a serial line in a form that is the same for all protocols: what is asked, and said.
-
-Those that the generated blocks send: one ComNo is read or written, in either form of the Toshiba
-protocol or by functions 03 and 06 of MODBUS.
+"""Telegrams about a single word in a form that is the same for all protocols: what is asked, and
+what is said. One ComNo is read or written, in either form of the Toshiba protocol, or by functions
+03 and 06 of MODBUS.
 """
 
 from collections.abc import Callable, Mapping
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
-from fbgen.plant import SerialLine
 from fbgen.wire import modbus, modbus_rtu, toshiba_stream
 from fbgen.wire.toshiba import BROADCAST, Command, Reply, Request
 
+Family = Literal["toshiba", "modbus"]
+"""The protocols, both forms of the first in one."""
 _READS, _WRITES = (Command.R, Command.G), (Command.W, Command.P)
 
 
@@ -81,21 +81,21 @@ def _modbus_said(frame: bytes) -> Said | None:
     return None
 
 
-_WANTED: Mapping[str, Callable[[bytes], Wanted | None]] = {
+_WANTED: Mapping[Family, Callable[[bytes], Wanted | None]] = {
     "toshiba": _toshiba_wanted,
     "modbus": _modbus_wanted,
 }
-_SAID: Mapping[str, Callable[[bytes], Said | None]] = {
+_SAID: Mapping[Family, Callable[[bytes], Said | None]] = {
     "toshiba": _toshiba_said,
     "modbus": _modbus_said,
 }
 
 
-def wanted_in(line: SerialLine, frame: bytes) -> Wanted | None:
+def wanted_in(family: Family, frame: bytes) -> Wanted | None:
     """What a frame of the PLC asks for; None for what is none of these telegrams."""
-    return _WANTED[line.family](frame)
+    return _WANTED[family](frame)
 
 
-def said_in(line: SerialLine, frame: bytes) -> Said | None:
+def said_in(family: Family, frame: bytes) -> Said | None:
     """What a frame of a drive says; None for refusals and what is no frame."""
-    return _SAID[line.family](frame)
+    return _SAID[family](frame)
