@@ -16,6 +16,8 @@ _INV_NO = re.compile(r"\d{1,3}(?:-\d{1,3})?")
 _RAW = re.compile(r"(?:16#|0x|2#|0b).+|[0-9A-Fa-f]+h", re.IGNORECASE)
 _NUMBER = re.compile(r"\d{4}|[0-9A-Fa-f]{4}|0[xX][0-9A-Fa-f]{1,4}")
 _ALL = ("all", "broadcast")
+SCAN = "scan"
+_ALONE = ("names", "help", "quit")
 FORWARD = "forward"
 """No bit of any word: it says that `reverse` is 0."""
 HOW = {
@@ -65,8 +67,7 @@ def questions(words: Sequence[str], talking: Talking) -> list[Question]:
     plain = [word for word in words if word != "--eeprom"]
     verb = plain[0] if plain else ""
     if verb not in HOW:
-        known = nearest(verb, (*HOW, "scan", "names", "help", "quit"))
-        raise error("FB9050", f"'{verb}' is nothing that can be asked", None, known)
+        raise _no_question(verb)
     numbers, rest = _inverters(plain[1:], verb, talking)
     eeprom = len(plain) < len(words)
     if verb == "read":
@@ -81,6 +82,18 @@ def questions(words: Sequence[str], talking: Talking) -> list[Question]:
     if len(rest) < 2:
         raise _incomplete(verb)
     return [_write(number, rest[0], rest[1:], talking, eeprom=eeprom) for number in numbers]
+
+
+def _no_question(verb: str) -> DiagnosticError:
+    if verb == SCAN:
+        way = "leave this by quit, and write it on the command line: fbgen talk --port P scan"
+        return error(
+            "FB9050", "scan opens the port itself, with one speed after the other", None, way
+        )
+    if verb in _ALONE:
+        return error("FB9050", f"'{verb}' takes no words", None, "write it alone")
+    help_ = nearest(verb, (*HOW, SCAN, *_ALONE))
+    return error("FB9050", f"'{verb}' is nothing that can be asked", None, help_)
 
 
 def _incomplete(verb: str) -> DiagnosticError:

@@ -87,6 +87,8 @@ def test_a_series_that_keeps_what_modbus_writes_wants_that_to_be_said() -> None:
     [
         ("turn 11", "FB9050", "nothing that can be asked"),
         ("scann", "FB9050", "did you mean 'scan'"),
+        ("scan", "FB9050", "on the command line: fbgen talk --port P scan"),
+        ("names of all", "FB9050", "'names' takes no words"),
         ("read 99 status", "FB9050", "0 to 63; in ASCII (--ascii) to 99"),
         ("read 11 frequncy", "FB1105", "'frequency'"),
         ("read", "FB9050", "not said which inverter"),

@@ -112,6 +112,17 @@ def test_each_bit_of_the_table_does_what_it_says(
     assert holds(plant)
 
 
+@at_each_port
+@pytest.mark.parametrize(("bit", "hz"), [("preset_speed_2", 12.0), ("jog", 5.0)])
+def test_preset_speeds_and_jog_need_no_frequency_priority(port: str, bit: str, hz: float) -> None:
+    plant = Plant(jog_frequency=5.0, preset_speed_2=12.0)
+    plant.drive.set_panel(Panel(frequency_hz=40.0))
+    plant.command(port, "network_command", "run", bit)
+    assert _reaches(hz)(plant)
+    plant.command(port, "network_command", "run")
+    assert _reaches(40.0)(plant)
+
+
 def test_the_tests_above_name_every_bit_of_the_table() -> None:
     tried = {"network_command", "network_frequency", "fault_reset"}
     for mark in test_each_bit_of_the_table_does_what_it_says.pytestmark:  # type: ignore[attr-defined]
