@@ -25,12 +25,12 @@ _PROTOCOLS = {
 _MODULES = {
     "freeport": (
         "Set the module to freeport. Start of a message: any character; end of a message: "
-        "character delay time of 44 bit times, and nothing else; no flow control; {wires}. Initial "
-        "state of the receive line: R(A) 0 V, R(B) 5 V, no wire break detection: while no drive "
-        "replies, nobody drives that pair. A CM 1241 needs firmware V2.1 for Send_P2P and "
-        "Receive_P2P. The character delay time is four characters; at 38400 bit/s and more set 100 "
-        "bit times, as the help of TIA Portal advises. `portStatus` 81xx: what came was damaged; "
-        "82xx, 8Fxx: the module does not answer.",
+        "character delay time of 44 bit times, and nothing else; no flow control; {wires}. "
+        "Initial state of the receive line: R(A) 0 V, R(B) 5 V, no wire break detection: while no "
+        "drive replies, nobody drives that pair. A CM 1241 needs firmware V2.1 for Send_P2P and "
+        "Receive_P2P. The character delay time is four characters; at 38400 bit/s and more set "
+        "100 bit times, as the help of TIA Portal advises. `portStatus` 81xx: what came was "
+        "damaged; 82xx, 8Fxx: the module does not answer.",
         "Das Modul auf Freeport stellen. Beginn einer Nachricht: beliebiges Zeichen; Ende: "
         "Zeichenverzugszeit von 44 Bitzeiten, sonst nichts; keine Flusskontrolle; {wires}. "
         "Vorbelegung der Empfangsleitung: R(A) 0 V, R(B) 5 V, keine Drahtbrucherkennung: Solange "
@@ -54,30 +54,29 @@ _MODULES = {
         "Set the CP to the ASCII driver, end of a message: after the character delay time, of "
         "four characters ({delays}); no flow control; {wires}. Initial state of the receive line: "
         "R(A) 0 V, R(B) 5 V, not the default with break detection: while no drive replies, nobody "
-        "drives that pair. {instructions} come from the library of the CP. {buffers} `portStatus` "
-        "08xx: what came was damaged (0810 parity); 1Exx: the CP does not answer.",
+        "drives that pair. {instructions} {library} {buffers} `portStatus` 08xx: what came was "
+        "damaged (0810 parity); 1Exx: the CP does not answer.",
         "Den CP auf den ASCII-Treiber stellen, Ende einer Nachricht: nach der Zeichenverzugszeit "
         "von vier Zeichen ({delays}); keine Flusskontrolle; {wires}. Vorbelegung der "
         "Empfangsleitung: R(A) 0 V, R(B) 5 V, nicht die Voreinstellung mit Break-Erkennung: "
-        "Solange kein Antrieb antwortet, treibt niemand dieses Paar. {instructions} stehen in der "
-        "Bibliothek des CP. {buffers} `portStatus` 08xx: Was kam, war beschädigt (0810 Parität); "
-        "1Exx: Der CP antwortet nicht.",
+        "Solange kein Antrieb antwortet, treibt niemand dieses Paar. {instructions} {library} "
+        "{buffers} `portStatus` 08xx: Was kam, war beschädigt (0810 Parität); 1Exx: Der CP "
+        "antwortet nicht.",
     ),
     "adapter": (
-        "Your own program sends and receives, by the serial library of the PLC: when "
-        "`sendCount` of `{adapters}.LINE` changes, it sends `sendLength` bytes of `outBytes` "
-        "and then sets `sentCount` to that number. Where the line was silent for four "
-        "characters it puts what came, 32 bytes at most, into `inBytes`, its number into "
-        "`receiveLength`, and counts `receiveCount` up; the next message only when `takenCount`"
-        " has followed. With `damaged` a message has an error of parity or frame, with `failed`"
-        " the port cannot be used.",
+        "Your own program sends and receives, by the serial library of the PLC: when `sendCount` "
+        "of `{adapters}.LINE` changes, it sends `sendLength` bytes of `outBytes` and then sets "
+        "`sentCount` to that number. Where the line was silent for four characters it puts what "
+        "came, 32 bytes at most, into `inBytes`, its number into `receiveLength`, and counts "
+        "`receiveCount` up; the next message only when `takenCount` has followed. With `damaged` "
+        "a message has an error of parity or frame, with `failed` the port cannot be used.",
         "Ihr eigenes Programm sendet und empfängt mit der seriellen Bibliothek der Steuerung: "
         "Wenn sich `sendCount` von `{adapters}.LINIE` ändert, sendet es `sendLength` Byte von "
-        "`outBytes` und setzt danach `sentCount` auf diese Zahl. Wo die Linie vier Zeichen lang"
-        " still war, legt es, was kam, höchstens 32 Byte, in `inBytes`, die Anzahl in "
+        "`outBytes` und setzt danach `sentCount` auf diese Zahl. Wo die Linie vier Zeichen lang "
+        "still war, legt es, was kam, höchstens 32 Byte, in `inBytes`, die Anzahl in "
         "`receiveLength`, und zählt `receiveCount` weiter; die nächste Nachricht erst, wenn "
-        "`takenCount` gefolgt ist. Mit `damaged` hat eine Nachricht einen Fehler der Parität "
-        "oder des Rahmens, mit `failed` ist der Anschluss nicht zu gebrauchen.",
+        "`takenCount` gefolgt ist. Mit `damaged` hat eine Nachricht einen Fehler der Parität oder "
+        "des Rahmens, mit `failed` ist der Anschluss nicht zu gebrauchen.",
     ),
 }
 _TWO_WIRES = ("half duplex (RS485), two-wire", "Halbduplex (RS485), zwei Adern")
@@ -136,19 +135,40 @@ def serial_notes(lists: PlantLists) -> Iterator[str]:
             wires=lists.in_words(*(four if wires == 4 else _TWO_WIRES)),
             delays=", ".join(delays),
             instructions=", ".join(instructions_of(module)),
+            library=_library(lists),
             buffers=_buffers(lists),
             adapters=lists.name("TIP_Adapters"),
         )
+
+
+def _library(lists: PlantLists) -> str:
+    """Where the instructions of a CP are."""
+    if lists.plant.dialect == "tia":
+        return lists.in_words(
+            "are instructions of the communication processor: if the import does not know them, "
+            "call each once in a block of your own first, so that it is in the project.",
+            "sind Anweisungen des Kommunikationsprozessors: Kennt der Import sie nicht, erst jede "
+            "einmal in einem eigenen Baustein aufrufen, damit sie im Projekt ist.",
+        )
+    return lists.in_words("come from the library of the CP.", "stehen in der Bibliothek des CP.")
 
 
 def _buffers(lists: PlantLists) -> str:
     """Which numbers the data blocks must have that the instructions take by number."""
     numbers = buffer_numbers(lists.plant)
     listed = ", ".join(f"`{lists.name(name)}` DB{number}" for name, number in numbers.items())
-    return lists.in_words(
+    text = lists.in_words(
         f"The instructions take data blocks by number: {listed}.",
         f"Die Anweisungen nehmen Datenbausteine nach Nummer: {listed}.",
     )
+    if lists.plant.dialect != "tia":
+        return text
+    by_hand = lists.in_words(
+        "**The import gives other numbers**: set these by hand, in the properties of the block.",
+        "**Der Import vergibt andere Nummern**: diese von Hand einstellen, in den Eigenschaften "
+        "des Bausteins.",
+    )
+    return f"{text} {by_hand}"
 
 
 def serial_poll(line: SerialLine, lists: PlantLists) -> dict[str, object]:

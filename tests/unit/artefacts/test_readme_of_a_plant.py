@@ -288,8 +288,10 @@ def test_without_gateways_nothing_is_said_of_their_bytes(dialect: str) -> None:
         ("s7-1500", "tia", "wires: 4", "four-wire, point-to-point (multipoint master is offered"),
         ("s7-1200", "tia", "wires: 4", "four-wire, point-to-point. Initial"),
         ("s7-300", "tia", "baud: 9600", "four characters (5 ms at `line1`)"),
-        ("s7-400", "tia", "wires: 4", "SEND_440, RECV_440 come from the library"),
-        ("s7-300", "tia", "module: cp_341", "P_SND_RK, P_RCV_RK come from the library"),
+        ("s7-400", "step7", "wires: 4", "SEND_440, RECV_440 come from the library"),
+        ("s7-300", "step7", "module: cp_341", "P_SND_RK, P_RCV_RK come from the library"),
+        ("s7-300", "tia", "module: cp_341", "P_SND_RK, P_RCV_RK are instructions of"),
+        ("s7-300", "tia", "wires: 4", "The import gives other numbers"),
     ],
 )
 def test_it_says_what_is_set_at_each_module(plc: str, dialect: str, line: str, says: str) -> None:
