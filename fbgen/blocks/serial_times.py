@@ -4,7 +4,8 @@ Characters: 8 data bits, the PLC sends one stop bit, an inverter two (VF-S11 com
 E6581222, page 4). The silence between telegrams is 3.5 characters for every series (E6581315, page
 5; MODBUS over Serial Line V1.02, 2.5.1.1). Reserves of our own: 4 ms for the ways between CPU and
 communication module, each way, and twice the time that all this adds up to. Modbus_Master cannot be
-called off: an emergency stop waits until the request under way is over.
+called off: an emergency stop waits until the request under way is over. With own frames of MODBUS a
+read waits for twice the limit where another one from that drive had no reply.
 """
 
 from math import ceil
@@ -62,9 +63,11 @@ def serial_times(plant: Plant, line: SerialLine, catalog: Catalog) -> SerialTime
     gap_ms = ceil(reply_ms + answer_ms + ended_ms + _MODULE_MS)
     silence_ms = ceil(_SILENT_CHARACTERS * _character_bits(line, 1) * 1000 / line.baud)
     attempt_ms = timeout_ms + silence_ms + 4 * cycle_ms
-    telegram_ms = (line.parameters.retries + 1) * attempt_ms + 2 * cycle_ms
+    by_instruction = line.family == "modbus" and plant.modbus_by_instruction
+    late_ms = 2 * timeout_ms if line.family == "modbus" and not by_instruction else 0.0
+    telegram_ms = late_ms + (line.parameters.retries + 1) * attempt_ms + 2 * cycle_ms
     given_up_ms: float = gap_ms
-    if line.family == "modbus" and plant.modbus_by_instruction:
+    if by_instruction:
         over_ms = _MODULE_MS + request_ms + _REPLY_SHARE * timeout_ms + 2 * cycle_ms
         given_up_ms = max(gap_ms, over_ms)
     stop_ms = 4 * cycle_ms + given_up_ms + silence_ms + _MODULE_MS + request_ms
