@@ -36,6 +36,8 @@ _SETTINGS: Mapping[str, Mapping[str, Sequence[object]]] = {
     "transfers_torn": {"probability": (0.3, 1.0)},
 }
 """How much of a fault: what one of the settings is drawn from. The bus cycle is 1 ms at least."""
+_ENDS_WITHOUT_SUPPLY = {"devicenet_bus_off": "drive_unpowered"}
+"""What lasts until the supply was away, and the fault that takes it away."""
 
 
 def draw_faults(
@@ -58,7 +60,10 @@ def draw_faults(
         lasts_ns = int(_LONGEST_NS ** random.uniform(0.7, 1.0))
         if name in _AT_REST:
             lasts_ns = max(lasts_ns, _SHORTEST_REST_NS)
-        at_ns = BEGIN_NS + random.randrange(LAST_NS - lasts_ns)
+        over_ns = lasts_ns
+        if name in _ENDS_WITHOUT_SUPPLY:
+            over_ns += _SHORTEST_REST_NS
+        at_ns = BEGIN_NS + random.randrange(LAST_NS - over_ns)
         event: Entry = {
             "at": written_time(at_ns),
             "lasts": written_time(lasts_ns),
@@ -70,4 +75,13 @@ def draw_faults(
             drawn = {key: random.choice(values) for key, values in _SETTINGS[name].items()}
             event["settings"] = drawn
         events.append((at_ns, event))
+        if name in _ENDS_WITHOUT_SUPPLY:
+            at_ns += lasts_ns
+            away: Entry = {
+                "at": written_time(at_ns),
+                "lasts": written_time(_SHORTEST_REST_NS),
+                "inject": _ENDS_WITHOUT_SUPPLY[name],
+                "on": on,
+            }
+            events.append((at_ns, away))
     return [event for _, event in sorted(events, key=lambda item: item[0])]

@@ -8,6 +8,7 @@ everything must be well: that is part of the scenario, as steps.
 from collections.abc import Mapping, Sequence
 from random import Random
 
+from fbgen.blocks.dev_parameters import has_channel
 from fbgen.catalog import Catalog
 from fbgen.dataclass import dataclass
 from fbgen.plant import DeviceNetDrive, DeviceNetNetwork, Plant, PlantDrive, PlantGateway
@@ -186,6 +187,8 @@ def _recovery(
             base = f"plc.TOS_Plant.{unit.name}.{member.name}"
             if isinstance(member, DeviceNetDrive):
                 well |= {f"{base}.state.online": True, f"{base}.state.inhibited": False}
+                if has_channel(member, catalog):
+                    well |= {f"{base}.parameter.busy": False, f"{base}.state.trip": ""}
             elif isinstance(unit, PlantGateway) and unit not in on_lines:
                 well |= well_at_an_interface(plan, unit, member, catalog)
             elif not isinstance(unit, DeviceNetNetwork) and unit.status_poll:
