@@ -53,11 +53,6 @@ class Commands:
         self.net_control = self.net_reference = self.fault_reset = False
         self.speed = 0
 
-    @property
-    def run_type(self) -> RunType:
-        """Which of the two runs by the event matrix."""
-        return self._run_type
-
     def set_links(self, *, control: bool, reference: bool) -> None:
         """Net Ctrl and Net Ref."""
         self.net_control, self.net_reference = control, reference

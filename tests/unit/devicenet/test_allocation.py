@@ -144,6 +144,41 @@ def test_somebody_who_asks_in_vain_does_not_disturb_a_long_answer() -> None:
     assert first.data[2:] + second.data[2:] == b"\x8e\x07DEV003Z"
 
 
+def test_the_connected_port_allocates_and_releases_too() -> None:
+    made = bench()
+    made.allocate(1)
+    made.put(group_2(Group2.EXPLICIT_REQUEST, MAC), bytes.fromhex("00 4B 03 01 00 02 00"))
+    made.run(2)
+    (frame,) = made.taken()
+    assert frame.data == bytes.fromhex("00 CB 01")
+    assert sorted(made.option.node.connections) == [1, 2]
+    made.put(group_2(Group2.EXPLICIT_REQUEST, MAC), bytes.fromhex("00 4C 03 01 00 02"))
+    made.run(2)
+    assert made.taken()[0].data == bytes.fromhex("00 CC")
+    assert sorted(made.option.node.connections) == [1]
+    made.put(group_2(Group2.EXPLICIT_REQUEST, MAC), bytes.fromhex("00 4B 03 01 00 01 00"))
+    made.run(2)
+    assert made.taken()[0].data == bytes.fromhex("00 94 0B 02"), "it is there already"
+
+
+@pytest.mark.parametrize(
+    ("data", "answer"),
+    [
+        ("00 0E 01 01", "00 94 13 FF"),
+        ("40 0E", "40 94 13 FF"),
+        ("00 8E 01 01 00 01", None),
+        ("00", None),
+    ],
+)
+def test_connected_requests_that_are_none(data: str, answer: str | None) -> None:
+    made = bench()
+    made.allocate(1)
+    made.put(group_2(Group2.EXPLICIT_REQUEST, MAC), bytes.fromhex(data))
+    made.run(5)
+    wanted = [] if answer is None else [bytes.fromhex(answer)]
+    assert [frame.data for frame in made.taken()] == wanted
+
+
 # Duplicate MAC check
 
 

@@ -82,6 +82,15 @@ def test_a_timed_out_connection_is_reset_and_goes_on() -> None:
     assert made.poll(words(0, 0)) is not None
 
 
+def test_a_connection_that_is_being_configured_is_not_reset() -> None:
+    made = bench(C203[21])
+    made.allocate(3)
+    made.put(REQUEST, bytes.fromhex("00 05 05 02 00"))
+    made.run(2)
+    assert made.taken()[0].data == bytes([0x00, 0x94, Status.OBJECT_STATE_CONFLICT, 0xFF])
+    assert state(made, 2) is ConnectionState.CONFIGURING
+
+
 @pytest.mark.fact("dev.watchdog")
 def test_the_explicit_connection_deletes_itself() -> None:
     made = bench()
@@ -350,6 +359,20 @@ def test_a_fragment_without_acknowledgement_is_sent_once_more() -> None:
     (first,) = made.taken()
     made.run(1000)
     assert made.taken() == [first]
+    made.run(5000)
+    assert made.taken() == []
+
+
+def test_a_master_that_takes_no_more_ends_a_long_answer() -> None:
+    made = bench(C203[105])
+    made.allocate(1)
+    made.taken()
+    made.put(REQUEST, bytes.fromhex("00 0E 04 69 00 03"))
+    made.run(2)
+    made.taken()
+    made.put(REQUEST, bytes([0x80, 0xC5, 0]))
+    assert made.taken() == [], "that acknowledges another fragment"
+    made.put(REQUEST, bytes([0x80, 0xC0, 1]))
     made.run(5000)
     assert made.taken() == []
 

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from tests.unit.devicenet.bench import C203, bench, words
+from tests.unit.devicenet.bench import C203, GATEWAY, bench, words
 from tests.vectors.reading import entries
 
 ENTRIES = entries("dev003z_words")
@@ -115,6 +115,42 @@ def test_c001_carries_its_word_to_fa06_and_c021_brings_fd03() -> None:
     current = made.drive.read_word("FD03")
     assert current > 0
     assert answer[:2] == words(current)
+
+
+@pytest.mark.fact("dev.map")
+@pytest.mark.parametrize("first", range(7))
+def test_every_command_can_be_chosen_for_every_word(first: int) -> None:
+    """What the inverter does not take changes nothing."""
+    codes = [(first + place) % 7 for place in range(6)]
+    parameters = {f"command_{place}": code for place, code in enumerate(codes, start=1)}
+    made = bench(C203[102], parameters=parameters)
+    made.connect()
+    before = dict(made.drive.registers.ram)
+    assert made.poll(words(*range(1, 7))) is not None
+    numbers = {item.code: item.comno for item in GATEWAY.commands}
+    wanted = {
+        numbers[code]: word
+        for word, code in enumerate(codes, start=1)
+        if code in numbers and made.drive.writable(numbers[code])
+    }
+    after = made.drive.registers.ram
+    assert {number: after[number] for number in wanted} == wanted
+    assert {number for number in after if after[number] != before[number]} <= set(wanted)
+
+
+@pytest.mark.fact("dev.map")
+@pytest.mark.parametrize("first", range(27))
+def test_every_monitor_can_be_chosen_for_every_word(first: int) -> None:
+    """One that the inverter lacks, and a code that none has, read 0."""
+    codes = [(first + place) % 27 for place in range(6)]
+    parameters = {f"monitor_{place}": code for place, code in enumerate(codes, start=1)}
+    made = bench(C203[102], parameters=parameters)
+    made.connect()
+    answer = made.poll(bytes(12))
+    assert answer is not None
+    numbers = {item.code: item.comno for item in GATEWAY.monitors}
+    wanted = [made.drive.read(numbers[code]) or 0 if code in numbers else 0 for code in codes]
+    assert answer == words(*wanted)
 
 
 @pytest.mark.parametrize("series", ["vf-s15", "vf-mb1"])

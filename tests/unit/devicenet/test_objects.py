@@ -38,6 +38,16 @@ def whole(made: Bench, class_id: int, instance: int, attribute: int) -> bytes | 
     return answer.data if isinstance(answer, Response) else answer.status
 
 
+@pytest.mark.parametrize("known", GATEWAY.objects, ids=lambda known: known.name)
+def test_class_attributes_are_constants_of_their_types(made: Bench, known: ObjectClass) -> None:
+    for item in known.class_attributes:
+        assert item.default is not None
+        found = whole(made, known.code, 0, item.id)
+        assert found == item.default.to_bytes(SIZES[item.type], "little")
+        request = Request(Service.SET_ATTRIBUTE_SINGLE, known.code, 0, bytes([item.id, 0, 0]))
+        assert made.option.serve(request) == ErrorResponse(Status.SERVICE_NOT_SUPPORTED, 0xFF)
+
+
 @pytest.mark.parametrize(("known", "item", "instance"), ALL)
 def test_every_attribute_can_be_read_in_its_type(
     made: Bench, known: ObjectClass, item: Attribute, instance: int

@@ -235,6 +235,34 @@ def test_frames_of_a_stranger_do_not_keep_a_slave_away_for_long(choice: Choice) 
     assert not any(frame.identifier == 0x41E for _, frame in made.log[heard:]), "it stays there"
 
 
+def test_a_slave_that_refuses_its_rate_is_tried_again() -> None:
+    made = network({3: 21})
+    stranger = made.bus.attach(lambda _: None)
+    refused: list[int] = []
+
+    def refuse(_: int, frame: Frame, _sender: CanPort) -> None:
+        if frame.identifier == 0x41C and frame.data[1] == 0x10 and not refused:
+            refused.append(1)
+            stranger.send(Frame(0x41B, bytes([frame.data[0], 0x94, 0x09, 0xFF])))
+
+    made.bus.taps.append(refuse)
+    made.run(2760)
+    assert refused
+    assert made.scanner.slaves[3].state is SlaveState.LOST
+    made.run(2000)
+    assert made.scanner.slaves[3].state is SlaveState.RUNNING
+
+
+def test_a_slave_that_answers_no_poll_is_given_up_after_three() -> None:
+    made = network({3: 21})
+    made.run(4000)
+    made.ports[3].plugged = False
+    made.run(25)
+    assert made.scanner.slaves[3].state is SlaveState.RUNNING
+    made.run(15)
+    assert made.scanner.slaves[3].state is SlaveState.LOST
+
+
 def test_a_request_that_the_slave_does_not_take_any_more_has_no_answer() -> None:
     made = network({3: 21})
     made.run(4000)
