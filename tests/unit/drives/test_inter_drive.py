@@ -138,3 +138,20 @@ def test_series_without_the_parameter_take_s_of_a_tripped_master_as_a_set_point(
     assert port.inter_drive is None
     drive.follow(port, 0xFA01, 5000, master_tripped=True)
     assert drive.read_parameter("FA01") == 40.0
+
+
+def test_a_master_waits_while_another_sends() -> None:
+    bench, _, _ = _line()
+    sent: list[tuple[bool, int, int]] = []
+    bench.line.taps.append(
+        lambda one: sent.append((one.sender is bench.port, one.start_ns, one.end_ns))
+    )
+    for _ in range(40):
+        bench.wait(0.0117)
+        if not bench.port.pair.busy:
+            bench.port.transmit(seal(bytes.fromhex("05 50 FA 01 13 88")))
+    own = [(start, end) for ours, start, end in sent if ours]
+    masters = [start for ours, start, _ in sent if not ours]
+    assert len(own) > 5
+    assert len(masters) > 3
+    assert not [start for start in masters if any(begin < start < end for begin, end in own)]

@@ -101,3 +101,20 @@ def test_replies_of_others_on_two_wires_are_not_taken_for_requests() -> None:
     first, second = bench.add(1), bench.add(2)
     assert bench.ask("01 50 00 09 00 32") == "01 50 00 09 00 32"
     assert (first.read_word("0009"), second.read_word("0009")) == (0x32, 100)
+
+
+@pytest.mark.parametrize(("gap_characters", "answers"), [(0, 1), (3.4, 1), (3.6, 2)])
+def test_behind_a_telegram_that_was_not_heard_there_must_be_silence_too(
+    gap_characters: float, answers: int
+) -> None:
+    bench = Bench(series="vf-s15")
+    bench.add(1)
+    reply = 8 * 12 * 1_000_000_000 // 19_200
+    sent = bench.port.transmit(READ)
+    # one while the inverter replies, which it does not hear; the next begins when it is free again
+    bench.kernel.run_until(sent.end_ns + 10 * NS_PER_MS + reply // 2)
+    unheard = bench.port.transmit(READ)
+    bench.kernel.run_until(unheard.end_ns + round(gap_characters * CHARACTER_NS))
+    bench.port.transmit(READ)
+    bench.kernel.run_for(60 * NS_PER_MS)
+    assert len(bench.heard) == answers
