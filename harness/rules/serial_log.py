@@ -77,6 +77,7 @@ class SerialLog:
         self.on_answer: list[Callable[[SerialAnswer], None]] = []
         self.on_end: list[Callable[[SerialJob], None]] = []
         self._kernel = plant.kernel
+        self._cpu = plant.cpu
         self._port = plant.devices.modules[line.name].port
         block = with_prefix(f"TIP_Serial_{line.name}_DB", plant.plan.prefix)
         paths = [f"{block}.instLine.instTelegram.{name}" for name in _FACE]
@@ -110,7 +111,8 @@ class SerialLog:
 
     def _listen(self, transmission: Transmission) -> None:
         heard = transmission.heard
-        if not transmission.data:
+        is_cut_off = transmission.sender is self._port and self._cpu.mode is not CpuMode.RUN
+        if not transmission.data or is_cut_off:
             return
         self._heard.append((transmission, transmission.data if heard is None else heard.data))
 

@@ -93,6 +93,18 @@ def test_bytes_that_are_no_telegram_are_told() -> None:
     assert "2F 02 47 at" in watched.broken["telegrams_asked_for"][0]
 
 
+def test_a_telegram_that_a_stop_of_the_cpu_cuts_off_is_nobodys_fault() -> None:
+    watched = Watched("serial")
+    port = watched.plant.devices.modules["line1"].port
+    while not port.transmitting:
+        watched.run_ms(1)
+    watched.run_ms(2)
+    watched.plant.cpu.stop()
+    watched.run_ms(50)
+    watched.look()
+    assert watched.broken == {}
+
+
 def test_a_run_command_without_run_is_told() -> None:
     watched = Watched(
         "serial", ("AND #drive.control.interlock AND NOT #drive.state.inhibited THEN", "THEN")

@@ -30,10 +30,11 @@ class WatchedPlant:
         self.plant = build_plant(plan, catalog, PlantSetup(sources=sources if changes else None))
         self.broken: dict[str, list[str]] = {}
         self._watches = {name: RULES[name].watch(self.plant) for name in rules}
-        self.plant.cpu.after_scan.append(self._look)
+        self.plant.cpu.after_scan.append(self.look)
         self.plant.start()
 
-    def _look(self) -> None:
+    def look(self) -> None:
+        """As behind each scan; a scenario looks at the end of each step, too."""
         for name, watch in self._watches.items():
             if texts := list(watch()):
                 self.broken.setdefault(name, []).extend(texts)
