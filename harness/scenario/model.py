@@ -214,11 +214,18 @@ class DriveSetup(Located):
         )
 
 
+def _or_column(schema: dict[str, Any]) -> None:
+    """In the JSON Schema a column of `cases` may stand there."""
+    schema["anyOf"].append({"pattern": r"^\$\{\w+\}$", "type": "string"})
+
+
 class Variation(Located):
     """The scenario once more with changes to the plant file; {} is the plant as it is."""
 
     dialect: PlantDialect | None = Field(default=None, description="Language of the text")
-    plc: PlcFamily | None = Field(default=None, description="Family of the CPU")
+    plc: PlcFamily | None = Field(
+        default=None, description="Family of the CPU", json_schema_extra=_or_column
+    )
     prefix: Text | None = Field(default=None, description="How the names of blocks begin")
     layout: Text | None = Field(default=None, description="Cyclic data of all gateways")
     access: Literal["per_identifier", "dpxx_dat", "process_image"] | None = Field(
