@@ -29,3 +29,14 @@ def drive_reader(
         return [(name, all_values[at * count : (at + 1) * count]) for at, name in enumerate(names)]
 
     return values
+
+
+def run_sequences(plant: Installation) -> tuple[str, ...]:
+    """The sequences of the plant that write the command word with its run bit."""
+    sequences = plant.catalog.sequences
+    return tuple(
+        name
+        for name in plant.plan.sequences
+        if any("run" in (getattr(step, "bits", None) or ()) for step in sequences[name].steps)
+        or sequences[name].telegrams
+    )

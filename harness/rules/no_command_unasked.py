@@ -8,11 +8,10 @@ to it: what it does with the drives by itself is not the PLC's doing.
 
 from collections.abc import Iterator
 
-from fbgen.catalog import Catalog
 from harness.installation import Installation
 from harness.kernel import NS_PER_MS
 from harness.plc import CpuMode
-from harness.rules.drive_variables import Unit, drive_reader
+from harness.rules.drive_variables import Unit, drive_reader, run_sequences
 from harness.rules.rule import Rule, Watch
 from harness.rules.run_commands import tell_run_commands
 
@@ -26,7 +25,7 @@ def _watch(plant: Installation) -> Watch:
     variables = [f"control.{name}" for name in _CONTROL]
     with_data: tuple[Unit, ...] = (*plant.interface_entries, *plant.plan.devicenet)
     read_interfaces = drive_reader(plant, with_data, variables)
-    for name in _sequences(plant, plant.catalog):
+    for name in run_sequences(plant):
         variables += [f"{name}.execute", f"{name}.busy"]
     on_lines: tuple[Unit, ...] = (*plant.telegram_entries, *plant.plan.serial)
     read_lines = drive_reader(plant, on_lines, variables)
@@ -53,18 +52,6 @@ def _watch(plant: Installation) -> Watch:
         found.clear()
 
     return broken
-
-
-def _sequences(plant: Installation, catalog: Catalog) -> tuple[str, ...]:
-    """The sequences of the plant that write the command word with its run bit."""
-    return tuple(
-        name
-        for name in plant.plan.sequences
-        if any(
-            "run" in (getattr(step, "bits", None) or ()) for step in catalog.sequences[name].steps
-        )
-        or catalog.sequences[name].telegrams
-    )
 
 
 RULE = Rule("no_command_unasked", "No run command goes out that nobody asks for", _watch)

@@ -1,11 +1,9 @@
-"""A run that is over comes again only after a new one: of drives that are told all the time.
+"""A run that is over comes again only after a new one; of drives on lines see `spent_runs`.
 
-Those are behind a gateway for process data, or on DeviceNet.
-
-It is over when the drive is gone or has tripped, when the CPU has started, and when the block took
-it back. From then on `run` has to be FALSE in one scan, with the drive there and without a trip,
-before a run command goes out again: no drive starts by itself. What the program holds by coast,
-DC brake or a missing interlock may go on.
+Behind a gateway for process data and on DeviceNet it is over when the drive is gone or has tripped,
+when the CPU has started, and when the block took it back. From then on `run` has to be FALSE in one
+scan, with the drive there and without a trip, before a run command goes out again: no drive starts
+by itself. What the program holds by coast, DC brake or a missing interlock may go on.
 """
 
 from collections.abc import Iterator
@@ -15,6 +13,7 @@ from harness.plc import CpuMode
 from harness.rules.drive_variables import Unit, drive_reader
 from harness.rules.rule import Rule, Watch
 from harness.rules.run_commands import run_bits_of
+from harness.rules.spent_runs import watch_lines
 
 _CONTROL = ("manual", "run", "manualRun", "jog", "coast", "dcBrake", "interlock")
 _STATE = ("command", "online", "tripped")
@@ -41,7 +40,10 @@ def _watch(plant: Installation) -> Watch:
 
     plant.cpu.on_mode.append(changed)
 
+    on_lines = watch_lines(plant)
+
     def broken() -> Iterator[str]:
+        yield from on_lines()
         if plant.cpu.mode is not CpuMode.RUN or not plant.cpu.scans:
             return
         for name, (command, online, tripped, *control) in read():
