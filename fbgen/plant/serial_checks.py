@@ -99,12 +99,12 @@ def _series(item: "SerialLine", drive: "PlantDrive", series: Drive) -> Iterator[
         return
     port = port_of(item, series)
     if port is None:
-        has = " and ".join(f"{one.wires}" for one in series.communication.ports)
+        has = " or ".join(f"wires: {one.wires}" for one in series.communication.ports)
         yield Diagnostic(
             "FB2052",
             f"{series.id} has no port for {item.wires} wires",
             item.span_of("wires"),
-            f"its ports have {has or 'none'}",
+            f"write {has}, as the series is wired" if has else "the catalogue knows no port of it",
         )
         return
     if item.family not in port.protocols.values():
