@@ -12,6 +12,7 @@ from fbgen.artefacts.devicenet_settings import (
     inverter_settings,
     option_settings,
 )
+from fbgen.artefacts.readme_serial import MODULE_TITLES
 from fbgen.artefacts.text_table import csv_table
 from fbgen.artefacts.view import PlantLists, place_in
 from fbgen.blocks.checked_settings import sheets, spelled_out
@@ -179,11 +180,12 @@ def _document(lists: PlantLists, lines: _Lines) -> Iterator[str]:
     yield ""
     if lists.on_lines or plant.serial:
         yield lists.in_words(
-            "Set this by hand at each inverter, its option board and each gateway. F800, F801 and "
-            "F820 take effect when the supply was off until the display was dark.",
+            "Set this by hand at each inverter, its option board and each gateway. Rate, parity "
+            "and protocol (F800, F801, F807, F820, F829) take effect when the supply was off "
+            "until the display was dark.",
             "Das ist an jedem Umrichter, seiner Optionsplatine und jedem Gateway von Hand "
-            "einzustellen. F800, F801 und F820 wirken, wenn die Versorgung aus war, bis die "
-            "Anzeige dunkel war.",
+            "einzustellen. Rate, Parität und Protokoll (F800, F801, F807, F820, F829) wirken, wenn "
+            "die Versorgung aus war, bis die Anzeige dunkel war.",
         )
     else:
         yield lists.in_words(
@@ -231,7 +233,7 @@ def _serial(lists: PlantLists, line: SerialLine) -> Iterator[str]:
     yield ""
     yield f"## {lists.in_words('Serial line', 'Serielle Linie')} {line.title or line.name}"
     yield ""
-    module = module_of(line, lists.plant.plc)
+    module = MODULE_TITLES[module_of(line, lists.plant.plc)]
     yield f"{module}; {line.baud} bit/s, 8 bit, {lists.texts(line.parity)}, 1 {stop}"
 
 

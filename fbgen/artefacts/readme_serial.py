@@ -8,7 +8,7 @@ from fbgen.blocks.serial_lines import instructions_of, port_kind
 from fbgen.blocks.serial_times import READS_A_DRIVE, serial_times
 from fbgen.plant import SerialLine, buffer_numbers, module_of, place_of
 
-_TITLES = {
+MODULE_TITLES = {
     "cm_ptp": "CM PtP RS422/485",
     "cm_1241": "CM 1241 RS422/485",
     "cp_340": "CP 340",
@@ -109,7 +109,7 @@ def serial_row(line: SerialLine, lists: PlantLists) -> dict[str, str]:
         place = f"{'HW-ID' if by_identifier else lists.in_words('address', 'Adresse')} {number}"
     return {
         "name": line.name,
-        "module": _TITLES[module_of(line, plant.plc)],
+        "module": MODULE_TITLES[module_of(line, plant.plc)],
         "place": place,
         "protocol": lists.in_words(*_PROTOCOLS[line.protocol]),
         "baud": str(line.baud),

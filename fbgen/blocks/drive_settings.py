@@ -8,7 +8,7 @@ Sources: TOSPBDP001 manual v1.1, 6 (F800, F801, F802, F803, FH); VF-AS1 RS485 ma
 from collections.abc import Callable, Iterator, Mapping
 
 from fbgen.blocks.serial_times import serial_times
-from fbgen.catalog import Catalog, ComNo, Drive, SerialPort, Setting
+from fbgen.catalog import Catalog, Drive, SerialPort, Setting
 from fbgen.plant import DeviceNetDrive, Plant, PlantDrive, PlantGateway, SerialLine, port_of
 
 InWords = Callable[[str, str], str]
@@ -59,7 +59,7 @@ def _on_line(
     )
 
     def set_to(name: str, value: float, why: str) -> Setting:
-        said = f"{why}{doubtful}" if _is_doubtful(series.comno(name)) else why
+        said = f"{why}{doubtful}" if _is_doubtful(series, name, value) else why
         return Setting.model_construct(comno=name, value=value, why=said, source=port.source)
 
     heard = serial_times(plant, line, catalog).drive_timeout_s
@@ -116,8 +116,11 @@ def _timeout_action(name: str, series: Drive, in_words: InWords) -> Setting:
     return Setting.model_construct(comno=name, why=why, source=series.comno(name).source)
 
 
-def _is_doubtful(comno: ComNo) -> bool:
-    """Whether no document says which value stands for what."""
+def _is_doubtful(series: Drive, name: str, value: float) -> bool:
+    """Whether no document says that this value stands for what it is to mean."""
+    comno, known = series.comno(name), series.setting(name)
+    if known is not None and known.value == value:
+        return False
     return bool(comno.values) and (comno.status == "unverified" or "values" in comno.unverified)
 
 

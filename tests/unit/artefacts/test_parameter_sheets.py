@@ -144,6 +144,12 @@ def test_on_a_serial_line_a_sheet_is_that_of_the_line_and_of_its_port() -> None:
     assert {name for name, row in rows.items() if row["compared"]} == values.keys() - {"F804"}
     assert "unverified" in rows["F820"]["why"]
     assert "unverified" not in rows["F802"]["why"]
+    of_s11 = made_for(LINE.replace("vf-as1", "vf-s11").replace("baud: 38400", "baud: 19200"))
+    known = {row["parameter"]: row for row in table(of_s11["hall_parameters.csv"])}
+    # 19200 bit/s is documented, odd parity is not
+    assert "unverified" not in known["F800"]["why"]
+    assert "unverified" in known["F801"]["why"]
+    assert "CM PtP RS422/485; 19200 bit/s" in of_s11["hall_parameters.md"]
     assert "Err5" in rows["F804"]["why"]
 
 
