@@ -1,4 +1,5 @@
-"""The yardstick plant with everything recorded: every change, frame and telegram, and who wrote it.
+"""The yardstick plant with everything recorded: every change, frame and telegram, and who wrote it;
+plants on DeviceNet and on a serial line as well.
 
 The figure is the processor time for one second of the plant's own time, as in `bench.yardstick`; a
 drive ramps up and down meanwhile. 100 times real time is 10 ms. A recorder keeps all that it has
@@ -19,7 +20,7 @@ _EXAMPLES = Path(__file__).parents[1] / "examples"
 _PLANT = _EXAMPLES / "five_drives" / "plant.yaml"
 _WARM_UP_NS = 3 * NS_PER_S
 _CONTROL = "TOS_Plant.gw1.drive1.control"
-_WINDOWS = 100
+_WINDOWS, _FEW_WINDOWS = 100, 20
 _WRITTEN_NS = 5 * NS_PER_S
 
 
@@ -34,15 +35,15 @@ def figures() -> Iterator[Figure]:
         limit = f"{1 / second.seconds:.0f} times real time, at least 100"
         yield Figure(name, second.seconds, second.turns, limit)
     for name, made in (
-        ("1 s of two drives on DeviceNet, recorded", _on_devicenet()),
-        ("1 s of two drives on a serial line, recorded", _on_serial()),
+        ("1 s of examples/devicenet, recorded", _on_devicenet()),
+        ("1 s of examples/serial, recorded", _on_serial()),
     ):
         made.record()
         made.start()
         made.run_for(_WARM_UP_NS)
-        second = measure(name, lambda at=made: at.run_for(NS_PER_S), windows=_WINDOWS)
-        limit = f"{1 / second.seconds:.0f} times real time, at least 100"
-        yield Figure(name, second.seconds, second.turns, limit)
+        second = measure(name, lambda at=made: at.run_for(NS_PER_S), windows=_FEW_WINDOWS)
+        real = f"{1 / second.seconds:.0f} times real time"
+        yield Figure(name, second.seconds, second.turns, real)
     installation, recorder = _running((writers_probe,))
     installation.run_for(_WRITTEN_NS)
     trace = recorder.finish()
