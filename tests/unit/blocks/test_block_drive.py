@@ -141,7 +141,11 @@ def test_nothing_is_sent_while_nothing_changes_or_while_it_is_not_enabled(
     bench.control(enable=False, frequency=0.0)
     bench.cycles(50)
     assert bench.words() == []
+    assert bench.block.active, "it is looked at until it stands"
+    bench.drive["polled"].update(statusWord=0, frequency=0.0)
+    bench.cycles(2)
     assert not bench.block.active
+    assert bench.words() == []
 
 
 def test_a_drive_that_runs_is_stopped_when_enable_is_taken_back(program: LoadedProgram) -> None:
@@ -150,7 +154,10 @@ def test_a_drive_that_runs_is_stopped_when_enable_is_taken_back(program: LoadedP
     bench.control(enable=False, frequency=10.0, reset=True)
     bench.cycles(500)
     assert bench.words() == ["FA00 C000"] * 3
+    bench.drive["polled"].update(statusWord=0, frequency=0.0)
+    bench.cycles(2)
     assert not bench.block.active
+    assert bench.words() == ["FA00 C000"] * 3
 
 
 def test_a_run_command_on_its_way_is_followed_by_a_stop_when_enable_is_taken_back(
