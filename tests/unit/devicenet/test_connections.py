@@ -104,6 +104,17 @@ def test_the_explicit_connection_deletes_itself() -> None:
     assert made.option.node.allocation.master == 255
 
 
+def test_the_watchdog_of_a_released_connection_does_not_end_the_next_one() -> None:
+    made = bench(C203[21])
+    made.connect(rate_ms=0)
+    made.set(5, 1, 9, words(100))
+    made.put(group_2(Group2.UNCONNECTED_REQUEST, MAC), bytes.fromhex("00 4C 03 01 01"))
+    made.run(5)
+    made.allocate(1)
+    made.run(1000)
+    assert state(made, 1) is ConnectionState.ESTABLISHED
+
+
 def test_deferred_delete_waits_for_the_io_connections() -> None:
     made = bench(C203[21])
     made.connect(rate_ms=0)
@@ -268,6 +279,22 @@ def test_acknowledgements_that_nobody_waits_for_hold_nothing_up() -> None:
         made.put(ACK, b"")
         made.run(5)
     assert any(frame.identifier == COS for frame in made.taken())
+
+
+@pytest.mark.parametrize(
+    ("choice", "trigger"),
+    [
+        (Choice.CHANGE_OF_STATE, 0x12),
+        (Choice.CYCLIC, 0x02),
+        (Choice.CHANGE_OF_STATE | Choice.ACK_SUPPRESSION, 0x10),
+        (Choice.CYCLIC | Choice.ACK_SUPPRESSION, 0x00),
+    ],
+)
+def test_transport_class_and_trigger_are_those_of_the_choice(choice: Choice, trigger: int) -> None:
+    made = bench(C203[21])
+    made.connect(choice)
+    assert made.get(5, 4, 3) == bytes([trigger])
+    assert made.get(5, 4, 6) == (b"\x0f" if choice & Choice.ACK_SUPPRESSION else b"\x01")
 
 
 @pytest.mark.parametrize("released", [Choice.POLLED, Choice.CYCLIC])

@@ -150,6 +150,7 @@ def test_status_codes_have_names() -> None:
 def test_the_duplicate_mac_check_says_vendor_and_serial_number() -> None:
     check = DuplicateCheck(response=False, vendor=377, serial=0x01020304)
     assert check.encode() == bytes.fromhex("00 79 01 04 03 02 01")
+    assert parse_duplicate_check(check.encode()) == check
     assert parse_duplicate_check(bytes.fromhex("80 79 01 04 03 02 01")).response
     with pytest.raises(MessageError, match="7 bytes"):
         parse_duplicate_check(bytes(6))
