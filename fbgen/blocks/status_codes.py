@@ -181,11 +181,12 @@ STATUS_CODES = (
     ),
     StatusCodes(
         (0x840D,),
-        "the assemblies of the drive know no reverse, no jog or no preset speed",
+        "the assemblies of the drive know no reverse, no jog or no preset speed; or poles is below "
+        "2",
         "die Assemblies des Antriebs kennen keinen Rückwärtslauf, kein Tippen oder keine "
-        "Festfrequenz",
+        "Festfrequenz; oder poles ist unter 2",
         "Take it back. 20/70 run forward only; jog and preset speeds need a command word: 100/150, "
-        "102/152 or 105/155.",
+        "102/152 or 105/155. Speeds in 1/min need the poles of the motor.",
         ("devicenet",),
     ),
     StatusCodes(

@@ -102,7 +102,7 @@ def _joined(trivia: Iterable[ast.Trivia]) -> Iterator[str]:
         if one.kind is not ast.TriviaKind.LINE_COMMENT:
             continue
         raw = one.text.removeprefix("//")
-        if raw.startswith("   ") and found:
+        if found and (raw.startswith("   ") or not _HEAD.fullmatch(raw.strip())):
             found[-1] += f" {raw.strip()}"
         else:
             found.append(raw.strip())
