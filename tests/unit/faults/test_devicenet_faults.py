@@ -16,6 +16,7 @@ from harness.installation import DriveConditions, Installation, PlantSetup, buil
 from harness.kernel import NS_PER_MS, NS_PER_S
 from harness.scenario.fault_plans import possible_places
 from tests.unit.faults.fault_plant import drive_state
+from tests.unit.faults.pairs import end_independently, one_behind_the_other
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "devicenet"
 CATALOG = load_catalog()
@@ -27,7 +28,6 @@ HERE = sorted(
     if kind.target not in ELSEWHERE and not name.startswith(OF_TELEGRAMS)
 )
 """The faults that a plant with nothing but DeviceNet can have."""
-SETTLING_NS = 25 * NS_PER_MS
 STRONGER: dict[str, Mapping[str, float | str]] = {
     "cpu_jitter": {"up_to": "8 ms"},
     "cpu_overrun": {"execution_time": "80 ms"},
@@ -84,15 +84,6 @@ def held(plant: Installation) -> dict[str, object]:
     }
 
 
-def alone(plant: Installation, made: Fault) -> dict[str, object]:
-    made.inject()
-    plant.run_for(2 * SETTLING_NS)
-    seen = held(plant)
-    made.clear()
-    plant.run_for(SETTLING_NS)
-    return seen
-
-
 def test_these_are_all_that_the_plant_can_have(plan: Plant) -> None:
     places = possible_places(started(plan))
     assert sorted(name for name, found in places.items() if found) == HERE
@@ -101,35 +92,15 @@ def test_these_are_all_that_the_plant_can_have(plan: Plant) -> None:
 @pytest.mark.parametrize("first", HERE)
 def test_two_faults_end_independently_of_each_other(plan: Plant, first: str) -> None:
     plant = started(plan)
-    before = held(plant)
     for second in [name for name in HERE if name >= first]:
-        faults = two(plant, (first, second))
-        single = [alone(plant, made) for made in faults]
-        for which in (0, 1):
-            for made in faults:
-                made.inject()
-            plant.run_for(SETTLING_NS)
-            faults[which].clear()
-            plant.run_for(SETTLING_NS)
-            assert held(plant) == single[1 - which], f"{first}, {second}: {which} has ended"
-            faults[1 - which].clear()
-            plant.run_for(SETTLING_NS)
-            assert held(plant) == before, f"{first}, {second}: both have ended"
+        end_independently(plant, two(plant, (first, second)), held)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("names", list(combinations_with_replacement(HERE, 2)))
 def test_after_two_faults_the_plant_works_again(plan: Plant, names: tuple[str, str]) -> None:
     plant = started(plan)
-    faults = two(plant, names)
-    faults[0].inject()
-    plant.run_for(700 * NS_PER_MS)
-    faults[1].inject()
-    plant.run_for(1300 * NS_PER_MS)
-    faults[0].clear()
-    plant.run_for(600 * NS_PER_MS)
-    faults[1].clear()
-    plant.run_for(8 * NS_PER_S)
+    one_behind_the_other(plant, two(plant, names), 8 * NS_PER_S)
     assert all_is_well(plant)
     assert not plant.cpu.diagnostics
 

@@ -12,13 +12,13 @@ import pytest
 from fbgen.plant import Plant
 from harness.faults import FAULTS, Fault, Target
 from harness.installation import Installation
-from harness.kernel import NS_PER_MS, NS_PER_S
+from harness.kernel import NS_PER_S
 from tests.unit.faults.fault_plant import all_is_well, fault, five_drives, snapshot, started
+from tests.unit.faults.pairs import end_independently, one_behind_the_other
 
 ELSEWHERE = (Target.NETWORK, Target.OPTION, Target.MODULE)
 HERE = sorted(name for name, kind in FAULTS.items() if kind.target not in ELSEWHERE)
 """The faults of a plant with a gateway; for DeviceNet see `test_devicenet_faults`."""
-SETTLING_NS = 25 * NS_PER_MS
 STRONGER: dict[str, Mapping[str, float | str]] = {
     "cpu_jitter": {"up_to": "8 ms"},
     "cpu_overrun": {"execution_time": "80 ms"},
@@ -54,48 +54,18 @@ def held(plant: Installation) -> dict[str, object]:
     return {key: value for key, value in snapshot(plant).items() if key != "sync"}
 
 
-def alone(plant: Installation, made: Fault) -> dict[str, object]:
-    """The plant with one fault, which then ends."""
-    made.inject()
-    plant.run_for(2 * SETTLING_NS)
-    seen = held(plant)
-    made.clear()
-    plant.run_for(SETTLING_NS)
-    return seen
-
-
 @pytest.mark.parametrize("first", HERE)
 def test_two_faults_end_independently_of_each_other(plan: Plant, first: str) -> None:
     plant = started(plan)
-    before = held(plant)
     for second in [name for name in HERE if name >= first]:
-        faults = two(plant, (first, second))
-        single = [alone(plant, made) for made in faults]
-        for which in (0, 1):
-            for made in faults:
-                made.inject()
-            plant.run_for(SETTLING_NS)
-            faults[which].clear()
-            plant.run_for(SETTLING_NS)
-            assert held(plant) == single[1 - which], f"{first}, {second}: {which} has ended"
-            faults[1 - which].clear()
-            plant.run_for(SETTLING_NS)
-            assert held(plant) == before, f"{first}, {second}: both have ended"
+        end_independently(plant, two(plant, (first, second)), held)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("names", list(combinations_with_replacement(HERE, 2)))
 def test_after_two_faults_the_plant_works_again(plan: Plant, names: tuple[str, str]) -> None:
     plant = started(plan)
-    faults = two(plant, names)
-    faults[0].inject()
-    plant.run_for(700 * NS_PER_MS)
-    faults[1].inject()
-    plant.run_for(1300 * NS_PER_MS)
-    faults[0].clear()
-    plant.run_for(600 * NS_PER_MS)
-    faults[1].clear()
-    plant.run_for(6 * NS_PER_S)
+    one_behind_the_other(plant, two(plant, names), 6 * NS_PER_S)
     assert all_is_well(plant)
     assert not plant.cpu.diagnostics
 
