@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from fbgen.blocks.alarms import DRIVE_EMERGENCY_STOP, INHIBITED, INTERLOCK, Alarm
-from fbgen.blocks.pbdp_alarms import NOT_RUNNING, TRIPPED
+from fbgen.blocks.pbdp_alarms import NOT_RUNNING, NOT_STOPPED, TRIPPED
 
 NETWORK_ALARMS = (
     Alarm(
@@ -28,16 +28,7 @@ NETWORK_ALARMS = (
         "Kein Antrieb dieses Netzes läuft, bis er weggenommen ist; wer dabei abschaltet, braucht "
         "eine Quittierung.",
     ),
-    Alarm(
-        4,
-        "not_stopped",
-        "#line.emergencyStop AND NOT #line.stopped",
-        "Errors",
-        "Emergency stop: not every drive is known to stand",
-        "Nothalt: nicht von jedem Antrieb ist bekannt, dass er steht",
-        "A drive that still runs or is offline: switch it off.",
-        "Ein Antrieb läuft noch oder ist nicht erreichbar: abschalten.",
-    ),
+    NOT_STOPPED,
 )
 """The alarms of typeDevLine.alarms; a cause that a gateway has too has the same bit."""
 

@@ -2,6 +2,17 @@
 
 from fbgen.blocks.alarms import DRIVE_EMERGENCY_STOP, INHIBITED, INTERLOCK, IO_ERROR, Alarm
 
+NOT_STOPPED = Alarm(
+    4,
+    "not_stopped",
+    "#line.emergencyStop AND NOT #line.stopped",
+    "Errors",
+    "Emergency stop: not every drive is known to stand",
+    "Nothalt: nicht von jedem Antrieb ist bekannt, dass er steht",
+    "A drive that still runs or is offline: switch it off.",
+    "Ein Antrieb läuft noch oder ist nicht erreichbar: abschalten.",
+)
+
 GATEWAY_ALARMS = (
     Alarm(
         0,
@@ -25,16 +36,7 @@ GATEWAY_ALARMS = (
         "No drive of this gateway runs until it is taken back and the drives are reset.",
         "Kein Antrieb dieses Gateways läuft, bis er weggenommen und jeder Antrieb quittiert ist.",
     ),
-    Alarm(
-        4,
-        "not_stopped",
-        "#line.emergencyStop AND NOT #line.stopped",
-        "Errors",
-        "Emergency stop: not every drive is known to stand",
-        "Nothalt: nicht von jedem Antrieb ist bekannt, dass er steht",
-        "A drive that still runs or is offline: switch it off.",
-        "Ein Antrieb läuft noch oder ist nicht erreichbar: abschalten.",
-    ),
+    NOT_STOPPED,
 )
 """The alarms of typePbdpLine.alarms; a cause that a line has too has the same bit."""
 
